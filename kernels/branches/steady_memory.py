@@ -5,6 +5,9 @@ the period, from the deepest sample, is a piecewise linear map of its state ther
 must come back to where it began, and the forces on the way must carry the load (eq. 4): Newton's
 method on both with exact tangents, which follow the same law in columns of their own. While an
 element touches, or does not, a step does the same to all tangents: many at once are a power of it.
+Where the line lies above d no element touches, as none is ever pulled up, and the element takes
+such a power of a step as well. The first guess is the state of every fourth sample in steps that
+are as long, and its own that of every sixteenth, and so on.
 Eq. 4 alone is solved in model/contact.py, and in model/steady.py where u is all that is remembered.
 
 The state of an element at given d contracts in its own energy norm and the force grows with d,
@@ -18,6 +21,7 @@ import numpy as np
 
 from ..compile.jit import kernel
 from ..model.contact import solve_indentation
+from ..rheology.foreseen import foreseen, from_memory, remember, step_one
 from ..rheology.forms import Form
 from ..rheology.law import (
     Elements,
@@ -27,13 +31,15 @@ from ..rheology.law import (
     predict_one,
     rest,
     settle,
-    settle_one,
 )
 
 TURNS = 60  # at most; a few are enough
 EXACT = 1e-13  # residual that is as good as none
+GUESSED = 1e-3  # and that is as good as it need be of a first guess
 SOUND = 1e-6  # residual that is taken
 FINEST = 1e-13  # and beside it, times the stiffness of a step: what rounding leaves
+TOGETHER = 16  # samples at which the memory of a unit is filled before that of the next
+COARSER, COARSEST = 4, 1000  # samples of the line for one of a guess, and how many it has at least
 
 
 class SteadyMemory(NamedTuple):
@@ -50,8 +56,7 @@ def steady_memory(form: Form, z: np.ndarray, speed: float, load: float) -> Stead
     form : of the material (rheology/forms.py). z : heights of the line, shape (n,), in h.
     speed : in samples per tau, negative towards -x. Raises ValueError where it is not found.
     """
-    start, _ = solve_indentation(z, load, float(z.min()) + load / z.size)
-    return _found(form, z, speed, load, start)
+    return _found(form, z, speed, load, np.nan)
 
 
 def steady_at(form: Form, z: np.ndarray, speed: float, d: float) -> SteadyMemory:
@@ -60,94 +65,172 @@ def steady_at(form: Form, z: np.ndarray, speed: float, d: float) -> SteadyMemory
 
 
 def _found(form: Form, z: np.ndarray, speed: float, load: float, d: float) -> SteadyMemory:
-    """Return the steady state under a load, from a first guess d, or at d if the load is NaN.
+    """Return the steady state under a load, or at d if the load is NaN.
 
     Heights and d are counted from the deepest sample: what presses in is known to rounding then.
     """
-    law, count = law_of(form, 1.0 / abs(speed)), memories(form)
-    first, way, sound = int(np.argmin(z)), -1 if speed > 0.0 else 1, SOUND + FINEST * law.stiffness
-    deepest = float(z[first])
-    z, d = z - deepest, d - deepest
-    held = np.array([max(0.0, d)])
-    x = np.concatenate([rest(form, held)[:, 0], held, [d]])
-    found, least, turns, step = Elements(np.empty((0, 0)), held, d), np.inf, 0, np.zeros_like(x)
-    powers = _no_powers(count + 3, z.size)
-    while turns < TURNS:
-        tangents = np.eye(count + 3, count + 2)
-        field, forces = np.empty((z.size, count)), np.empty(z.size)
-        total = _turn(law, z, first, way, x, tangents, powers, field, forces)
-        turns += 1
-        if total <= 0.0 and not np.isnan(load):
-            step *= 0.5
-            x = x - step
-            continue
-        excess = np.append(field[first] - x[:count], [forces[first] - x[count], total - load])
-        left = _residual(excess, x, load)
-        stuck = least < sound and not left < 0.5 * least
-        if left < least:
-            found, least = (
-                Elements(np.ascontiguousarray(field.T), forces, float(x[-1]) + deepest),
-                left,
-            )
-        if stuck or left < EXACT:
-            break
-        step = _step(tangents, excess)
-        x = x + step
-    if not least <= sound:
+    elements, work, residual = _solved(form, z, speed, load, d, TURNS)
+    if not residual <= SOUND + FINEST * law_of(form, 1.0 / abs(speed)).stiffness:
         raise ValueError(
             f"speed = {speed:g} samples per tau: no steady state was found, "
-            f"its equations are off by {least:.1e}"
+            f"its equations are off by {residual:.1e}"
         )
-    return SteadyMemory(found, turns * z.size * (count + 3), least)
+    return SteadyMemory(elements, work, residual)
 
 
-def _residual(excess: np.ndarray, x: np.ndarray, load: float) -> float:
+@kernel
+def _solved(form, z, speed, load, d, most):
+    """Return (Elements, updates of an element or of a tangent, residual) that were found."""
+    count, n = memories(form), z.size
+    first, way = np.argmin(z), -1 if speed > 0.0 else 1
+    apart = 1
+    while n // (COARSER * apart) >= COARSEST:
+        apart *= COARSER
+    x, forces, updates, residual = np.zeros(count + 1), np.empty(0), 0, np.inf
+    x[-1] = d - z[first]
+    while apart > 0:
+        line = _as_met(z, first, way * apart, n // apart)
+        here, law = load * line.size / n, foreseen(law_of(form, apart / abs(speed)))
+        if not residual < 1.0:
+            held = np.array([x[-1]])
+            if not np.isnan(load):
+                held[0], _ = solve_indentation(line, here, here / line.size)
+            x[-1], held[0] = held[0], max(held[0], 0.0)
+            x[:-1] = from_memory(law, np.ascontiguousarray(rest(form, held)[:, 0]), held[0])
+        forces = np.empty(line.size)
+        turns, residual = _solve(law, line, here, EXACT if apart == 1 else GUESSED, most, x, forces)
+        updates += turns * line.size * (count + 2)
+        apart //= COARSER
+    return _as_found(law, z, first, way, x, forces), updates, residual
+
+
+@kernel
+def _as_met(z, first, way, count):
+    """Return ``count`` heights over the deepest, at every ``way``-th sample up to ``first``."""
+    line, j = np.empty(count), (first - way * count) % z.size
+    for i in range(count):
+        j += way
+        if j < 0 or j >= z.size:
+            j %= z.size
+        line[i] = z[j] - z[first]
+    return line
+
+
+@kernel
+def _as_found(law, z, first, way, x, forces):
+    """Return the elements at the samples of the line, from x and the forces in turn."""
+    y, memory, p = x[:-1].copy(), np.empty((x.size - 1, z.size)), np.empty(z.size)
+    i, j = 0, first
+    while i < z.size:
+        j = (j + way) % z.size
+        some = min(TOGETHER, z.size - i, j + 1 if way < 0 else z.size - j)
+        for k in range(some):
+            p[j + way * k] = forces[i + k]
+        remember(law, y, forces[i : i + some], memory, j, way)
+        i, j = i + some, j + way * (some - 1)
+    return Elements(memory, p, x[-1] + z[first])
+
+
+@kernel
+def _solve(law, line, load, enough, most, x, forces):
+    """Take x to the solution with Newton's method; return (turns, residual).
+
+    x : what is counted of the element before its turn, and d; the best of all turns is left there,
+    and its forces (n,) too. load : NaN where d is given. most : turns.
+    """
+    size, least, turns = x.size, np.inf, 0
+    sound = SOUND + FINEST * law.stiffness
+    bits = 0
+    while line.size >> bits > 0:
+        bits += 1
+    powers = Powers(np.empty((2, bits, size + 1, size + 1)), np.zeros(2, np.int64))
+    now, step, tried = x.copy(), np.zeros(size), np.empty(line.size)
+    runs = np.empty(line.size + 1, np.int64)
+    while turns < most:
+        y = np.zeros((size + 1, 1))
+        y[:-1, 0] = now
+        count = _turn(law, line, y, powers, tried, runs)
+        turns += 1
+        if y[-1, 0] <= 0.0 and not np.isnan(load):
+            step *= 0.5
+            now -= step
+            continue
+        y[:size, 0] -= now
+        y[-1, 0] -= load
+        left = _residual(y[:, 0], now, load)
+        stuck = least < sound and not left < 0.5 * least
+        if left < least:
+            least = left
+            x[:], forces[:] = now, tried
+        if stuck or left < enough:
+            break
+        step = _step(_tangents(law, powers, runs[:count], size), y[:, 0])
+        now += step
+    return turns, least
+
+
+@kernel
+def _residual(excess, x, load):
     """Return what is left of the equations: of the state relative to it, of forces to the load."""
-    scale = max(float(np.abs(x[:-2]).max()), 1e-30 * float(np.abs(x).max()), 1e-300)
-    state = float(np.abs(excess[:-1]).max()) / scale
-    return state if np.isnan(load) else max(state, abs(float(excess[-1])) / load)
+    largest = np.abs(x[:-1]).max()
+    scale = max(largest, 1e-30 * max(largest, abs(x[-1])), 1e-300)
+    state = np.abs(excess[:-1]).max() / scale
+    return state if np.isnan(load) else max(state, abs(excess[-1]) / load)
 
 
 class Powers(NamedTuple):
     """What 2^k steps do to tangents: of an element that is free (0) and of one that touches (1)."""
 
-    of: np.ndarray  # shape (2, k, M + 3, M + 3)
+    of: np.ndarray  # shape (2, k, M + 2, M + 2)
     known: np.ndarray  # shape (2,): how many of them are known
 
 
-def _no_powers(size: int, steps: int) -> Powers:
-    """Return room for the powers of so many steps."""
-    return Powers(np.empty((2, steps.bit_length(), size, size)), np.zeros(2, np.int64))
+@kernel
+def _turn(law, line, x, powers, forces, runs):
+    """Take an element round the line, from before the first of the heights (n,) to after the last.
+
+    x : shape (M + 2, 1), what is counted of it, d, and the sum of the forces on it, changed.
+    forces (n,) is filled, and ``runs`` (n + 1,) with how many steps it touches, then does not, and
+    so on. Returns how many of these numbers there are.
+    """
+    y, d = x.reshape(-1)[:-2], x[-2, 0]
+    w, total, i, run = predict_one(law, y, 0.0), 0.0, 0, 0
+    runs[0] = 0
+    while i < line.size:
+        free = i
+        while free < line.size and line[free] >= d:
+            forces[free] = 0.0
+            free += 1
+        steps, touches = free - i, False
+        if steps > 0:
+            _carry(law, powers, False, steps, x)
+            w = predict_one(law, y, 0.0)
+        else:
+            depth = w + (d - line[i])
+            steps, touches = 1, depth > 0.0
+            new = law.stiffness * depth if touches else 0.0
+            w = step_one(law, y, w, new)
+            forces[i] = new
+            total += new
+        if touches != (run % 2 == 0):
+            run += 1
+            runs[run] = 0
+        runs[run] += steps
+        i += steps
+    x[-1, 0] = total
+    return run + 1
 
 
 @kernel
-def _turn(law, z, first, way, x, tangents, powers, field, forces):
-    """Take an element round the line, from under sample ``first``; return the sum of its forces.
+def _tangents(law, powers, runs, size):
+    """Return what _turn has made of x with respect to what it began as, shape (M + 2, M + 2).
 
-    x : its memory and force at the start, and d. tangents : shape (M + 3, M + 2), of memory, force,
-    d and the sum of forces with respect to x, changed from those at the start to those at the end.
-    field (n, M) and forces (n,) are filled with the state at all samples.
+    runs : as of ``_turn``, so many as there are.
     """
-    y, p, d, total = x[:-2].copy(), x[-2], x[-1], 0.0
-    j, touched, length = first, True, 0
-    for _ in range(z.size):
-        j += way
-        if j < 0 or j == z.size:
-            j = 0 if j > 0 else z.size - 1
-        w = predict_one(law, y, p)
-        depth = d - (z[j] - w)
-        if (depth > 0.0) != touched:
-            _carry(law, powers, touched, length, tangents)
-            touched, length = depth > 0.0, 0
-        length += 1
-        new = law.stiffness * depth if touched else 0.0
-        settle_one(law, y, w, p, new)
-        p = forces[j] = new
-        total += new
-        for k in range(y.size):
-            field[j, k] = y[k]
-    _carry(law, powers, touched, length, tangents)
-    return total
+    tangents = np.eye(size + 1)
+    for run in range(runs.size):
+        _carry(law, powers, run % 2 == 0, runs[run], tangents)
+    return tangents
 
 
 @kernel
@@ -180,16 +263,14 @@ def _carry(law, powers, touching, length, tangents):
 @kernel
 def _take_steps(law, touching, length, tangents):
     """Take tangents over so many steps; their rows are as of ``_turn``."""
-    size, columns = tangents.shape
-    memory, p, d, total = tangents[: size - 3], tangents[size - 3], tangents[size - 2], tangents[-1]
-    w, new = np.empty(columns), np.empty(columns)
+    memory, d, total = tangents[:-2], tangents[-2], tangents[-1]
+    w, new = np.empty(d.size), np.empty(d.size)
     for _ in range(length):
-        predict(law, memory, p, w)
-        for c in range(columns):
+        predict(law, memory, new, w)
+        for c in range(d.size):
             new[c] = law.stiffness * (w[c] + d[c]) if touching else 0.0
-        settle(law, memory, w, p, new)
-        for c in range(columns):
-            p[c] = new[c]
+        settle(law, memory, w, new, new)
+        for c in range(d.size):
             total[c] += new[c]
 
 
@@ -201,25 +282,31 @@ def _multiply(a, b):
         row = product[i]
         for j in range(a.shape[1]):
             factor, other = a[i, j], b[j]
-            for c in range(row.size):
-                row[c] += factor * other[c]
+            if factor != 0.0:
+                for c in range(row.size):
+                    row[c] += factor * other[c]
     b[:] = product
 
 
-def _step(tangents: np.ndarray, excess: np.ndarray) -> np.ndarray:
+@kernel
+def _step(tangents, excess):
     """Return the step of Newton's method: elimination with pivots, the same bits everywhere.
 
     Where the load is not given, d is: its row says that it stays.
     """
-    size = excess.size
-    a = np.delete(tangents, size - 1, axis=0)
-    a[:-1] -= np.eye(size - 1, size)
-    if np.isnan(excess[-1]):
-        a[-1] = np.eye(1, size, size - 1)
-    a = np.column_stack([a, np.nan_to_num(-excess)])
-    a /= np.abs(a[:, :size]).max(axis=1, keepdims=True)
+    size = excess.size - 1
+    a = np.empty((size, size + 1))
+    for i in range(size):
+        row = i if i < size - 1 else size
+        for j in range(size):
+            a[i, j] = tangents[row, j] - (1.0 if i == j and i < size - 1 else 0.0)
+        a[i, size] = -excess[row]
+        if np.isnan(excess[row]):
+            a[i] = 0.0
+            a[i, size - 1] = 1.0
+        a[i] /= np.abs(a[i, :size]).max()
     _eliminate(a)
-    return a[:, size]
+    return a[:, size].copy()
 
 
 @kernel

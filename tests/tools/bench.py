@@ -41,7 +41,7 @@ from tests.kernels.scene import given
 from tests.tools.contact_costs import contact_costs
 from tests.tools.march_costs import march_costs
 from tests.tools.narrow_costs import narrow_costs
-from tests.tools.scene_costs import branches, scene_costs
+from tests.tools.scene_costs import branches, scene_costs, steady_costs
 from tests.tools.task_costs import task_costs
 
 ELEMENTS_OF_SCENES, M, LOAD, SPEED = 500, 4, 0.05, 5.0
@@ -196,6 +196,7 @@ if __name__ == "__main__":
     march_costs()
     narrow_costs()
     scene_costs()
+    steady_costs()
     contact_costs()
     task_costs()
     effects()

@@ -28,6 +28,7 @@ from elastomer_friction.kernels import (
     draw_phases,
     scene_steps,
 )
+from elastomer_friction.kernels.branches.steady_memory import steady_memory
 from elastomer_friction.kernels.control.indentation import PrescribedIndentation
 from elastomer_friction.kernels.motion.track import tracks
 from elastomer_friction.kernels.rheology.forms import form_of
@@ -41,10 +42,11 @@ from elastomer_friction.kernels.scene.scene_case import indentation_at
 from tests.kernels.scene import given
 from tests.tools.march_costs import fastest
 from tests.tools.rivals.compiled import Compiled
-from tests.tools.rivals.limits import Limits
+from tests.tools.rivals.limits import NUMBER, Limits, of_steady
 
 M, SPEED, LOAD = 4, 5.0, 0.05
 ELEMENTS, BRANCHES = (50, 500, 5000), (0, 1, 5, 13)
+LOADS, SPEEDS = (0.001, 0.05, 1.0, 3.0), (0.1, 1.0, 10.0, 100.0, 1000.0)  # of steady states
 TURNS = 5
 AGREEMENT = 1e-11  # of the largest value
 SCENES: dict[str, tuple[tuple, dict]] = {
@@ -158,5 +160,24 @@ def scene_costs() -> None:
         )
 
 
+def steady_costs() -> None:
+    """Print what whole steady states cost, in ns a sample, beside their limit in full contact."""
+    line = a_line(max(ELEMENTS))
+    print(f"\nSteady states, the load given: ns a sample (N = {max(ELEMENTS)}, m = {M}, K = 13)\n")
+    print("| Fbar | " + " | ".join(f"v = {speed:g}" for speed in SPEEDS) + " |")
+    print("|---|" + "---|" * len(SPEEDS))
+    form, samples = form_of(branches(13), "exponential"), line.z.size
+    for load in LOADS:
+        taken = [
+            fastest(lambda v=M * speed, f=load * samples: steady_memory(form, line.z, v, f))
+            for speed in SPEEDS
+        ]
+        print(f"| {load:g} | " + " | ".join(f"{1e9 * t / samples:.0f}" for t in taken) + " |")
+    with contextlib.suppress(FileNotFoundError):
+        least = Limits(Compiled()).seconds(of_steady(13), samples, NUMBER * 14 * samples)
+        print(f"| limit | {1e9 * least / samples:.1f} |")
+
+
 if __name__ == "__main__":
     scene_costs()
+    steady_costs()

@@ -7,12 +7,13 @@ from hypothesis import strategies as st
 
 from elastomer_friction.kernels import SCHEMES, steady_sliding
 from elastomer_friction.kernels.branches.steady_memory import (
+    Powers,
     _carry,
-    _no_powers,
     _take_steps,
     steady_at,
     steady_memory,
 )
+from elastomer_friction.kernels.rheology.foreseen import foreseen
 from elastomer_friction.kernels.rheology.forms import FORMS
 from elastomer_friction.kernels.rheology.law import Elements, law_of, memories, rest
 from elastomer_friction.kernels.rheology.retardation import retardation
@@ -211,10 +212,10 @@ def test_what_is_not_found_is_said(monkeypatch):
 @pytest.mark.parametrize("scheme", FORMS)
 def test_many_steps_do_to_tangents_what_one_after_the_other_does(scheme, touching):
     form, length = FORMS[scheme](PRONY3), 700
-    law, units = law_of(form, 0.01), memories(form)
-    start = np.random.default_rng(2).normal(size=(units + 3, units + 2))
+    law, size = foreseen(law_of(form, 0.01)), memories(form) + 2
+    start = np.random.default_rng(2).normal(size=(size, size))
     one_by_one, at_once = start.copy(), start.copy()
-    powers = _no_powers(units + 3, length)
+    powers = Powers(np.empty((2, length.bit_length(), size, size)), np.zeros(2, np.int64))
     _take_steps(law, touching, length, one_by_one)
     _carry(law, powers, touching, length, at_once)
     assert powers.known[int(touching)] == length.bit_length()

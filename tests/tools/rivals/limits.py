@@ -29,6 +29,14 @@ def of_scene(units: int) -> Work:
     return Work(NUMBER * (2 * units + 6 + PASSES), 6 * units + 3 * PASSES + 4)
 
 
+def of_steady(units: int) -> Work:
+    """Return the work of a steady state in full contact; units : internal variables.
+
+    The element goes round twice (4 flops a unit), and its memory is filled (5) and written.
+    """
+    return Work(NUMBER * (units + 4), 13 * units + 8)
+
+
 # A march of Kelvin elements: w is read, decayed, written; every pass reads z and w; weights.
 MARCH = Work(NUMBER * (3 + 2 * PASSES + 3), 2 + 4 * PASSES + 4)
 # A sweep reads z and writes w: two decays, comparisons and sums.
