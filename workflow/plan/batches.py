@@ -9,6 +9,7 @@ from itertools import groupby
 from typing import NamedTuple
 
 from ..simulate import Batch, Record, Task
+from .cost import drawing_seconds
 from .plan import Plan
 from .variant import Variant, samples_of, sharing
 
@@ -131,7 +132,7 @@ def _missing_runs(
 
 def _pieces(plan: Plan, whole: Missing, target: float) -> Iterator[Missing]:
     """Yield the tasks of missing work, as many together as take ``target`` seconds a block."""
-    variant = whole.variant
+    variant, each = whole.variant, plan.study.realizations_per_block
     chosen: list[Task] = []
     lines: set[int] = set()
     total = 0.0
@@ -142,7 +143,7 @@ def _pieces(plan: Plan, whole: Missing, target: float) -> Iterator[Missing]:
         groups += [tasks] if together else [[task] for task in tasks]
     for tasks in groups:
         samples, own = samples_of(tasks[0]), _own_seconds(plan, variant, tasks)
-        drawing = plan.study.realizations_per_block * variant.draw_seconds(samples)
+        drawing = each * float(variant.factors[0] * drawing_seconds(samples))
         shared = own if samples in lines else own + drawing
         if chosen and total + shared > target:
             yield whole._replace(tasks=chosen, seconds=total)

@@ -55,7 +55,7 @@ class Plan(NamedTuple):
 
     def longest_line(self) -> int:
         """Return the largest number of samples of any line."""
-        return max(max(variant.drawing) for variant in self.variants)
+        return max(variant.longest for variant in self.variants)
 
     def widest_row(self, variant: Variant) -> int:
         """Return the largest number of values in a row of the store, of any task of a variant."""
@@ -68,7 +68,7 @@ class Plan(NamedTuple):
     def predicted_worker_bytes(self) -> float:
         """Return the predicted peak memory of a worker."""
         finer = HALVED if any(variant.recording.finer for variant in self.variants) else 1
-        each = [_bytes_per_sample(own) * max(own.drawing) for own in self.variants]
+        each = [_bytes_per_sample(own) * own.longest for own in self.variants]
         steps = BYTES_PER_STEP * self.longest_programme()
         return WORKER_BYTES + finer * max(each) + steps
 

@@ -38,12 +38,12 @@ class Variant(NamedTuple):
     typical: np.ndarray  # s, of one realization but for its line, shape (tasks, PARTS)
     factors: np.ndarray  # by which this machine takes longer, shape (PARTS,)
     seconds: list[float]  # predicted, of one realization but for its line
-    drawing: dict[int, float]  # typical, of one line, by its number of samples
+    longest: int  # samples of a line
 
     def typical_of(self, tasks: Sequence[Task]) -> np.ndarray:
         """Return the typical seconds of one realization of tasks that share their lines."""
         found = self.typical[[self.rows[task.key] for task in tasks]].sum(axis=0)
-        found[0] += sum(self.drawing[samples] for samples in sorted(set(map(samples_of, tasks))))
+        found[0] += sum(map(drawing_seconds, sorted(set(map(samples_of, tasks)))))
         return found
 
     def drawing_of(self, blocks: dict[str, int]) -> float:
@@ -51,16 +51,12 @@ class Variant(NamedTuple):
         total = 0.0
         for line in self.by_line:
             for samples, tasks in groupby(line, samples_of):
-                total += self.drawing[samples] * max([blocks[task.key] for task in tasks])
+                total += drawing_seconds(samples) * max([blocks[task.key] for task in tasks])
         return total
 
     def leg_counts(self) -> np.ndarray:
         """Return the steps of each leg of the programme, shape (tasks, legs)."""
         return np.array([leg_counts(t.problem, t.steps_per_spacing) for t in self.tasks])
-
-    def draw_seconds(self, samples: int) -> float:
-        """Return the predicted time of drawing one line of so many samples."""
-        return self.drawing[samples] * float(self.factors[0])
 
 
 class Problems(NamedTuple):
@@ -182,7 +178,7 @@ def variant_of(
         typical,
         factors,
         (typical @ factors).tolist(),
-        {samples: float(drawing_seconds(samples)) for samples in set(map(samples_of, tasks))},
+        max(map(samples_of, tasks)),
     )
 
 
