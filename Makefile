@@ -8,6 +8,7 @@ TOOLS  := $(VENV)/.tools
 SCALE  ?=
 ARGS   ?=
 PROCESSES ?= auto
+FUZZ_SECONDS ?= 600
 # pip need not make bytecode of all packages: of what is imported Python does, where it may write it.
 PIP := $(BIN)/python -m pip install --quiet --disable-pip-version-check $(if $(PYTHONDONTWRITEBYTECODE),,--no-compile)
 PYTEST := $(BIN)/python -m pytest -n $(PROCESSES)
@@ -17,6 +18,9 @@ USUAL  := not cluster and not exhaustive
 NUMERICAL := tests/kernels $(addprefix --ignore=tests/kernels/,compile/test_cache.py test_loading.py test_machine_code.py) \
   tests/independent tests/workflow/reduce \
   $(addprefix tests/hard/test_,corners.py shapes.py domain.py convergence.py scenes.py fits.py units.py)
+# The last column of the tables of a page names the tests that repeat what a row tells.
+TRIALS = $(shell grep -i '^|.*$(ARGS)' docs/reliability.md | grep -oE 'tests/[a-z_/]+/test_\w+\.py' | sort -u)
+FUZZED := tests/workflow/study/test_fuzz.py tests/workflow/scene/test_random_calls.py
 STUDIES = $(notdir $(patsubst %/,%,$(dir $(sort $(wildcard studies/*/study.toml)))))
 .DEFAULT_GOAL := help
 .PHONY: help setup study studies report test test-all test-exhaustive test-cluster test-nojit test-processors test-generic test-rounding test-oldest test-newest chaos trials fuzz coverage check docs wheel bench mutation intervals clean
@@ -88,11 +92,12 @@ test-newest: $(TOOLS) ## Try the newest Python of this machine, likewise
 chaos: $(TOOLS) ## Kill what computes a study 50 times, compare the result [ARGS="--kills 100 --seed 2"]
 	$(BIN)/python -m tests.tools.chaos $(ARGS)
 
-trials: $(TOOLS) ## Try again all that docs/reliability.md tells, and say what held [ARGS="disk"]
-	$(BIN)/python -m tests.tools.trials $(ARGS)
+trials: $(TOOLS) ## Try again all that docs/reliability.md tells, or the rows that hold a word [ARGS="disk"]
+	$(BIN)/python -m pytest -m "not exhaustive" $(or $(TRIALS),$(error no row with a test says "$(ARGS)"))
 
 fuzz: $(TOOLS) ## Fuzz the reader of studies and calls of scene.run [FUZZ_SECONDS=600]
-	$(BIN)/python -m tests.tools.fuzz
+	end=$$(($$(date +%s) + $(FUZZ_SECONDS))); while [ $$(date +%s) -lt $$end ]; do \
+	  $(BIN)/python -m pytest -q --hypothesis-profile exhaustive --hypothesis-show-statistics $(FUZZED) || exit; done
 
 coverage: $(TOOLS) ## Measure which lines make test runs: kernels as plain Python, workers too
 	$(BIN)/coverage erase

@@ -29,7 +29,7 @@ ORDER = (COMPILING, *WITHOUT_KERNELS, *WITH_KERNELS, *CLUSTERS)
 
 def pytest_configure(config: pytest.Config) -> None:
     """Let CI fail on a skip that is not on its list."""
-    skips.register(config)
+    config.pluginmanager.register(skips)
 
 
 def pytest_xdist_auto_num_workers() -> int:

@@ -13,7 +13,8 @@ import xarray as xr
 import elastomer_friction as ef
 from elastomer_friction.workflow.kinetic_law import KineticLaw
 from elastomer_friction.workflow.system import version_of
-from tests.support.runs import PATIENCE, ROOT, run
+from tests.support.python import ROOT, printed, python
+from tests.support.runs import run
 from tests.support.small import small_study, write_study
 
 CALL = "import sys; from elastomer_friction.__main__ import main; sys.exit(main())"
@@ -21,15 +22,7 @@ CALL = "import sys; from elastomer_friction.__main__ import main; sys.exit(main(
 
 def called(*arguments: str, path: str = str(ROOT), folder: Path = ROOT) -> tuple[int, str, str]:
     """Return exit status, stdout and stderr of the command."""
-    done = subprocess.run(
-        [sys.executable, "-P", "-c", CALL, *arguments],
-        cwd=folder,
-        env={**os.environ, "PYTHONPATH": path},
-        capture_output=True,
-        text=True,
-        timeout=PATIENCE,
-        check=False,
-    )
+    done = python("-P", "-c", CALL, *arguments, cwd=folder, PYTHONPATH=path)
     return done.returncode, done.stdout, done.stderr
 
 
@@ -79,15 +72,8 @@ def test_no_module_is_loaded_by_a_second_name(tmp_path):
     (tmp_path / "sitecustomize.py").write_text(NOTE)
     (tmp_path / "notes").mkdir()
     path = f"{tmp_path}{os.pathsep}{ROOT}"
-    words = ["run", write_study(tmp_path), "--workers", "1", "--out", str(tmp_path)]
-    subprocess.run(
-        [sys.executable, "-m", "workflow", *words],
-        cwd=ROOT,
-        env={**os.environ, "PYTHONPATH": path, "NOTES": str(tmp_path / "notes")},
-        check=True,
-        capture_output=True,
-        timeout=PATIENCE,
-    )
+    words = ["run", write_study(tmp_path), "--workers", "1", "--out", tmp_path]
+    printed("-m", "workflow", *words, PYTHONPATH=path, NOTES=str(tmp_path / "notes"))
     found = [note.read_text() for note in (tmp_path / "notes").iterdir()]
     assert sorted(found) == ["", "workflow"]  # of a worker; of the driver, a docstring
     assert not {name.partition(".")[0] for name in sys.modules} & {"kernels", "workflow", "studies"}

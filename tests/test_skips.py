@@ -1,12 +1,8 @@
 """How tests are run: a skip that is not on the list is a failure; a file is in one process."""
 
-import os
-import subprocess
-import sys
-
 import pytest
 
-from tests.support.runs import PATIENCE, ROOT
+from tests.support.python import ROOT, python
 
 TESTS = """
 import pytest
@@ -26,18 +22,9 @@ def tried(folder, skips, *options):
     (folder / "test_some.py").write_text(TESTS)
     (folder / "pytest.ini").write_text("[pytest]\n")
     (folder / "skips.txt").write_text(skips)
-    (folder / "conftest.py").write_text(
-        "from tests.support.skips import register\ndef pytest_configure(config): register(config)\n"
-    )
-    done = subprocess.run(
-        [sys.executable, "-m", "pytest", "-q", "-p", "no:cacheprovider", *options],
-        cwd=folder,
-        env={**os.environ, "SKIPS": "skips.txt", "PYTHONPATH": str(ROOT)},
-        capture_output=True,
-        text=True,
-        timeout=PATIENCE,
-        check=False,
-    )
+    plugins = ["-p", "no:cacheprovider", "-p", "tests.support.skips"]
+    words = ["-m", "pytest", "-q", *plugins, *options]
+    done = python(*words, cwd=folder, SKIPS="skips.txt", PYTHONPATH=str(ROOT))
     return done.returncode, done.stdout
 
 

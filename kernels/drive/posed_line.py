@@ -5,7 +5,7 @@ from typing import NamedTuple
 import numpy as np
 
 from ..compile.jit import kernel
-from ..lines.polynomials import bernstein, curvatures, quintic, steepness
+from ..lines.polynomials import bends, bernstein, septic, steepness
 from ..scene.march_blocks import CELL
 
 
@@ -19,7 +19,7 @@ class Places(NamedTuple):
 class PosedLine(NamedTuple):
     """Two periods of a line, interval by interval (lines/polynomials.py)."""
 
-    polynomials: np.ndarray  # shape (6, 2 n): coefficients of the heights, in h
+    polynomials: np.ndarray  # shape (8, 2 n): coefficients of the heights, in h
     lowest: np.ndarray  # not above any height in cells of CELL intervals
     steps_per_spacing: float
 
@@ -28,13 +28,13 @@ class PosedLine(NamedTuple):
 def posed(z, slope, m):
     """Return a line that can be seen at any place; m : samples per spacing, a float."""
     n, spacing = z.size, 1.0 / m
-    bend = curvatures(z, slope, spacing)
-    polynomials = np.empty((6, 2 * n))
+    bend = bends(z, slope, spacing)
+    polynomials = np.empty((8, 2 * n))
     lowest = np.full((2 * n + CELL - 1) // CELL, np.inf)
     for j in range(2 * n):
-        c = quintic(z, slope, bend, spacing, j % n)
+        c = septic(z, slope, bend, spacing, j % n)
         b = bernstein(c)
-        for power in range(6):
+        for power in range(8):
             polynomials[power, j] = c[power]
             lowest[j // CELL] = min(lowest[j // CELL], b[power])
     return PosedLine(polynomials, lowest, m)
@@ -50,12 +50,13 @@ def seen_from(line, place):
 @kernel
 def heights_at(line, j, t, z):
     """Fill z with the heights at elements in a row, the first of which is in interval j, at t."""
-    c0, c1, c2, c3, c4, c5 = line.polynomials[:, j : j + z.size]
+    c0, c1, c2, c3, c4, c5, c6, c7 = line.polynomials[:, j : j + z.size]
     if t == 0.0:
         z[:] = c0
         return
     for i in range(z.size):
-        z[i] = c0[i] + t * (c1[i] + t * (c2[i] + t * (c3[i] + t * (c4[i] + t * c5[i]))))
+        high = c4[i] + t * (c5[i] + t * (c6[i] + t * c7[i]))
+        z[i] = c0[i] + t * (c1[i] + t * (c2[i] + t * (c3[i] + t * high)))
 
 
 @kernel
@@ -64,4 +65,5 @@ def slope_at(line, j, t):
     c, m = line.polynomials, line.steps_per_spacing
     if t == 0.0:
         return -m * c[1, j]
-    return -m * steepness((c[0, j], c[1, j], c[2, j], c[3, j], c[4, j], c[5, j]), t)
+    low, high = (c[0, j], c[1, j], c[2, j], c[3, j]), (c[4, j], c[5, j], c[6, j], c[7, j])
+    return -m * steepness(low + high, t)

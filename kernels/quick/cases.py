@@ -83,7 +83,7 @@ def _run_loads(grounds: Grounds, some: Together, asked: Quantities) -> list[list
             two = steady_friction(grounds, later, loads, guesses)
             clocks.lap(_work(two))
             if refine:
-                clocks.lap(follow_narrow(two))
+                clocks.lap(follow_narrow(two, one))
         twos.append(two)
     return [_under_load(one, twos, i, some, asked, clocks) for i in range(len(some.cases))]
 

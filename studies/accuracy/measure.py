@@ -15,46 +15,14 @@ from .alternatives import MARCHES
 from .points import COMPARED, POINTS
 from .recommendation import recommend, table_lines
 
-SETTINGS = {
-    "points": Key(
-        partial(integer, least=1, most=len(POINTS)),
-        "The number of points of the list in `studies/accuracy/points.py` at which everything is "
-        "measured.",
-        "Doubled, the study takes twice as long, and its medians rest on twice as many points.",
-    ),
-    "elements": Key(
-        partial(integer, least=64, most=100_000),
-        "The number N of elements of each line.",
-        "Doubled, each line takes about twice the time, and its errors are others.",
-    ),
-    "lines": Key(
-        partial(integer, least=4, most=100_000),
-        "The number of random lines for the errors of the discretisation at m ≤ 8. A finer m "
-        "takes fewer, in proportion to 1/m, but at least 20 of them where there are so many.",
-        "Doubled, standard errors of the measured errors fall by √2, in twice the time.",
-    ),
-    "finest": Key(
-        partial(integer, least=8, most=256),
-        "The finest m that is measured; where it does not resolve the relaxation time, the ladder "
-        "m = 1, 2, 4, … goes on until it does.",
-        "Doubled, the reference is known better, in up to four times the time.",
-    ),
-    "realizations": Key(
-        partial(integer, least=20, most=100_000),
-        "The number of random lines from which the sampling error is measured.",
-        "Doubled, groups of twice as many lines can be compared, in twice the time.",
-    ),
-    "march_lines": Key(
-        partial(integer, least=2, most=1000),
-        "The number of random lines on which the alternatives, numpy and tamaas, run.",
-        "Doubled, their errors are known better by √2, in twice the time.",
-    ),
-    "march_updates": Key(
-        positive,
-        "The number of element updates that the march of an alternative along one line may take, "
-        "which decides up to which m it runs.",
-        "Doubled, alternatives run up to an m that is √2 times as large, in twice the time.",
-    ),
+SETTINGS = {  # docs/reference/measures.md says what they mean
+    "points": Key(partial(integer, least=1, most=len(POINTS))),
+    "elements": Key(partial(integer, least=64, most=100_000)),
+    "lines": Key(partial(integer, least=4, most=100_000)),
+    "finest": Key(partial(integer, least=8, most=256)),
+    "realizations": Key(partial(integer, least=20, most=100_000)),
+    "march_lines": Key(partial(integer, least=2, most=1000)),
+    "march_updates": Key(positive),
 }
 
 # Core-seconds of the typical machine, measured at the default scale.

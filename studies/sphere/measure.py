@@ -27,22 +27,10 @@ SLOW, FAST = 0.003, 10.0  # v tau/a
 PUBLISHED = ((0.106, 0.00851, 9.0), (1.169, 0.0403, 12.0), (7.943, 0.0159, 36.0))
 SLS = Spectrum((9.0,), (1.0 / 9.0,), 0.0)  # tau = sum g t/G = 9 ms
 RADIUS, FORCE, MODULUS, TIME = 0.01, 0.15, 1e6 / (1.0 - 0.3**2), 9e-3
-SETTINGS = {
-    "side": Key(
-        partial(integer, least=16),
-        "The number of samples of a side of the cell, a power of two.",
-        "Doubled, the error of the half-space falls to about a third, and the time grows by six.",
-    ),
-    "speeds": Key(
-        partial(integer, least=2),
-        "The number of speeds of the curve.",
-        "Doubled, the curve is finer and takes twice the time.",
-    ),
-    "published": Key(
-        partial(integer, least=0),
-        "Whether the three published points are computed as well: 1 or 0.",
-        "Doubled from 1, nothing changes: all three are computed then.",
-    ),
+SETTINGS = {  # docs/reference/measures.md says what they mean
+    "side": Key(partial(integer, least=16)),
+    "speeds": Key(partial(integer, least=2)),
+    "published": Key(partial(integer, least=0)),
 }
 
 

@@ -19,43 +19,14 @@ KINDS = RESIDUALS | COUNTS
 SECONDS = 9e-5  # of the typical machine, per step of a short line
 SECONDS_PER_SAMPLE = 9.5e-8  # and per sample of it
 LONG_SECONDS = 5.8e-6  # per element of a very long line
-SETTINGS = {
-    "map_loads": Key(
-        partial(integer, least=2),
-        "The number of dimensionless loads F̄ of the map, from 10⁻⁶ to 10⁴.",
-        "Doubled, the map has twice as many points and takes twice the time.",
-    ),
-    "map_speeds": Key(
-        partial(integer, least=2),
-        "The number of dimensionless velocities x of the map, from 10⁻⁴ to 10⁶.",
-        "Doubled, the map has twice as many points and takes twice the time.",
-    ),
-    "map_elements": Key(
-        partial(integer, least=8),
-        "The number N of elements of the lines of the map.",
-        "Doubled, each point of the map takes up to twice the time.",
-    ),
-    "map_lines": Key(
-        partial(integer, least=1),
-        "The number of random lines at each point of the map. The worst of them counts.",
-        "Doubled, the map takes twice the time, and no residual becomes smaller.",
-    ),
-    "corner_lines": Key(
-        partial(integer, least=1),
-        "The number of random lines in each corner of the parameter space.",
-        "Doubled, the corners on random lines are twice as many cases.",
-    ),
-    "most_elements": Key(
-        partial(integer, least=1),
-        "The number of elements of the longest line. Lines of 10⁵ and of 10⁶ elements are tried "
-        "as far as they are not longer than this.",
-        "Doubled from 10⁶, nothing changes; from 5·10⁵, the line of 10⁶ elements is tried as well.",
-    ),
-    "steps": Key(
-        partial(integer, least=1),
-        "The number of time steps that are marched after the jump.",
-        "Doubled, every case is followed for twice as long.",
-    ),
+SETTINGS = {  # docs/reference/measures.md says what they mean
+    "map_loads": Key(partial(integer, least=2)),
+    "map_speeds": Key(partial(integer, least=2)),
+    "map_elements": Key(partial(integer, least=8)),
+    "map_lines": Key(partial(integer, least=1)),
+    "corner_lines": Key(partial(integer, least=1)),
+    "most_elements": Key(partial(integer, least=1)),
+    "steps": Key(partial(integer, least=1)),
 }
 
 

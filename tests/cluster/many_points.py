@@ -6,12 +6,10 @@ Workers return results of the right size that took no time; all the rest is real
 """
 
 import sys
-import threading
 import time
 from pathlib import Path
 
 import numpy as np
-import psutil
 
 from elastomer_friction.workflow.plan import make_plan
 from elastomer_friction.workflow.run import RunOptions, run_plan
@@ -44,17 +42,7 @@ def pretended(batch):
     scalars = np.zeros((*shape, len(SCALARS)))
     curves = np.zeros((*shape, batch.recording.samples - 1))
     spent = np.zeros((len(batch.tasks), len(PHASES)))
-    return BatchResult(scalars, curves, spent, batch.seconds, 0, this_maker())
-
-
-def highest(found: list[int], done: threading.Event) -> None:
-    """Note the largest resident size of any process that this one has started."""
-    while not done.wait(0.5):
-        for child in psutil.Process().children(recursive=True):
-            try:
-                found[0] = max(found[0], child.memory_info().rss)
-            except psutil.Error:
-                continue
+    return BatchResult(scalars, curves, spent, batch.seconds, peak_bytes(), this_maker())
 
 
 def main() -> None:
@@ -67,21 +55,10 @@ def main() -> None:
     began = time.monotonic()
     plan = make_plan(read_study(str(file)))
     print(f"{plan.points} points, {plan.records} records, {time.monotonic() - began:.0f} s to plan")
-    workers, done = [0], threading.Event()
-    thread = threading.Thread(target=highest, args=(workers, done))
-    thread.start()
-    try:
-        run_plan(
-            plan, folder / "many.nc", RunOptions(workers=1, work=pretended, batch_seconds=100.0)
-        )
-    finally:
-        done.set()
-        thread.join()
-    driver = peak_bytes()
+    options = RunOptions(workers=1, work=pretended, batch_seconds=100.0)
+    print(*run_plan(plan, folder / "many.nc", options).lines(plan), sep="\n")
     size = (folder / "many.nc").stat().st_size
     print(f"{time.monotonic() - began:.0f} s in all, result of {size / 2**20:.0f} MiB")
-    print(f"predicted {plan.predicted_driver_bytes() / 2**20:.0f} MiB in the driver")
-    print(f"driver {driver / 2**20:.0f} MiB, worker {workers[0] / 2**20:.0f} MiB")
 
 
 if __name__ == "__main__":

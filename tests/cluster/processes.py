@@ -12,7 +12,7 @@ from pathlib import Path
 
 import psutil
 
-from tests.support.runs import ROOT
+from tests.support.python import ROOT
 from tests.support.small import write_study
 
 PATIENCE = 300.0  # seconds to wait for a process at most

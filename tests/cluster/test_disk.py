@@ -12,7 +12,7 @@ import pytest
 from elastomer_friction.workflow.cli import main
 from tests.cluster.processes import PATIENCE, said
 from tests.support.faulty_disk import faulty_disk
-from tests.support.runs import ROOT
+from tests.support.python import ROOT
 from tests.support.small import write_study
 
 pytestmark = pytest.mark.cluster

@@ -2,14 +2,11 @@
 
 import contextlib
 import os
-import subprocess
-import sys
 import time
 
 import pytest
 
 from tests.cluster.processes import (
-    PATIENCE,
     STUDY,
     end,
     free_port,
@@ -19,7 +16,7 @@ from tests.cluster.processes import (
     start_scheduler,
     wait_while,
 )
-from tests.support.runs import ROOT
+from tests.support.python import printed
 
 pytestmark = [
     pytest.mark.cluster,
@@ -55,10 +52,7 @@ for port in sys.argv[2:]:
 
 def strange(ports):
     """Return what another user comes to at ports of this machine, with a forged certificate too."""
-    words = [sys.executable, "-c", STRANGER, str(NOBODY), *map(str, sorted(ports))]
-    done = subprocess.run(words, cwd=ROOT, capture_output=True, text=True, timeout=PATIENCE)
-    assert done.returncode == 0, done.stderr
-    return done.stdout.splitlines()
+    return printed("-c", STRANGER, NOBODY, *sorted(ports)).splitlines()
 
 
 @contextlib.contextmanager

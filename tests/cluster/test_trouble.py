@@ -21,7 +21,8 @@ from tests.cluster.processes import (
     start_worker,
     wait_while,
 )
-from tests.support.runs import ROOT, run
+from tests.support.python import ROOT
+from tests.support.runs import run
 from tests.support.shards import held
 from tests.support.small import all_records, small_plan
 from tests.tools.chaos import run_chaos

@@ -11,7 +11,7 @@ import pytest
 from elastomer_friction.workflow.store.store import Store
 from tests.support.faults import TRUTH, checked, fill
 from tests.support.faulty_disk import faulty_disk
-from tests.support.runs import PATIENCE, ROOT
+from tests.support.python import PATIENCE, ROOT
 from tests.support.shards import reopened
 
 # Stores three shards and reads them again, with as much patience as it is told; for each line that

@@ -1,9 +1,7 @@
 """All machine code is there after loading; a second process compiles half of it."""
 
-import os
 import signal
 import subprocess
-import sys
 from pathlib import Path
 
 import numba
@@ -13,6 +11,7 @@ from numba.core import event
 from elastomer_friction.kernels import Quantities, loading
 from elastomer_friction.kernels.compile.cache import WAITING
 from tests.sizes import PLAIN_PYTHON
+from tests.support.python import printed
 
 ROOT = Path(__file__).resolve().parents[2]
 compiled_only = pytest.mark.skipif(PLAIN_PYTHON, reason="NUMBA_DISABLE_JIT=1: nothing compiled")
@@ -38,9 +37,7 @@ assert [kernel.signatures[:] for kernel in own] == before
 @compiled_only
 @pytest.mark.parametrize("rate", ["1", "0"])
 def test_the_second_process_compiles_what_the_first_one_needs(rate):
-    command = [sys.executable, "-c", HALF, rate]
-    done = subprocess.run(command, cwd=ROOT, capture_output=True, text=True)
-    assert done.returncode == 0, done.stderr
+    printed("-c", HALF, rate)
 
 
 @pytest.fixture
@@ -115,14 +112,7 @@ print(*sorted(own), sep="\\n")
 @compiled_only
 @pytest.mark.exhaustive
 def test_two_processes_fill_an_empty_cache_together(tmp_path):
-    environment = {**os.environ, "NUMBA_CACHE_DIR": str(tmp_path)}
-    found = []
-    for _ in range(2):
-        command = [sys.executable, "-c", COLD]
-        done = subprocess.run(
-            command, cwd=ROOT, env=environment, capture_output=True, text=True, check=True
-        )
-        found.append(done.stdout.split())
+    found = [printed("-c", COLD, NUMBA_CACHE_DIR=str(tmp_path)).split() for _ in range(2)]
     assert "slide_on" in found[0]
     assert loading._cores() == 1 or not {"active_march", "march", "stack_of"} & set(found[0])
     assert found[1] == []

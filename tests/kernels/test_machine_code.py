@@ -3,9 +3,6 @@
 import ast
 import inspect
 import json
-import os
-import subprocess
-import sys
 import textwrap
 from pathlib import Path
 
@@ -22,6 +19,7 @@ from elastomer_friction.kernels.scene.records import Trace
 from tests.kernels.listing import instructions
 from tests.kernels.scene.given import SOLID, a_line
 from tests.sizes import PLAIN_PYTHON
+from tests.support.python import printed
 
 ROOT = Path(__file__).resolve().parents[2]
 RECORDERS = ("trace", "ledger", "lengths", "film", "spell")
@@ -41,15 +39,7 @@ pytestmark = [
 
 def listing(loaded, cache):
     """Return what tests.kernels.listing prints, of kernels that are all compiled anew."""
-    done = subprocess.run(
-        [sys.executable, "-m", "tests.kernels.listing", loaded],
-        cwd=ROOT,
-        env={**os.environ, "NUMBA_CACHE_DIR": str(cache)},
-        stdout=subprocess.PIPE,
-        text=True,
-        check=True,
-    )
-    return json.loads(done.stdout)
+    return json.loads(printed("-m", "tests.kernels.listing", loaded, NUMBA_CACHE_DIR=str(cache)))
 
 
 def test_effects_that_are_there_but_off_leave_nothing_in_the_machine_code(tmp_path):
@@ -94,5 +84,5 @@ def test_recorders_that_are_off_leave_nothing_in_the_machine_code():
     arguments = (form, control, track, elements, 0, none, none, None, None, None, None, None)
     stripped = len(instructions(names["follow"], *arguments))
     assert len(instructions(function, *arguments)) <= 1.02 * stripped
-    trace = Trace(*np.empty((8, 0)))
+    trace = Trace(*np.empty((len(Trace._fields), 0)))
     assert len(instructions(function, *arguments[:7], trace, *arguments[8:])) > 1.05 * stripped

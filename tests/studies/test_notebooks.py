@@ -4,12 +4,12 @@ Where one is stored with something else: jupyter nbconvert --execute --inplace s
 """
 
 import re
-import subprocess
-import sys
 from pathlib import Path
 
 import nbformat
 import pytest
+
+from tests.support.python import printed
 
 FOLDER = Path(__file__).resolve().parents[2] / "studies"
 PLOTS = {"explore": 4, "engineer": 2, "cluster": 1}  # of the notebook for each reader
@@ -58,9 +58,7 @@ def test_every_notebook_is_tested():
 def test_it_gives_in_an_empty_folder_what_it_is_stored_with(name, tmp_path, monkeypatch):
     monkeypatch.setenv("TMPDIR", str(tmp_path))
     notebook = FOLDER / f"{name}.ipynb"
-    command = [sys.executable, "-c", EXECUTE, str(notebook)]
-    done = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True)
-    assert done.returncode == 0, done.stderr
+    printed("-c", EXECUTE, notebook, cwd=tmp_path)
     outputs, known = outputs_of(tmp_path / "executed.ipynb"), outputs_of(notebook)
     assert kinds(outputs) == kinds(known)
     now, before = (re.split(NUMBER, text_of(each)) for each in (outputs, known))

@@ -8,6 +8,8 @@ import time
 import psutil
 import pytest
 
+from tests.cluster.processes import workers_of
+
 
 def facts():
     """Return what a worker says of itself."""
@@ -26,20 +28,10 @@ def started_again(client, killed):
     return pytest.fail("no worker was started again")
 
 
-def processes():
-    """Return the pids of the worker processes that are children of this one."""
-    found = set()
-    for child in psutil.Process().children():
-        with contextlib.suppress(psutil.Error):
-            if "spawn_main" in " ".join(child.cmdline()):
-                found.add(child.pid)
-    return found
-
-
 def starting(known):
     """Return a worker process of ours that has just been started, as it is not known."""
     for _ in range(600):
-        for pid in processes() - known:
+        for pid in set(workers_of(psutil.Process())) - known:
             return pid
         time.sleep(0.05)
     return pytest.fail("no worker was started again")

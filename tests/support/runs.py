@@ -1,11 +1,5 @@
-"""Running the small study: on the cluster of the tests, or as a user would, in a process."""
+"""Running the small study: in the process of a test, or on the cluster of the tests."""
 
-import contextlib
-import os
-import subprocess
-import sys
-import time
-from collections.abc import Iterator
 from pathlib import Path
 from typing import NamedTuple
 
@@ -18,9 +12,6 @@ from elastomer_friction.workflow.run.workers import RunOptions
 from elastomer_friction.workflow.store.store import store_folder
 from elastomer_friction.workflow.study.cluster import LOCAL, Cluster
 from tests.support.small import small_plan
-
-ROOT = Path(__file__).resolve().parents[2]
-PATIENCE = 120.0  # seconds to wait for a process at most
 
 
 class Run(NamedTuple):
@@ -54,37 +45,3 @@ def shards(folder: Path) -> dict[str, tuple[int, int]]:
     """Return the finished shards beside a result; a shard written again differs."""
     files = store_folder(folder / "small.nc").glob("*.nc")
     return {file.name: (file.stat().st_ino, file.stat().st_mtime_ns) for file in files}
-
-
-def start(*arguments: str) -> subprocess.Popen:
-    """Start ``python -m workflow`` in a process group of its own."""
-    return subprocess.Popen(
-        [sys.executable, "-m", "workflow", *arguments],
-        cwd=ROOT,
-        env={**os.environ, "PYTHONUNBUFFERED": "1"},
-        stdout=subprocess.PIPE,
-        stderr=subprocess.PIPE,
-        text=True,
-        start_new_session=True,
-    )
-
-
-@contextlib.contextmanager
-def standing(script: str, *arguments: str) -> Iterator[tuple[subprocess.Popen, str]]:
-    """Yield a process that runs a script, once it has said a line, and that line; then kill it."""
-    words = [sys.executable, "-c", script, *arguments]
-    process = subprocess.Popen(words, cwd=ROOT, stdout=subprocess.PIPE, text=True)
-    try:
-        yield process, process.stdout.readline().strip()
-    finally:
-        process.kill()
-        process.communicate(timeout=PATIENCE)
-
-
-def wait_for_shards(process: subprocess.Popen, folder: Path, count: int) -> None:
-    """Wait until the process has finished ``count`` batches; it must still be running then."""
-    end = time.monotonic() + PATIENCE
-    while len(shards(folder)) < count:
-        assert process.poll() is None, process.communicate()
-        assert time.monotonic() < end, "no batch was finished"
-        time.sleep(0.002)

@@ -48,7 +48,7 @@ def described(draw: Draw, result: BatchResult) -> dict[str, Any]:
         "steps": sorted({task.steps_per_spacing for task in batch.tasks}),
         "loads": sorted({task.problem.load for task in batch.tasks}),
         "tasks": len(batch.tasks),
-        "first_line": batch.first_block * batch.realizations_per_block,
+        "first_line": draw.first_line,
         "lines": batch.blocks * batch.realizations_per_block,
         "share": draw.share,
         "predicted": batch.seconds,

@@ -11,7 +11,6 @@ Warnings are no errors here: those of old packages about new ones are not ours t
 """
 
 import os
-import re
 import shutil
 import subprocess
 import sys
@@ -27,8 +26,7 @@ TESTS = [
     "tests/workflow/result",
     "--ignore=tests/workflow/result/test_conventions.py",  # its checker is no package of ours
 ]
-LEAST = (3, 11)  # as in pyproject.toml
-ASK = "import sys; print(*sys.version_info[:3])"
+OLDEST = 11  # Python 3.11, as in pyproject.toml
 
 
 def requirements(oldest: bool) -> list[str]:
@@ -38,29 +36,15 @@ def requirements(oldest: bool) -> list[str]:
     return [need.replace(">=", "==") for need in needed] if oldest else needed
 
 
-def pythons() -> dict[tuple[int, ...], str]:
-    """Return version -> path of each Python of this machine that the program can run on."""
-    folders = [Path(folder) for folder in os.get_exec_path()]
-    pyenv = Path(os.environ.get("PYENV_ROOT", Path.home() / ".pyenv"))
-    folders += pyenv.glob("versions/3.*/bin")
-    found = {}
-    for folder in folders:
-        for path in sorted(folder.glob("python3.*")):
-            if re.fullmatch(r"python3\.\d+", path.name):
-                asked = subprocess.run(
-                    [path, "-c", ASK], capture_output=True, text=True, check=False
-                )
-                if asked.returncode == 0:  # a shim may lead nowhere
-                    found[tuple(int(part) for part in asked.stdout.split())] = str(path)
-    return {version: path for version, path in found.items() if version >= LEAST}
-
-
 def candidates(which: str) -> list[str]:
-    """Return the paths of the Pythons to try, the best first."""
-    there = pythons()
-    usual = sys.version_info[:2]
-    fit = [v for v in there if (v[:2] == LEAST if which == "oldest" else v[:2] > usual)]
-    return [there[version] for version in sorted(fit, reverse=True)]
+    """Return the paths of the Pythons of this machine to try, the newest first."""
+    pyenv = Path(os.environ.get("PYENV_ROOT", Path.home() / ".pyenv"))
+    folders = [*pyenv.glob("versions/3.*/bin"), *map(Path, os.get_exec_path())]
+    there = [path for folder in folders for path in sorted(folder.glob("python3.*"))]
+    minor = {str(path): int(path.suffix[1:]) for path in there if path.suffix[1:].isdecimal()}
+    usual = sys.version_info.minor
+    fit = [p for p, n in minor.items() if (n == OLDEST if which == "oldest" else n > usual)]
+    return sorted(fit, key=lambda path: -minor[path])
 
 
 def made(python: str, folder: Path, needed: list[str]) -> Path | None:
@@ -71,7 +55,7 @@ def made(python: str, folder: Path, needed: list[str]) -> Path | None:
         return inside
     shutil.rmtree(folder, ignore_errors=True)
     if subprocess.run([python, "-m", "venv", folder], check=False).returncode:
-        return None
+        return None  # a shim may lead nowhere
     pip = [inside, "-m", "pip", "install", "--quiet", "--disable-pip-version-check", "--no-compile"]
     if subprocess.run([*pip, "--only-binary", ":all:", *needed], check=False).returncode:
         return None

@@ -1,10 +1,10 @@
 """A random sample of the work of a plan, and what follows from it for the whole.
 
 Batches are drawn within each variant, with repetition, in proportion to their predicted cost, and a
-few of their lines by chance. The mean of measured over predicted time of the draws, times the
-predicted time of the variant, estimates what the variant takes. It does so without bias however
-wrong predictions are: wrong ones widen the standard error, which is that of a mean of independent
-draws.
+few of their lines by chance, or one of a quartet that takes long. The mean of measured over
+predicted time of the draws, times the predicted time of the variant, estimates what the variant
+takes. It does so without bias however wrong predictions are: wrong ones widen the standard error,
+which is that of a mean of independent draws.
 """
 
 import math
@@ -27,6 +27,7 @@ from elastomer_friction.workflow.simulate import Batch
 
 LEAST_DRAWS = 8  # of a variant: its share of the error is known then
 LEAST_SECONDS = 2.0  # of a draw, predicted: what a batch begins with is lost in it
+LONG_SECONDS = 8.0  # of a quartet, predicted, of which the first line alone is run
 
 
 class Stratum(NamedTuple):
@@ -47,6 +48,7 @@ class Draw(NamedTuple):
     label: str
     batch: Batch
     share: float  # of the lines of the batch
+    first_line: int
 
 
 def strata(plan: Plan) -> list[Stratum]:
@@ -73,8 +75,8 @@ def number_of_draws(whole: list[Stratum], least: int, seconds: float) -> list[in
 def expected_seconds(batches: list[Batch]) -> float:
     """Return the predicted seconds that a draw takes on average."""
     seconds = np.array([batch.seconds for batch in batches])
-    drawn = np.array([batch.seconds * _units(batch)[1] / _units(batch)[0] for batch in batches])
-    return float(seconds @ drawn / seconds.sum())
+    shares = np.array([_share(*_cuts(batch)) for batch in batches])
+    return float(seconds @ (seconds * shares) / seconds.sum())
 
 
 def drawn(stratum: Stratum, number: int, generator: np.random.Generator) -> Iterator[Draw]:
@@ -85,24 +87,37 @@ def drawn(stratum: Stratum, number: int, generator: np.random.Generator) -> Iter
 
 
 def cut_down(label: str, batch: Batch, generator: np.random.Generator) -> Draw:
-    """Return a batch for a few of its lines in a row. They are those of the study, all alike."""
-    units, kept = _units(batch)
-    size = QUARTET if batch.realizations_per_block % QUARTET == 0 else batch.realizations_per_block
+    """Return a batch for a few of its lines. They are those of the study, all alike."""
+    size, units, kept, lines = _cuts(batch)
+    share = _share(size, units, kept, lines)
     first = batch.first_block * batch.realizations_per_block // size
     first += int(generator.integers(units - kept + 1)) if kept < units else 0
-    seconds = batch.seconds * kept / units
     own = replace(
-        batch, realizations_per_block=size, first_block=first, blocks=kept, seconds=seconds
+        batch,
+        realizations_per_block=lines,
+        first_block=first,
+        blocks=kept,
+        seconds=share * batch.seconds,
     )
-    return Draw(label, own, kept / units)
+    return Draw(label, own, share, first * size)
 
 
-def _units(batch: Batch) -> tuple[int, int]:
-    """Return of how many quartets (or blocks of other numbers) a batch is, and how many to keep."""
-    units = batch.blocks
-    if batch.realizations_per_block % QUARTET == 0:
-        units *= batch.realizations_per_block // QUARTET
-    return units, min(units, max(1, math.ceil(LEAST_SECONDS / (batch.seconds / units))))
+def _cuts(batch: Batch) -> tuple[int, int, int, int]:
+    """Return (lines of a unit, units, units to keep, lines of each to keep).
+
+    A unit is a quartet of a batch, or a block of other numbers.
+    """
+    size, units = batch.realizations_per_block, batch.blocks
+    if size % QUARTET == 0:
+        size, units = QUARTET, units * size // QUARTET
+    each = batch.seconds / units
+    kept = min(units, max(1, math.ceil(LEAST_SECONDS / each)))
+    return size, units, kept, 1 if size == QUARTET and each > LONG_SECONDS else size
+
+
+def _share(size: int, units: int, kept: int, lines: int) -> float:
+    """Return the share of the lines of a batch that is kept."""
+    return kept * lines / (units * size)
 
 
 class Estimate(NamedTuple):

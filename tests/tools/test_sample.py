@@ -5,6 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from elastomer_friction.workflow.simulate.drawing import drawn_lines
 from elastomer_friction.workflow.simulate.realizations import block_means
 from tests.support.small import small_plan
 from tests.tools.sample import (
@@ -48,12 +49,13 @@ def test_draws_follow_the_cost_and_fill_the_time_asked_for():
 
 def test_the_lines_of_a_draw_are_lines_of_its_batch():
     generator = np.random.default_rng(2)
-    batch = replace(WHOLE[0].batches[0], first_block=1, blocks=3, seconds=300.0)
+    batch = replace(WHOLE[0].batches[0], first_block=1, blocks=3, seconds=30.0)
     firsts = set()
     for _ in range(100):
         draw = cut_down("", batch, generator)
         assert draw.share == pytest.approx(1.0 / 6.0)  # a quartet of three blocks of eight
-        assert draw.batch.seconds == pytest.approx(50.0)
+        assert draw.batch.seconds == pytest.approx(5.0)
+        assert draw.first_line == 4 * draw.batch.first_block
         firsts.add(draw.batch.first_block)
     assert firsts == {2, 3, 4, 5, 6, 7}  # quartets, two to a block
 
@@ -63,3 +65,14 @@ def test_the_numbers_of_a_draw_are_those_of_the_study():
     halves = [replace(batch, realizations_per_block=4, first_block=k) for k in (2, 3)]
     means = [block_means(half).scalars for half in halves]
     np.testing.assert_allclose(np.mean(means, axis=0), block_means(batch).scalars, rtol=1e-12)
+
+
+def test_of_a_quartet_that_takes_long_the_first_line_alone_is_run():
+    quartet = replace(
+        WHOLE[0].batches[0], realizations_per_block=4, blocks=1, first_block=3, seconds=40.0
+    )
+    draw = cut_down("", quartet, np.random.default_rng(1))
+    assert (draw.share, draw.batch.seconds, draw.first_line) == (0.25, 10.0, 12)
+    run, of_quartet = (list(drawn_lines(one)[1](0)(4)) for one in (draw.batch, quartet))
+    assert (len(run), len(of_quartet)) == (1, 4)
+    np.testing.assert_array_equal(run[0].z, of_quartet[0].z)

@@ -9,41 +9,24 @@ from collections.abc import Callable
 
 import numpy as np
 
-from elastomer_friction.kernels import SCHEMES, ConstantForce, lagged_slope, march, steady_sliding
-from elastomer_friction.kernels.lines.line import Line
 from elastomer_friction.kernels.motion.legs import Slide
-from elastomer_friction.kernels.rheology.spectrum import KELVIN, Spectrum, complex_modulus
+from elastomer_friction.kernels.rheology.spectrum import KELVIN, Spectrum
 from tests.convergence import observed_order
-from tests.kernels.branches.test_dissipation import friction
+from tests.kernels.branches.test_dissipation import errors_in_full_contact
 from tests.kernels.scene.given import MATERIALS, PRONY, SOLID, a_line, trace
 from tests.kernels.scene.test_energy import missing_work
-from tests.kernels.scene.test_follow import errors_over_time, gaps_of_schemes
-from tests.kernels.scene.test_known_answers import Q, relaxation_errors, response
+from tests.kernels.scene.test_follow import after_a_jump, errors_over_time, gaps_of_schemes
+from tests.kernels.scene.test_known_answers import errors_of_moduli, relaxation_errors
 
 
 def sinusoid(name: str, refinements: np.ndarray) -> np.ndarray:
     """Return errors of steady friction in full contact, against the loss modulus."""
-    q, a, rate = 2.0 * np.pi / 32.0, 0.3, 5.0
-    modulus = complex_modulus(MATERIALS[name], rate)
-    load = 1.5 * a * abs(modulus)
-    errors = []
-    for m in refinements:
-        x = np.arange(32 * m) / m
-        line = Line.from_samples(a * np.cos(q * x), -a * q * np.sin(q * x), int(m))
-        mu, _ = friction(MATERIALS[name], line, rate / q, load)
-        errors.append([mu / (a**2 * q * modulus.imag / (2.0 * load)) - 1.0])
-    return np.array(errors)
+    return errors_in_full_contact(MATERIALS[name], 5.0, refinements)
 
 
 def oscillation(name: str, refinements: np.ndarray) -> np.ndarray:
     """Return errors of G* by small oscillations in full contact, at two frequencies."""
-    errors = np.empty((refinements.size, 2))
-    for j, (omega, cycles) in enumerate(((3.0, 6), (30.0, 24))):
-        expected = (complex_modulus(MATERIALS[name], omega) - 1.0) * 0.5 * Q**2
-        for k, m in enumerate(refinements):
-            found = response(MATERIALS[name], omega, m, cycles)
-            errors[k, j] = abs(found / expected - 1.0)
-    return errors
+    return errors_of_moduli(MATERIALS[name], refinements)
 
 
 def closing_work(refinements: np.ndarray) -> np.ndarray:
@@ -62,14 +45,8 @@ def to_kelvin(glass: np.ndarray) -> np.ndarray:
 
 def against_march() -> float:
     """Return the largest difference of mu between the general path and the march, of Kelvin."""
-    line = a_line()
-    n, m = line.z.size, line.steps_per_spacing
-    before, after = (SCHEMES["exponential"](1.0 / (m * v)) for v in (0.5, 0.8))
-    state, _ = steady_sliding(before, line.z, 0.3 * n)
-    weight, kept = lagged_slope(line.slope, after.lag), np.arange(1, 601)
-    mu = march(after, ConstantForce(0.3 * n), line.z, weight, state, kept, np.inf)[0]
-    found = trace(line, (Slide(0.5, 1.0 / m), Slide(0.8, 600.0 / m)), KELVIN)["trace_mu"]
-    return float(np.abs(found[2:] - mu).max())
+    (mu, _), (marched, _) = after_a_jump("exponential", 1.6, 600)
+    return float(np.abs(mu - marched).max())
 
 
 def row(name: str, refinements: np.ndarray, errors: np.ndarray) -> None:

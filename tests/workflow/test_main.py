@@ -1,12 +1,8 @@
 """``python -m workflow`` in any folder: nothing of it is run; interrupted at any time, one line."""
 
-import os
-import subprocess
-import sys
-
 import pytest
 
-from tests.support.runs import PATIENCE, ROOT
+from tests.support.python import ROOT, printed, python
 from tests.support.small import write_study
 from tests.support.sweeps import sweep
 
@@ -19,16 +15,8 @@ def test_modules_of_the_working_folder_are_not_run_here_nor_in_workers(tmp_path,
     for name in PLANTED:
         (tmp_path / f"{name}.py").write_text("import os\nos._exit(77)\n")
     study = write_study(tmp_path)
-    words = [study, "--out", str(tmp_path), "--set", "grid.hurst=0.7"]
-    done = subprocess.run(
-        [sys.executable, "-m", "workflow", *command, *words],
-        cwd=tmp_path,
-        env={**os.environ, "PYTHONPATH": str(ROOT)},
-        capture_output=True,
-        text=True,
-        timeout=PATIENCE,
-    )
-    assert done.returncode == 0, done.stderr
+    words = [*command, study, "--out", tmp_path, "--set", "grid.hurst=0.7"]
+    printed("-m", "workflow", *words, cwd=tmp_path, PYTHONPATH=str(ROOT))
     assert (tmp_path / "small.nc").is_file() == ("run" in command)
 
 
@@ -44,8 +32,7 @@ runpy.run_module("workflow", run_name="__main__")
 
 
 def test_ctrl_c_while_packages_are_imported_is_one_line():
-    words = [sys.executable, "-c", IMPATIENT, "run", "fig2"]
-    done = subprocess.run(words, cwd=ROOT, capture_output=True, text=True, timeout=PATIENCE)
+    done = python("-c", IMPATIENT, "run", "fig2")
     assert (done.returncode, done.stdout) == (130, "")
     assert done.stderr == "aborted before anything was begun\n"
 
@@ -61,14 +48,7 @@ def test_a_configuration_of_dask_that_cannot_be_read_is_refused_before_anything_
     study = write_study(tmp_path)
     script = "import elastomer_friction as ef; ef.scene.run(material={}, programme=[])"
     for words in (["-m", "workflow", "run", study, "--out", str(tmp_path)], ["-c", script]):
-        done = subprocess.run(
-            [sys.executable, *words],
-            cwd=ROOT,
-            env={**os.environ, "DASK_CONFIG": str(tmp_path)},
-            capture_output=True,
-            text=True,
-            timeout=PATIENCE,
-        )
+        done = python(*words, DASK_CONFIG=str(tmp_path))
         *_, line = done.stderr.splitlines()
         assert "the settings of dask: A dask config file at" in line
         assert "UserError" in line or (done.returncode, done.stderr.count("\n")) == (2, 1)

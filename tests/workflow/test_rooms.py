@@ -1,14 +1,13 @@
 """The rooms of the workflow: entered by their public names, light to import, of a size to know."""
 
 import ast
-import subprocess
-import sys
 from pathlib import Path
 
 import pytest
 
 from elastomer_friction import workflow
 from tests.support.imports import module_of
+from tests.support.python import printed
 
 FOLDER = Path(workflow.__file__).resolve().parent
 ROOMS = sorted(  # "study", and "study.surfaces" within it
@@ -60,7 +59,4 @@ def test_no_public_name_is_that_of_a_file_of_its_room():
 def test_importing_rooms_loads_nothing_heavy():
     names = ", ".join(f"{NAME}.{room}" for room in ROOMS)
     code = f"import {names}, sys; print([m for m in {HEAVY!r} if m in sys.modules])"
-    done = subprocess.run(
-        [sys.executable, "-c", code], cwd=FOLDER.parent, capture_output=True, text=True, check=True
-    )
-    assert done.stdout.strip() == "[]"
+    assert printed("-c", code, cwd=FOLDER.parent) == "[]\n"

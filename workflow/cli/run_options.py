@@ -46,16 +46,8 @@ def run_grid(options: argparse.Namespace, study: Study, result: Path) -> int:
 
     plan = paced_plan(study)
     where = options.scheduler or options.batch_system or study.cluster.where
-    how = RunOptions(
-        cluster=study.cluster._replace(where=where),
-        workers=options.workers,
-        dashboard=options.dashboard,
-        batch_seconds=options.batch_seconds,
-        max_failures=options.max_failures,
-        retry_failed=options.retry_failed,
-        one_kind=options.one_kind,
-        no_lock=options.no_lock,
-    )
+    same = {name: own for name, own in vars(options).items() if name in RunOptions._fields}
+    how = RunOptions(study.cluster._replace(where=where), **same)
     summary = run_plan(plan, result, how)
     learn(summary.spent, summary.typical)
     print("\n".join(summary.lines(plan)))

@@ -23,7 +23,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from ..given_motion import LawError, finite_numbers
-from ..ground import UserError, read_plain
+from ..system import read_whole
 from .load_law import LoadLaw
 from .memory_law import MemoryLaw
 from .reduced_law import ADDED, FORMAT, WORDS, Law, Validity, mean_speed
@@ -116,13 +116,11 @@ READ: dict[str, type[Law | LoadLaw]] = {**KINDS, LoadLaw.kind: LoadLaw}
 
 def read_law(source: str | Path) -> Law | LoadLaw:
     """Return the law of a JSON text, or of a file of it. Raises UserError for what is none."""
-    text, place = str(source), "the law"
+    text: str | bytes
     if isinstance(source, Path):
-        place = text
-        try:
-            text = read_plain(source).decode()
-        except (OSError, UnicodeDecodeError) as error:
-            raise UserError(f"{source}: cannot be read: {error}") from error
+        place, text = str(source), read_whole(source)
+    else:
+        place, text = "the law", source
     try:
         found = json.loads(text)
         kind: type[Law | LoadLaw] = READ[found["kind"]]

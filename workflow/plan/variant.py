@@ -11,7 +11,7 @@ import numpy as np
 from ...kernels import Origin, Quantities
 from ..simulate import CODE, HALVED, LineShape, Problem, Recording, Task, kept_steps, leg_counts
 from ..study import Material, Numerics, Study, Surface
-from .cost import DRAW, PARTS, Pace, Work, kind_of, typical_seconds
+from .cost import PARTS, Pace, Work, drawing_seconds, kind_of, typical_seconds
 from .goal import Goal, goal_of, horizon_steps, may_have, steps_per_spacing
 from .motion import check_programme, recording_of
 from .problems import distinct_problems, sharers, together
@@ -182,7 +182,7 @@ def variant_of(
         typical,
         factors,
         (typical @ factors).tolist(),
-        {samples: float(DRAW(samples)) for samples in set(map(samples_of, tasks))},
+        {samples: float(drawing_seconds(samples)) for samples in set(map(samples_of, tasks))},
     )
 
 

@@ -1,4 +1,4 @@
-"""The pages of reference, made of the tables of the code: keys, variables, commands.
+"""The pages of reference that the code tells: keys, commands, names of Python.
 
 Knows all rooms; `make docs` writes the pages to docs/reference.
 """

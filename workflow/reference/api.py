@@ -7,11 +7,6 @@ from typing import Any
 
 import elastomer_friction as ef
 
-HEAD = """# Every name of Python
-
-`import elastomer_friction as ef` gives these names. [Python](../python.md) shows how they are used,
-and the types of all arguments are known to type checkers.
-"""
 # Under the name by which it is called from outside.
 NAMES: dict[str, Any] = {
     "scene.run": ef.scene.run,
@@ -29,8 +24,8 @@ WITHIN = re.compile(r"(?<=\.) (?=\w[\w, ]{0,40} : |Raises |Returns )")  # behind
 
 
 def api_page() -> str:
-    """Return the page of the Python interface as Markdown."""
-    lines = [HEAD]
+    """Return the entries of the public names as Markdown."""
+    lines: list[str] = []
     for name, public in NAMES.items():
         lines += [f"## ef.{name}\n", *_entry(name, public)]
         for method, function in _methods(public):

@@ -1,42 +1,7 @@
 """The page of every key of study.toml."""
 
-from ..study import (
-    COMPARE,
-    EVERY_TABLE,
-    QUANTITIES,
-    Key,
-    default_of,
-    described_measures,
-    values_of,
-)
+from ..study import EVERY_TABLE, QUANTITIES, Key, default_of, values_of
 
-HEAD = """# Every key of study.toml
-
-A study is one TOML file; the [tutorial](../tutorial.md) builds one step by step. An entry says what
-a key takes, in which unit, and its default, if it has one, then what it means, and of a number what
-changes when it is doubled. Quantities are in SI units; symbols are in the
-[glossary](../glossary.md). Unknown keys, wrong types and values out of range, at any scale, end a
-command with one line for each and exit status 2 before anything is computed.
-`elastomer-friction schema` prints a JSON schema with which editors check and complete the file.
-
-**Lists and ranges.** Where an entry says "a list or range", the key takes a number, a list
-`[0.3, 0.5]`, `{linspace = [first, last, count]}` or `{geomspace = [first, last, count]}`. The grid
-is the product of all lists, and each list is a dimension of the result. A grid may have 300 000
-points and an axis 10 000 values.
-
-**Scales.** With `--scale NAME` the values of the tables `[scales.NAME.TABLE]` replace those of
-`[TABLE]`, and the result is `STUDY-NAME.nc` beside `STUDY.nc`. `--set table.key=value` then
-replaces single values.
-
-**Comparisons.** A table `[compare.NAME]` repeats the study on the same random lines with other
-values of {compare}. Its results are the group NAME of the file.
-"""
-MEASURES_HEAD = """# Keys of the studies that measure the program
-
-A study whose folder holds `measure.py` measures the program itself. In place of a grid it has a
-table `[measure]`, whose keys are its own; entries read as on the page of
-[all other keys](keys.md).
-"""
 INTRODUCTIONS = {
     "study": "What the study is called and how many lines it averages over.",
     "material": "The elastomer: a spring G, a dashpot of viscosity Gτ, and any number of Maxwell "
@@ -56,8 +21,8 @@ SEGMENT = "The keys of a segment `[[scene.programme]]` with `{0} = {{…}}`."
 
 
 def keys_page() -> str:
-    """Return the page of keys as Markdown."""
-    lines = [HEAD.replace("{compare}", ", ".join(f"`{key}`" for key in COMPARE))]
+    """Return the entries of all keys as Markdown."""
+    lines: list[str] = []
     for table, keys in EVERY_TABLE.items():
         name = table.rpartition(".")[2]
         introduction = INTRODUCTIONS.get(table) or SEGMENT.format(name)
@@ -65,15 +30,6 @@ def keys_page() -> str:
         lines += [_entry(f"{table}.{name}", key) for name, key in keys.items()]
         if table == "scene":
             lines += _quantities()
-    return "\n".join(lines)
-
-
-def measures_page() -> str:
-    """Return the page of the keys of measured studies as Markdown."""
-    lines = [MEASURES_HEAD]
-    for study, keys in described_measures().items():
-        lines.append(f"## The table [measure] of {study}\n")
-        lines += [_entry(f"{study}: measure.{name}", key) for name, key in keys.items()]
     return "\n".join(lines)
 
 

@@ -1,4 +1,4 @@
-"""The pages of reference: which there are, how they are written, and that of the commands.
+"""The pages that the code tells: which there are, how they are written, and that of the commands.
 
 The page of commands is made of the parsers of the command line.
 """
@@ -9,30 +9,19 @@ from pathlib import Path
 
 from ..cli import command_parser
 from .api import api_page
-from .keys import keys_page, measures_page
-from .results import results_page
+from .keys import keys_page
 
-COMMANDS_HEAD = """# Every command
-
-The command line is `elastomer-friction COMMAND`. Every command answers `--help`, and answers wrong
-input with one line that names it and no change. The exit status is 0 when a command is done, 2 for
-wrong input or surroundings, 3 when it is done but for problems that failed or when `verify` finds a
-fault, and 130 when it was interrupted. A run that was interrupted goes on where it ended when it is
-started again.
-
-In bash and zsh `eval "$(register-python-argcomplete elastomer-friction)"` makes the Tab key
-complete commands, options and names of studies.
-
-## What several commands take
+TAKEN = """## What several commands take
 
 | argument | meaning | commands |
 |---|---|---|"""
 COMMON = 2  # a row of as many commands stands in the first table alone
-NOTE = "<!-- Written by `make docs` from the tables in the code; change the texts there. -->\n\n"
+# Below an introduction that is written by hand.
+MARK = "<!-- From here on written by `make docs` from the code; change the texts there. -->\n\n"
 
 
 def commands_page() -> str:
-    """Return the page of commands as Markdown."""
+    """Return the entries of all commands as Markdown."""
     parser = command_parser()
     commands = {
         name: (command, [a for a in command._actions if not isinstance(a, argparse._HelpAction)])
@@ -45,7 +34,7 @@ def commands_page() -> str:
         for row in map(_row, actions):
             takers.setdefault(row, []).append(name)
     common = {row: names for row, names in takers.items() if len(names) >= COMMON}
-    lines = [COMMANDS_HEAD]
+    lines = [TAKEN]
     for row, names in common.items():
         lines.append(f"{row} {', '.join(f'`{name}`' for name in names)} |")
     lines.append("")
@@ -99,15 +88,14 @@ def _usual(action: argparse.Action) -> str:
 PAGES: dict[str, Callable[[], str]] = {
     "commands.md": commands_page,
     "keys.md": keys_page,
-    "measures.md": measures_page,
     "python.md": api_page,
-    "results.md": results_page,
 }
 
 
 def write_pages(folder: Path) -> list[Path]:
-    """Write every page to a folder, which is made if need be; return their paths."""
-    folder.mkdir(parents=True, exist_ok=True)
+    """Write what the code tells below the introduction of every page of a folder."""
     for name, page in PAGES.items():
-        (folder / name).write_text(NOTE + page().rstrip() + "\n", encoding="utf-8")
+        introduction = (folder / name).read_text(encoding="utf-8").partition(MARK)[0]
+        text = introduction + MARK + page().rstrip() + "\n"
+        (folder / name).write_text(text, encoding="utf-8")
     return [folder / name for name in PAGES]

@@ -112,7 +112,22 @@ def _keep_what_stays(figure: Figure) -> None:
         ax.set_axis_off()
         for text in [*ax.texts]:
             text.remove()
-    figure.figimage(axes, zorder=10.0)
+    figure.add_artist(_Picture(np.ascontiguousarray(axes[::-1])))
+
+
+class _Picture(Artist):
+    """A picture of a whole figure, over all else in it."""
+
+    zorder = 10.0
+
+    def __init__(self, pixels: np.ndarray) -> None:
+        """Take the pixels, shape (height, width, 4), the lowest row first."""
+        super().__init__()
+        self.pixels = pixels
+
+    def draw(self, renderer: Any) -> None:
+        """Draw them as they are."""
+        renderer.draw_image(renderer.new_gc(), 0.0, 0.0, self.pixels)
 
 
 def _pressures(ax: Axes, scene: xr.Dataset) -> Drawing:

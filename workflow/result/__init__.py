@@ -24,7 +24,5 @@ if TYPE_CHECKING:
         write_datasets,
     )
     from .provenance import made_by, origin
-    from .reference import SECTIONS
-    from .variables import AXIS_ATTRIBUTES, FLAGS, VARIABLES
 
 __all__, __getattr__, __dir__ = public_names(__name__, __file__)

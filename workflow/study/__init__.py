@@ -42,7 +42,7 @@ if TYPE_CHECKING:
     from .moduli import FREQUENCIES, INCOMPRESSIBLE, MODULI, Moduli, read_moduli
     from .numerics import Numerics
     from .read import find_study, known_scales, known_studies, load_tables, read_scene, read_study
-    from .schema import described_measures, study_schema
+    from .schema import study_schema
     from .scripts import load_script
     from .settings import Key, default_of, integer, positive, values_of
     from .study import MOST_BLOCKS, AnyStudy, Study, read_grid_study

@@ -4,7 +4,7 @@ study.toml holds [study] with title and seed, [measure] with the settings that m
 declares, and [scales.NAME]. measure.py holds
 
     SETTINGS   name -> Key: its check, check(key, value), returns the value or raises UserError;
-               what it means stands on the page of keys where the study is of this program
+               of this program, docs/reference/measures.md says what it means
     outline(settings) -> (lines that say what would be measured, core-seconds that it takes on the
                typical machine, which workflow/plan/cost/work.py describes)
     measure(settings, seed, advance) -> group -> xarray.Dataset; "" is the root. It calls

@@ -291,12 +291,5 @@ def default_of(key: Key) -> str:
         return "none"
     if isinstance(key.default, bool):
         return f"`{str(key.default).lower()}`"
-    told = as_toml(key.default)
+    told = f"{key.default:g}" if isinstance(key.default, float) else json.dumps(key.default)
     return f"`{told}`" if isinstance(key.default, str) else told
-
-
-def as_toml(value: object) -> str:
-    """Return a number, a text or a list of them as TOML has it."""
-    if isinstance(value, list):
-        return f"[{', '.join(map(as_toml, value))}]"
-    return f"{value:g}" if isinstance(value, float) else json.dumps(value)

@@ -10,13 +10,13 @@ from typing import NamedTuple
 import numpy as np
 
 from ...compile.jit import borrowing, kernel
-from ...lines.polynomials import height, quintic
-from .events import AREA, BOTTOM, MOST_EVENTS, RISE, TOP, WIDTH, room_for_patches, turn
+from ...lines.polynomials import height, septic, steepness
+from .events import AREA, BOTTOM, GROWTH, MOST_EVENTS, RISE, TOP, WIDTH, room_for_patches, turn
 from .smooth_line import first_zero, pressure, products, squared
 
-LEAST_STEPS = 4  # samples per spacing, eight in the shortest wave: mu in narrow contacts to 1e-4
+LEAST_STEPS = 4  # samples per spacing, eight in the shortest wave: mu in narrow contacts to 1e-6
 NARROW = 24.0  # samples per contact; in wider ones quadrature keeps 2 % of the jump
-CLOSE = 3e-4  # of the load: an excess whose square is as good as none
+CLOSE = 5e-4  # of the load: an excess whose square is as good as none
 JUMP_CLOSE = 5e-3  # the same of the pressures that a jump adds
 MOST_TURNS = 40
 LEAST_DEPTH = 1e-9  # of what the line rises beside its deepest point: a depth that is no rounding
@@ -63,7 +63,8 @@ def slide_between(line, speed, others, loads, guesses):
         table[i, 3] = _median_width(contact, speed, patches)
         table[i, 4] = turns * contact.patches
         for k in range(others.size):
-            jumps[i, k] = _jump(line, (speed, others[k]), contact, sums, patches)
+            after = _after_jump(line, (speed, others[k]), contact, sums, change, patches)
+            jumps[i, k] = (work + after) / load - table[i, 1]
     return table, jumps
 
 
@@ -108,16 +109,17 @@ def _sums(line, contact, patches):
             if stop - start == 1.0:
                 square += squares[j]
             else:
-                square += squared(quintic(z, slope, bend, h, j), start, stop) / h
+                square += squared(septic(z, slope, bend, h, j), start, stop) / h
     return Integrals(length, rise, square)
 
 
 @borrowing
-def _jump(line, speeds, contact, sums, patches):
-    """Return by how much mu (in h/dx) changes at the moment of a jump from one speed to another.
+def _after_jump(line, speeds, contact, sums, left, patches):
+    """Return by how much the integral of p z' changes as one speed jumps to another.
 
     What touches stays, and p changes by d' + (v2 - v1) z' where it stays positive (friction.py).
     Were all of it pressed, eq. 4 would give d', which falls where some is not.
+    left : change of d by which the contact still misses its load, made up for to first order.
     """
     own, other = speeds
     more = other - own
@@ -129,8 +131,28 @@ def _jump(line, speeds, contact, sums, patches):
         if abs(excess) <= close * contact.force:
             break
         rate -= change
-    work = rate * sums.rise + more * sums.square - lost[1] - change * (sums.rise - lost[3])
-    return work / contact.force
+    force, work = _grown(line, other, contact.d + rate, left, patches, contact.patches)
+    change += (force - contact.rate * left) / (sums.length - lost[2])
+    return rate * sums.rise + more * sums.square - lost[1] - change * (sums.rise - lost[3]) + work
+
+
+@borrowing
+def _grown(line, speed, deep, left, patches, count):
+    """Return integrals of p and p z' over what patches grow by once d rises by ``left``.
+
+    deep : as of _unpressed.
+    """
+    z, slope, bend, h, _, _, _, _, _, _, (first, _, _) = line
+    after, at = patches
+    force = work = 0.0
+    for k in range(count):
+        for end in (TOP, BOTTOM):
+            i, t = after[k, end], at[k, end]
+            c = septic(z, slope, bend, h, first - i if i <= first else first - i + z.size)
+            along = -steepness(c, t) / h
+            some = max(deep - height(c, t) + speed * along, 0.0) * at[k, GROWTH + end] * left
+            force, work = force + some, work + some * along
+    return force, work
 
 
 @borrowing
@@ -149,9 +171,9 @@ def _unpressed(line, speed, deep, patches, count):
                 continue
             t = at[k, TOP] if i == after[k, TOP] else 0.0
             stop = at[k, BOTTOM] if i == after[k, BOTTOM] else 1.0
-            c = quintic(z, slope, bend, h, j)
+            c = septic(z, slope, bend, h, j)
             p = pressure(c, deep, speed / h)
-            pull = (-p[0], -p[1], -p[2], -p[3], -p[4], -p[5])
+            pull = (-p[0], -p[1], -p[2], -p[3], -p[4], -p[5], -p[6], -p[7])
             pressed, fresh = height(p, t) > 0.0, True
             for _ in range(MOST_EVENTS):
                 zero = first_zero(p if pressed else pull, 0.0, 0.0, t, stop, fresh)

@@ -14,21 +14,24 @@ from typing import NamedTuple
 import numpy as np
 
 from ...compile.jit import borrowing, kernel
-from ...lines.polynomials import height, quintic, steepness
+from ...lines.polynomials import height, septic, steepness
 from ...rheology.law import NEGLIGIBLE
 from ..steady.spans import SPAN
 from .smooth_line import first_zero, integral, pressure
 
 MOST_EVENTS = 4  # in an interval: more are rounding
+LEAST = 1e-9  # of h: pressures so small count as this, or an end would move without bounds
 TOP, BOTTOM = 0, 1  # ends of a patch: where elements land and where they leave
-AREA, WIDTH, RISE = 2, 3, 4
+AREA, WIDTH, RISE, GROWTH = 2, 3, 4, 5  # GROWTH + TOP and GROWTH + BOTTOM
 
 
 class Patches(NamedTuple):
     """The patches of a contact, in the order in which elements come to them."""
 
     after: np.ndarray  # shape (most, 2): the intervals of TOP and BOTTOM, counted from the deepest
-    at: np.ndarray  # shape (most, 5): t in them; integral of d - z, width in dx, z_TOP - z_BOTTOM
+    # Shape (most, 7): t in them; integral of d - z, width in dx, z_TOP - z_BOTTOM, and by how much
+    # each of both ends moves outwards, in dx, for each dd.
+    at: np.ndarray
 
 
 class Contact(NamedTuple):
@@ -46,7 +49,7 @@ class Contact(NamedTuple):
 def room_for_patches(n):
     """Return Patches with room for as many as there can be on n intervals."""
     most = n * MOST_EVENTS // 2 + 2  # pages that are never written take no memory
-    return Patches(np.empty((most, 2), np.int64), np.empty((most, 5)))
+    return Patches(np.empty((most, 2), np.int64), np.empty((most, 7)))
 
 
 @borrowing
@@ -62,7 +65,7 @@ def turn(line, speed, d, patches):
     once, span = math.exp(-a), math.exp(-a * SPAN)
     force = rate = work = turning = area = width = u = left = since = 0.0
     held, top = True, deepest - d
-    after[0, TOP], at[0, TOP] = 0, begin
+    after[0, TOP], at[0, TOP], at[0, GROWTH + TOP] = 0, begin, 0.0
     while i <= n:
         if t == 0.0 and held:
             while i < n and d + speed * flat[j] > high[j]:
@@ -79,10 +82,11 @@ def turn(line, speed, d, patches):
                     i, j = i + 1, j - 1 if j > 0 else n - 1
                 else:
                     break
-        c, stop, fresh = quintic(z, slope, bend, h, j), 1.0 if i < n else begin, True
-        over, p = (c[0] - d, c[1], c[2], c[3], c[4], c[5]), pressure(c, d, speed / h)
+        c, stop, fresh = septic(z, slope, bend, h, j), 1.0 if i < n else begin, True
+        over = (c[0] - d, c[1], c[2], c[3], c[4], c[5], c[6], c[7])
         for _ in range(MOST_EVENTS):
             if held:
+                p = pressure(c, d, speed / h)
                 zero = first_zero(p, 0.0, 0.0, t, stop, True)
                 end = min(zero, stop)
                 area, width = area - h * integral(over, t, end), width + h * (end - t)
@@ -91,6 +95,7 @@ def turn(line, speed, d, patches):
                 t, held, fresh, u = zero, False, False, height(over, zero)
                 left, since = u, i + t
                 after[count, BOTTOM], at[count, BOTTOM] = i, t
+                at[count, GROWTH + BOTTOM] = -h / min(steepness(p, t), -LEAST)
                 at[count, AREA], at[count, WIDTH], at[count, RISE] = area, width, top - u
                 force, rate, count = force + area, rate + width, count + 1
                 area = width = 0.0
@@ -104,10 +109,12 @@ def turn(line, speed, d, patches):
                 lost = -math.expm1(-a * (i + t - since))
                 force, rate = force - speed * lost * left, rate + speed * lost
                 work += 0.5 * left * left * lost * (2.0 - lost)
-                turning -= speed / h * lost * steepness(c, t)
+                along = -steepness(c, t) / h
+                turning += speed * lost * along
                 after[count, TOP], at[count, TOP] = i, t
+                at[count, GROWTH + TOP] = speed * lost / max(speed * along - top, LEAST)
         i, j, t = i + 1, j - 1 if j > 0 else n - 1, 0.0
-    after[count, BOTTOM], at[count, BOTTOM] = n, begin
+    after[count, BOTTOM], at[count, BOTTOM], at[count, GROWTH + BOTTOM] = n, begin, 0.0
     at[count, AREA], at[count, WIDTH], at[count, RISE] = area, width, top - (deepest - d)
     force, rate, count = force + area, rate + width, count + 1
     return Contact(d, force, rate, work, turning, count)

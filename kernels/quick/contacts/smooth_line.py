@@ -6,14 +6,15 @@ from typing import NamedTuple
 import numpy as np
 
 from ...compile.jit import borrowing, kernel
-from ...lines.polynomials import bernstein, curvatures, height, quintic, steepness
+from ...lines.polynomials import bending, bends, bernstein, height, septic, steepness
 from ..steady.spans import SPAN
 
 THIRD_NODE = math.sqrt(0.6)
 NEVER = 2.0  # a t behind every interval
 SURE = 1e-4  # of an interval, or of the way to where f is least: steps so small are the last ones
 HALVINGS = 60  # at most: then an interval is as short as its rounding
-# Points and weights of Gauss and Legendre from 0 to 1, exact to the ninth degree.
+# Points and weights of Gauss and Legendre from 0 to 1: exact to the ninth degree, and to 1e-12
+# of the products of two polynomials of a line that has eight samples in its shortest wave.
 GAUSS = tuple(
     (0.5 + 0.5 * x, 0.5 * w) for x, w in np.transpose(np.polynomial.legendre.leggauss(5)).tolist()
 )
@@ -24,7 +25,7 @@ class SmoothLine(NamedTuple):
 
     z: np.ndarray  # in h, shape (n,), as the next two
     slope: np.ndarray  # in h/dx
-    curvature: np.ndarray  # in h/dx^2
+    bend: np.ndarray  # second and third derivative, shape (n, 2)
     spacing: float  # of the samples, in dx
     low: np.ndarray  # shape (n,): not above any height in the interval
     high: np.ndarray  # shape (n,): not below any
@@ -39,19 +40,20 @@ class SmoothLine(NamedTuple):
 def smooth_line(z, slope, spacing):
     """Return the SmoothLine of samples. z (in h), slope (in h/dx) : shape (n,)."""
     n = z.size
-    bend = curvatures(z, slope, spacing)
+    bend = bends(z, slope, spacing)
     low, high, flat, area, square = np.empty(n), np.empty(n), np.empty(n), np.empty(n), np.empty(n)
     lowest = np.full(n // SPAN, np.inf)
     for j in range(n):
-        c = quintic(z, slope, bend, spacing, j)
+        c = septic(z, slope, bend, spacing, j)
         b = bernstein(c)
-        low[j] = min(min(min(b[0], b[1]), min(b[2], b[3])), min(b[4], b[5]))
-        high[j] = max(max(max(b[0], b[1]), max(b[2], b[3])), max(b[4], b[5]))
-        rise = max(max(b[1] - b[0], b[2] - b[1]), max(b[3] - b[2], b[4] - b[3]))
-        flat[j] = -5.0 / spacing * max(rise, b[5] - b[4])
+        low[j], high[j], rise = b[0], b[0], b[1] - b[0]
+        for k in range(1, 8):
+            low[j], high[j] = min(low[j], b[k]), max(high[j], b[k])
+            rise = max(rise, b[k] - b[k - 1])
+        flat[j] = -7.0 / spacing * rise
         if j // SPAN < lowest.size:
             lowest[j // SPAN] = min(lowest[j // SPAN], low[j])
-        area[j] = spacing * (b[0] + b[1] + b[2] + b[3] + b[4] + b[5]) / 6.0
+        area[j] = spacing * sum(b) / 8.0
         square[j] = squared(c, 0.0, 1.0) / spacing
     deepest = _deepest_point(z, slope, bend, spacing, low)
     return SmoothLine(z, slope, bend, spacing, low, high, flat, lowest, area, square, deepest)
@@ -60,20 +62,25 @@ def smooth_line(z, slope, spacing):
 @kernel
 def pressure(c, d, lag):
     """Return the coefficients of p = d - z + vbar z' (eq. 3). lag : vbar over the spacing."""
-    c0, c1, c2, c3, c4, c5 = c
+    c0, c1, c2, c3, c4, c5, c6, c7 = c
     return (
         d - c0 - lag * c1,
         -c1 - 2.0 * lag * c2,
         -c2 - 3.0 * lag * c3,
         -c3 - 4.0 * lag * c4,
         -c4 - 5.0 * lag * c5,
-        -c5,
+        -c5 - 6.0 * lag * c6,
+        -c6 - 7.0 * lag * c7,
+        -c7,
     )
 
 
 @kernel
 def integral(c, start, stop):
-    """Return the integral of a polynomial from t = start to stop, by Gauss and Legendre."""
+    """Return the integral of a polynomial from t = start to stop, by three points.
+
+    They are exact to the fifth degree, and the rest is small in eight samples of a wave.
+    """
     middle, half = 0.5 * (start + stop), 0.5 * (stop - start)
     out = THIRD_NODE * half
     return (
@@ -111,7 +118,7 @@ def _deepest_point(z, slope, bend, spacing, low):
     best, at, least = 0, 1.0, np.inf
     for j in range(z.size):
         if low[j] < least:
-            c = quintic(z, slope, bend, spacing, j)
+            c = septic(z, slope, bend, spacing, j)
             inside = steepness(c, 0.0) < 0.0 < steepness(c, 1.0)
             for t in (1.0, _valley(c, 0.0, 0.0, 0.0, 1.0) if inside else 0.0):
                 if height(c, t) < least:
@@ -183,8 +190,7 @@ def first_zero(c, u, a, start, stop, fresh):
 @kernel
 def three_at(c, u, a, start, t):
     """Return c(t) - u e^(-a (t - start)), its derivative and the second one."""
-    bend = 2.0 * c[2] + t * (6.0 * c[3] + t * (12.0 * c[4] + t * 20.0 * c[5]))
     if u == 0.0:
-        return height(c, t), steepness(c, t), bend
+        return height(c, t), steepness(c, t), bending(c, t)
     left = u * math.exp(-a * (t - start))
-    return height(c, t) - left, steepness(c, t) + a * left, bend - a * a * left
+    return height(c, t) - left, steepness(c, t) + a * left, bending(c, t) - a * a * left

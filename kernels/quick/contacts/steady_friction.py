@@ -153,11 +153,12 @@ def steady_friction(
     )
 
 
-def follow_narrow(sliding: Sliding) -> np.ndarray:
+def follow_narrow(sliding: Sliding, before: Sliding | None = None) -> np.ndarray:
     """Read friction and jumps from contacts that are followed between the samples, where narrow.
 
     Return how many patches of contact were come to under every load, on all lines. Lines that are
     not known between their samples stay as they are, and so does what rounding hides.
+    before : sliding at another speed, which tells by how much samples miss the depth.
     """
     at_speed, events = sliding.at_speed, np.zeros(sliding.loads.size)
     for j, ground in enumerate(sliding.grounds.each):
@@ -165,6 +166,11 @@ def follow_narrow(sliding: Sliding) -> np.ndarray:
         if narrow.size == 0 or ground.smooth is None:
             continue
         speeds, d = (at_speed.speed, np.array(at_speed.others, float)), sliding.d[j, narrow]
+        if before is not None:
+            deepest = ground.smooth.deepest[2]
+            depth = before.indentation[j, narrow] - ground.line.datum - deepest
+            missed = depth / (before.d[j, narrow] - deepest)
+            d = deepest + (d - deepest) * np.where(before.followed[j, narrow], missed, 1.0)
         table, jumps = slide_between(ground.smooth, *speeds, sliding.loads[narrow], d)
         found = Columns(*table.T)
         some = found.events > 0.0

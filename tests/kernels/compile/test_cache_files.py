@@ -19,7 +19,7 @@ from elastomer_friction.kernels.compile.cache import (
 )
 from elastomer_friction.kernels.compile.jit import kernel
 from tests.support.disks import mounted
-from tests.support.runs import standing
+from tests.support.python import standing
 
 
 def twice(x):

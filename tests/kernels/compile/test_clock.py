@@ -1,10 +1,7 @@
 """The clock of the work stands still while kernels are compiled; garbage waits for their end."""
 
 import gc
-import subprocess
-import sys
 import time
-from pathlib import Path
 from threading import Thread
 
 import numba
@@ -13,6 +10,7 @@ import pytest
 from elastomer_friction.kernels.compile.clock import own, working_time
 from elastomer_friction.kernels.compile.garbage import nothing_collected
 from tests.sizes import PLAIN_PYTHON
+from tests.support.python import printed
 
 
 def compile_two():
@@ -85,7 +83,4 @@ del garbage
     ("first", "found"), [("", "found\n"), ("import elastomer_friction.kernels.compile.garbage", "")]
 )
 def test_at_its_end_a_process_looks_for_no_garbage(first, found):
-    command = [sys.executable, "-c", ENDING.format(first=first)]
-    root = Path(__file__).resolve().parents[2]
-    done = subprocess.run(command, cwd=root, capture_output=True, text=True, check=True)
-    assert done.stdout == found
+    assert printed("-c", ENDING.format(first=first)) == found

@@ -1,7 +1,5 @@
 """Compilation: it computes what Python computes, goes by types, links kernels into callers."""
 
-import os
-import subprocess
 import sys
 from pathlib import Path
 from typing import NamedTuple
@@ -15,6 +13,7 @@ from elastomer_friction.kernels import SCHEMES, Quantities, run_case
 from elastomer_friction.kernels.compile.jit import by_type, kernel
 from tests.cases import CASE, line_of
 from tests.sizes import PLAIN_PYTHON
+from tests.support.python import printed
 
 ROOT = Path(__file__).resolve().parents[3]
 compiled_only = pytest.mark.skipif(PLAIN_PYTHON, reason="NUMBA_DISABLE_JIT=1: nothing compiled")
@@ -52,16 +51,8 @@ perturb()
 from tests.kernels.compile.test_jit import numbers
 print(*numbers(), sep="\\n")
 """
-    plain = subprocess.run(
-        [sys.executable, "-c", code],
-        cwd=ROOT,
-        env={**os.environ, "NUMBA_DISABLE_JIT": "1"},
-        capture_output=True,
-        text=True,
-        check=True,
-    )
     assert len(numbers()) == 2 * 2 * 6
-    assert plain.stdout.splitlines() == numbers()
+    assert printed("-c", code, NUMBA_DISABLE_JIT="1").splitlines() == numbers()
 
 
 class Scaled(NamedTuple):

@@ -1,10 +1,7 @@
 """What all laws share: they are reached by their types, and what they leave decays to zero."""
 
 import ast
-import os
 import shutil
-import subprocess
-import sys
 from pathlib import Path
 from typing import NamedTuple
 
@@ -23,6 +20,7 @@ from elastomer_friction.kernels.compile.cache import FOLDER
 from elastomer_friction.kernels.model import steady
 from elastomer_friction.kernels.rheology.law import reach
 from tests.sizes import PLAIN_PYTHON
+from tests.support.python import printed
 from tests.support.sweeps import sweep
 
 ROOT = Path(__file__).resolve().parents[3]
@@ -65,22 +63,12 @@ def test_a_second_process_compiles_nothing_whatever_the_law_and_the_control(tmp_
     shutil.copytree(FOLDER, cache, ignore=shutil.ignore_patterns("*.tmp*"))
     code = f"from tests.kernels.rheology import test_law; print(test_law.slide({marches}))"
     (numbers, misses), second = (
-        ast.literal_eval(
-            subprocess.run(
-                [sys.executable, "-c", code],
-                cwd=ROOT,
-                env={**os.environ, "NUMBA_CACHE_DIR": str(cache)},
-                stdout=subprocess.PIPE,
-                text=True,
-                check=True,
-            ).stdout
-        )
-        for _ in range(2)
+        ast.literal_eval(printed("-c", code, NUMBA_CACHE_DIR=str(cache))) for _ in range(2)
     )
     assert misses >= max(1, marches - 1)  # the new law at least
     assert second == (numbers, 0)
-    printed, kelvin, squared = numbers
-    assert (printed != kelvin) == (marches > 0)  # the control plays a part in marches alone
+    as_printed, kelvin, squared = numbers
+    assert (as_printed != kelvin) == (marches > 0)  # the control plays a part in marches alone
     assert squared == kelvin[: len(squared)]
 
 

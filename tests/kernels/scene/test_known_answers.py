@@ -31,19 +31,24 @@ def response(spectrum, omega, m, cycles, samples=0.03):
     return complex(*measured) / amplitude
 
 
+CYCLES = {3.0: 6, 30.0: 24}  # by omega
+
+
+def errors_of_moduli(spectrum, refinements):
+    """Return errors of F_x = X rms(z')^2 (G*/G - 1), shape (refinements, frequencies)."""
+    found = [[response(spectrum, w, m, n) for w, n in CYCLES.items()] for m in refinements]
+    expected = [(complex_modulus(spectrum, omega) - 1.0) * 0.5 * Q**2 for omega in CYCLES]
+    return np.abs(np.array(found) / expected - 1.0)
+
+
 @pytest.mark.parametrize("name", MATERIALS)
-@pytest.mark.parametrize(("omega", "cycles"), [(3.0, 6), (30.0, 24)])
-def test_a_small_oscillation_in_full_contact_shows_the_complex_modulus(name, omega, cycles):
-    """F_x = X rms(z')^2 (G*/G - 1), at second order; motion of 0.03 samples."""
-    expected = (complex_modulus(MATERIALS[name], omega) - 1.0) * 0.5 * Q**2
-    refinements = (4, 8)[: size(2, 1)]
-    errors = [
-        abs(response(MATERIALS[name], omega, m, cycles) / expected - 1.0) for m in refinements
-    ]
-    assert errors[0] < 5e-3
+def test_a_small_oscillation_in_full_contact_shows_the_complex_modulus(name):
+    """At second order; motion of 0.03 samples."""
+    errors = errors_of_moduli(MATERIALS[name], (4, 8)[: size(2, 1)])
+    assert errors[0].max() < 5e-3
     # With a dashpot beside branches the order is lower where one of them is a few steps long.
     fall = 0.6 if name == "damped" else 0.35
-    assert errors[-1] < size(fall, 1.1) * errors[0]
+    assert (errors[-1] < size(fall, 1.1) * errors[0]).all()
 
 
 def relaxation_errors(spectrum, refinements, scheme="exponential"):

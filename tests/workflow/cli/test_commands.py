@@ -1,10 +1,7 @@
 """The command line: which commands there are, what they are told, and their exit status."""
 
 import json
-import os
 import re
-import subprocess
-import sys
 
 import pytest
 
@@ -18,7 +15,7 @@ from elastomer_friction.workflow.plan.cost.machine import Machine
 from elastomer_friction.workflow.plan.cost.work import PARTS
 from elastomer_friction.workflow.study.study import AnyStudy
 from tests.support.commands import facts, output, refusal
-from tests.support.runs import PATIENCE, ROOT
+from tests.support.python import printed, python
 from tests.support.small import line_text, small_study, write_study
 from tests.support.sweeps import mostly_exhaustive
 
@@ -59,7 +56,7 @@ def test_help_and_wrong_options_wait_for_no_package(words):
         f"atexit.register(lambda: print({heavy} & sys.modules.keys(), file=sys.stderr));"
         f"sys.exit(main({words.split()}))"
     )
-    done = subprocess.run([sys.executable, "-c", code], cwd=ROOT, capture_output=True, text=True)
+    done = python("-c", code)
     assert done.returncode == (0 if "--help" in words else 2)
     assert done.stderr.endswith("set()\n")
 
@@ -168,20 +165,8 @@ def test_a_value_that_a_plan_has_not_is_null(capsys, powers):
 def test_a_shell_completes_commands_and_names_of_studies(tmp_path, typed, expected):
     pytest.importorskip("argcomplete")
     line = f"elastomer-friction {typed}"
-    done = subprocess.run(
-        [sys.executable, "-m", "workflow"],
-        env={
-            **os.environ,
-            "_ARGCOMPLETE": "1",
-            "_ARGCOMPLETE_STDOUT_FILENAME": str(tmp_path / "found"),
-            "COMP_LINE": line,
-            "COMP_POINT": str(len(line)),
-        },
-        cwd=ROOT,
-        timeout=PATIENCE,
-        check=True,
-    )
-    assert done.returncode == 0
+    asked = {"COMP_LINE": line, "COMP_POINT": str(len(line)), "_ARGCOMPLETE": "1"}
+    printed("-m", "workflow", **asked, _ARGCOMPLETE_STDOUT_FILENAME=str(tmp_path / "found"))
     found = (tmp_path / "found").read_text().replace("\013", " ").split()
     assert {word.strip() for word in found} == expected
 

@@ -11,6 +11,7 @@ import urllib.request
 from typing import NamedTuple
 
 import dask
+import psutil
 import pytest
 from distributed import Client, SpecCluster
 
@@ -20,9 +21,9 @@ from elastomer_friction.workflow.run.grid_run import run_plan
 from elastomer_friction.workflow.run.workers import RunOptions
 from elastomer_friction.workflow.study.cluster import Cluster
 from elastomer_friction.workflow.system import Interrupt
-from tests.cluster.processes import ports_of
-from tests.support.own_workers import facts, processes, started_again, starting
-from tests.support.runs import PATIENCE
+from tests.cluster.processes import ports_of, workers_of
+from tests.support.own_workers import facts, started_again, starting
+from tests.support.python import PATIENCE
 from tests.support.small import small_plan
 
 
@@ -127,7 +128,7 @@ def test_a_worker_that_is_killed_while_it_starts_again_is_replaced_and_set_up(mo
     settings["distributed.nanny.pre-spawn-environ"] = {}  # whatever dask's are
     with dask.config.set(settings), open_client(Cluster(), 1) as client:
         ((pid, *_),) = client.run(facts).values()
-        known = processes()  # other tests have workers too
+        known = set(workers_of(psutil.Process()))  # other tests have workers too
         os.kill(pid, signal.SIGKILL)
         os.kill(starting(known), signal.SIGKILL)
         how = started_again(client, pid)

@@ -12,7 +12,7 @@ from elastomer_friction.workflow.cluster.flow import stream
 from elastomer_friction.workflow.cluster.pool import Pool
 from elastomer_friction.workflow.ground import UserError
 from elastomer_friction.workflow.system.watch import Watch
-from tests.support.runs import PATIENCE, standing
+from tests.support.python import PATIENCE, standing
 
 
 @pytest.mark.parametrize("items", [range(100), [4, 4, 4], []], ids=["many", "equal", "none"])

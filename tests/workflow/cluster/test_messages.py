@@ -10,7 +10,7 @@ from elastomer_friction.workflow.cluster.client import open_client
 from elastomer_friction.workflow.cluster.flow import stream
 from elastomer_friction.workflow.cluster.pool import Pool
 from elastomer_friction.workflow.study.cluster import Cluster
-from tests.support.runs import PATIENCE
+from tests.support.python import PATIENCE
 
 
 def alive(sent):

@@ -10,7 +10,7 @@ from distributed.comm import CommClosedError
 from elastomer_friction.workflow.cluster import pool as module
 from elastomer_friction.workflow.cluster.pool import Pool, ResultLost
 from elastomer_friction.workflow.ground import UserError
-from tests.support.runs import PATIENCE
+from tests.support.python import PATIENCE
 
 
 def arrival(pool):

@@ -10,7 +10,7 @@ from elastomer_friction.workflow.ground import UserError
 from elastomer_friction.workflow.simulate.realizations import block_means
 from elastomer_friction.workflow.study.cluster import Cluster
 from elastomer_friction.workflow.system import own_versions
-from tests.support.runs import PATIENCE
+from tests.support.python import PATIENCE
 from tests.support.small import cut_batches, small_plan
 
 BATCH = next(cut_batches(small_plan(), set(), 1e9))

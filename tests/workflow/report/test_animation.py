@@ -55,6 +55,12 @@ def test_both_halves_of_the_picture_move(frames):
         assert ImageChops.difference(before, after).getbbox() is not None
 
 
+def test_the_axes_lie_over_the_contact_and_over_the_friction(frames):
+    pixels = np.asarray(frames[0].convert("L"))
+    lines = np.flatnonzero((pixels < 64).mean(axis=1) > 0.8) / len(pixels)
+    np.testing.assert_allclose(np.unique(lines.round(1)), [0.5, 0.9])
+
+
 def test_no_file_is_left_beside_the_animation(path):
     assert list(path.parent.iterdir()) == [path]
 

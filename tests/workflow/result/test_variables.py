@@ -1,20 +1,22 @@
 """Every variable of a result: declared, described, in the unit of its scale, with its error."""
 
 import re
+from pathlib import Path
 
 import numpy as np
 import pytest
 
 from elastomer_friction.workflow.reduce.fits import NEGLIGIBLE
 from elastomer_friction.workflow.reduce.jackknife import errors_needed
-from elastomer_friction.workflow.result.reference.of_tables import SECTIONS
 from elastomer_friction.workflow.result.variables import (
     AUXILIARY,
+    AXIS_ATTRIBUTES,
     FLAGS,
     SCENES,
     VARIABLES,
     declared,
 )
+from elastomer_friction.workflow.study import AXES, EVERY_AXIS
 
 # tests/workflow/plan/test_ratio_of_bodies.py and tests/workflow/reduce/test_persson.py
 OF_BODIES = {"model_ratio", "mu_persson", "area_persson"}
@@ -92,7 +94,40 @@ def test_units_are_those_of_the_scaling(name):
     assert SCALED[name].units == UNITS[metres, seconds, newtons]
 
 
-def test_every_variable_is_described_once_in_sentences():
-    described = [each for section in SECTIONS.values() for each in section.items()]
-    assert sorted(name for name, _ in described) == sorted(VARIABLES)
-    assert all(text.endswith(".") for _, text in described)
+PAGE = Path(__file__).parents[3].joinpath("docs/reference/results.md").read_text(encoding="utf-8")
+_, *PARTS = re.split(r"^### (\w+)\n", re.sub(r"^## .*\n", "", PAGE, flags=re.MULTILINE), flags=re.M)
+ENTRIES = dict(zip(PARTS[::2], map(str.strip, PARTS[1::2]), strict=True))
+
+
+def test_the_page_explains_every_variable_once_and_every_dimension():
+    assert sorted(PARTS[::2]) == sorted(VARIABLES)
+    for name, (unit, said) in AXIS_ATTRIBUTES.items():
+        assert f"\n| `{name}` | {said} | {unit} |\n" in PAGE
+    paragraph = " ".join(PAGE.partition("**Dimensions.**")[2].partition("\n\n")[0].split())
+    assert re.findall("`(\\w+)`", paragraph) == list(EVERY_AXIS)
+
+
+@pytest.mark.parametrize("name", VARIABLES)
+def test_an_entry_begins_with_dimensions_and_unit_and_says_a_sentence(name):
+    variable = VARIABLES[name]
+    of_grid = set(AXES) <= set(variable.dims)
+    dims = ["Grid"] * of_grid + [f"`{d}`" for d in variable.dims if not (of_grid and d in AXES)]
+    unit = "" if variable.units == "1" else f", in {variable.units}"
+    place = f"*{' × '.join(dims) or 'A single number'}{unit}.*\n\n".removeprefix("*Grid.*\n\n")
+    assert ENTRIES[name].startswith(place)
+    text = ENTRIES[name].removeprefix(place).partition("\n")[0]
+    assert re.fullmatch(r"[^*].*\.", text)
+
+
+@pytest.mark.parametrize("name", FLAGS)
+def test_an_entry_says_what_flags_mean_or_where_that_is_said(name):
+    other = re.search(r"\nIts flags are those of \[`(\w+)`\]\(#\1\)\.$", ENTRIES[name])
+    if other:
+        assert FLAGS[other[1]] == FLAGS[name]
+        return
+    said = dict(re.findall(r"(?:^|; )(\w+): ([^;]+)", VARIABLES[name].comment))
+    rows = [
+        f"`{flag}`: {said[flag]}" if flag in said else f"`{flag}`" for flag in FLAGS[name].split()
+    ]
+    table = "\n".join(f"| {value} | {row} |" for value, row in enumerate(rows))
+    assert ENTRIES[name].endswith(f"\n| flag | meaning |\n|---|---|\n| −1 | `failed` |\n{table}")

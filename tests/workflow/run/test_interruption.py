@@ -7,25 +7,24 @@ import pytest
 
 from elastomer_friction.workflow.cli import main
 from elastomer_friction.workflow.store.store import Store, store_folder
-from tests.support.runs import PATIENCE, run, shards, start, wait_for_shards
+from tests.cluster.processes import Trial, end, wait_while
+from tests.support.runs import run, shards
 from tests.support.shards import held, reopened
-from tests.support.small import write_study
 
 LONG, RECORDS = "study.realizations=40", 160  # a batch each
 
 
 def ended(folder, number, *options):
-    """Return a long run whose process group got a signal early: exit status, stdout, stderr."""
-    options = ["--out", str(folder), "--set", LONG, "--batch-seconds", "1e-9", *options]
-    process = start("run", write_study(folder), *options)
+    """Return the exit status of a long run whose process group got a signal early, and its log."""
+    trial = Trial(folder, "--set", LONG, *options)
     try:
-        wait_for_shards(process, folder, 2)
-        os.killpg(process.pid, number)
-        out, err = process.communicate(timeout=PATIENCE)
+        wait_while(lambda: len(shards(folder)) < 2, trial.driver, trial.log)
+        os.killpg(trial.driver.pid, number)
+        status, lines = trial.ended()
     finally:
-        process.kill()
+        end(trial.driver)
     assert not (folder / "small.nc").exists()
-    return process.returncode, out, err
+    return status, "\n".join(lines)
 
 
 @pytest.fixture(scope="module")
@@ -47,7 +46,7 @@ def assert_resumes(folder, expected):
 
 
 def test_a_killed_run_resumes(scheduler, tmp_path, expected):
-    status, _, _ = ended(tmp_path, signal.SIGKILL, "--scheduler", scheduler)
+    status, _ = ended(tmp_path, signal.SIGKILL, "--scheduler", scheduler)
     assert status == -signal.SIGKILL
     assert_resumes(tmp_path, expected)
 
@@ -58,12 +57,12 @@ ON_A_WORKER = pytest.param(("--workers", "1"), id="on a worker", marks=pytest.ma
 
 @pytest.mark.parametrize("options", [HERE, ON_A_WORKER])
 def test_ctrl_c_stops_a_run_that_resumes(tmp_path, expected, capsys, options):
-    status, out, err = ended(tmp_path, signal.SIGINT, *options)
+    status, said = ended(tmp_path, signal.SIGINT, *options)
     assert status == 130
-    assert "to resume run again: python -m workflow run" in err.splitlines()[-1]
-    assert "Traceback" not in err
+    assert "to resume run again: python -m workflow run" in said.splitlines()[-1]
+    assert "Traceback" not in said
     finished = len(held(Store(store_folder(tmp_path / "small.nc"))))  # a record per batch
-    assert f"{finished} batches computed" in out
+    assert f"{finished} batches computed" in said
     done = f"done        {finished} of {RECORDS} records"
     main(["status", str(tmp_path / "small.toml"), "--out", str(tmp_path), "--set", LONG])
     assert capsys.readouterr().out.startswith(done)

@@ -6,7 +6,7 @@ import pytest
 
 from elastomer_friction.workflow.cli import main
 from elastomer_friction.workflow.store.merge import merge_into
-from tests.support.runs import ROOT
+from tests.support.python import ROOT
 
 ARCHIVE = ROOT / "tests" / "resources" / "version-0.3.0.tar.xz"
 

@@ -1,6 +1,6 @@
 """Whatever ``scene.run`` is called with, it returns a dataset or says what is wrong in lines.
 
-``make fuzz`` runs the same for FUZZ_SECONDS (tests/tools/fuzz.py).
+``make fuzz`` runs the same again and again for FUZZ_SECONDS.
 """
 
 import copy

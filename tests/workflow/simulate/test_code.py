@@ -2,8 +2,6 @@
 
 import ast
 import shutil
-import subprocess
-import sys
 from pathlib import Path
 
 import numba
@@ -11,6 +9,7 @@ import pytest
 
 from elastomer_friction.workflow.simulate.code import CODE, FOLDERS, code_hash, known_hash
 from tests.support.imports import module_of
+from tests.support.python import printed
 
 FOLDER = "elastomer_friction.kernels.compile.cache.FOLDER"
 HASHED = [path for folder in FOLDERS for path in folder.rglob("*.py")]
@@ -179,5 +178,4 @@ for batch in cut_batches(small_plan(*wide), set(), 1e9):
 @pytest.mark.skipif(bool(numba.config.DISABLE_JIT), reason="nothing is compiled")
 def test_a_batch_needs_no_machine_code_but_what_was_loaded_before_it():
     """Or else the time to compile it would count as that of the work."""
-    done = subprocess.run([sys.executable, "-c", NOTHING_NEW], capture_output=True, text=True)
-    assert done.returncode == 0, done.stderr
+    printed("-c", NOTHING_NEW)

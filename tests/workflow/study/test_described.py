@@ -1,27 +1,24 @@
 """Keys as their users see them: in sentences, in the words of their checks, in the JSON schema."""
 
 import datetime
+import re
 import tomllib
+from pathlib import Path
 
 import jsonschema
 import pytest
 
 from elastomer_friction.workflow.study.read import known_studies
-from elastomer_friction.workflow.study.schema import described_measures, study_schema
-from elastomer_friction.workflow.study.scripts import OWN
-from elastomer_friction.workflow.study.settings import (
-    as_toml,
-    default_of,
-    values_of,
-)
+from elastomer_friction.workflow.study.schema import study_schema
+from elastomer_friction.workflow.study.scripts import OWN, load_script
+from elastomer_friction.workflow.study.settings import default_of, values_of
 from elastomer_friction.workflow.study.tables import EVERY_TABLE, HEAD, TABLES
 from elastomer_friction.workflow.study.variants import COMPARE
 from tests.support.small import TEXT
 
-MEASURES = described_measures()
 KEYS = [
     pytest.param(key, id=f"{table}.{name}")
-    for table, keys in {**EVERY_TABLE, **MEASURES}.items()
+    for table, keys in EVERY_TABLE.items()
     for name, key in keys.items()
 ]
 NUMBERS = ("a number", "a whole number", "two numbers", "a list of numbers")
@@ -31,14 +28,41 @@ def test_every_key_of_a_comparison_is_among_those_of_the_tables():
     assert {*HEAD, *COMPARE} <= {key for keys in EVERY_TABLE.values() for key in keys}
 
 
-def test_every_study_with_a_table_measure_is_described():
-    tables = {
-        path.parent.name: tomllib.loads(path.read_text(encoding="utf-8"))
-        for path in OWN.glob("*/study.toml")
+PAGE = Path(__file__).parents[3].joinpath("docs/reference/measures.md").read_text(encoding="utf-8")
+ENTRY = re.compile(
+    r"^### (\w+): measure\.(\w+)\n\n\*(.*)\. Required; (.*)\.\*\n\n(.*)$", re.MULTILINE
+)
+TABLES_OF = {
+    path.parent.name: tomllib.loads(path.read_text(encoding="utf-8"))
+    for path in OWN.glob("*/study.toml")
+}
+MEASURED = [
+    (name, key, value)
+    for name, tables in TABLES_OF.items()
+    for key, value in tables.get("measure", {}).items()
+]
+
+
+def test_the_page_of_measured_studies_has_every_key_once():
+    found = [each[:2] for each in ENTRY.findall(PAGE)]
+    assert len(found) == PAGE.count("\n### ") > 0
+    assert sorted(found) == sorted((name, key) for name, key, _ in MEASURED)
+
+
+@pytest.mark.parametrize(("name", "key", "value"), MEASURED)
+def test_a_key_of_a_measured_study_is_described_with_its_values_at_every_scale(name, key, value):
+    (entry,) = (each for each in ENTRY.findall(PAGE) if each[:2] == (name, key))
+    values = values_of(load_script(OWN / name / "measure.py").SETTINGS[key])
+    scales = {
+        scale: own["measure"][key]
+        for scale, own in TABLES_OF[name]["scales"].items()
+        if key in own["measure"]
     }
-    measured = {name: set(table["measure"]) for name, table in tables.items() if "measure" in table}
-    assert measured
-    assert {name: set(keys) for name, keys in MEASURES.items()} == measured
+    assert entry[2].lower() == values
+    assert re.findall(r"at scale (\w+)", entry[3]) == list(scales)
+    assert [float(n) for n in re.findall(r"`(.+?)`", entry[3])] == [value, *scales.values()]
+    assert "oubled" in entry[4]  # what changes then
+    assert entry[4].endswith(".")
 
 
 @pytest.mark.parametrize("key", KEYS)
@@ -51,17 +75,6 @@ def test_a_key_is_described_in_sentences(key):
     assert default_of(key)
     if values_of(key).startswith(NUMBERS):
         assert "oubl" in key.doubled  # what changes when it is doubled
-
-
-def test_the_values_are_those_of_the_study_at_every_scale():
-    points = default_of(MEASURES["accuracy"]["points"])
-    assert points == "required; `17` in its study.toml, `3` at scale smoke"
-
-
-def test_lists_of_numbers_and_of_texts_are_as_toml_has_them():
-    lists = [1, 10, 1_000_000], [0.2, 2e7], ["fig7", "grid6d"]
-    written = "\n".join(f"k{i} = {as_toml(one)}" for i, one in enumerate(lists))
-    assert list(tomllib.loads(written).values()) == list(lists)
 
 
 CHECK = jsonschema.Draft7Validator(study_schema())

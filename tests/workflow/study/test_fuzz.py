@@ -1,11 +1,10 @@
 """Whatever a TOML file holds, it is read as a study and planned, or refused with one line.
 
-``make fuzz`` runs the same for FUZZ_SECONDS (tests/tools/fuzz.py).
+``make fuzz`` runs the same again and again for FUZZ_SECONDS.
 """
 
 import copy
 import math
-import os
 import tempfile
 import tomllib
 from pathlib import Path
@@ -25,8 +24,7 @@ from tests.support.documents import document
 from tests.support.small import FILES, TEXT, small_study, write_study
 from tests.support.sweeps import examples
 
-EXAMPLES = int(os.environ.get("FUZZ_EXAMPLES", examples(50)))  # of each kind
-FUZZ = settings(max_examples=EXAMPLES, deadline=None)
+FUZZ = settings(max_examples=examples(50), deadline=None)  # of each kind
 MOST_POINTS = 100  # of a study to plan
 MOST_ELEMENTS = 10_000
 TEXTS = [TEXT, *(path.read_text() for path in sorted(known_studies().values()))]
@@ -221,11 +219,3 @@ def changed_text(programme, control, changes):
 def test_a_study_with_random_changes_is_read_or_refused(programme, control, changes, scaled):
     text = changed_text(programme, control, changes)
     check(outcome(text, scale="wide" if scaled else None, planned=programme is None))
-
-
-FUZZED = (
-    test_a_study_with_random_changes_is_read_or_refused,
-    test_an_edited_text_is_read_or_refused,
-    test_random_settings_are_read_or_refused,
-    test_random_bytes_are_read_or_refused,
-)

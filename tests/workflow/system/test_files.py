@@ -18,7 +18,7 @@ from elastomer_friction.workflow.system.durable import (
 )
 from elastomer_friction.workflow.system.lock import LOCK, hold, holder
 from elastomer_friction.workflow.system.patience import GRACE_SECONDS, Patience
-from tests.support.runs import PATIENCE, standing
+from tests.support.python import PATIENCE, standing
 
 
 def full_disk(*_):

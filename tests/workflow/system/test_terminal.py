@@ -19,7 +19,7 @@ from elastomer_friction.workflow.system.packages import (
     version_of,
 )
 from elastomer_friction.workflow.system.process import Interrupt
-from tests.support.runs import PATIENCE, ROOT
+from tests.support.python import PATIENCE, ROOT, printed
 
 SAY = """
 import contextlib, os, sys
@@ -148,9 +148,7 @@ for _ in range(50):
 def test_memory_of_large_arrays_stays_in_the_process():
     def faults(kept, **environment):
         """Return how many pages the last of many rounds has asked for, if memory is kept or not."""
-        code = [sys.executable, "-c", FAULTS.format(kept=kept)]
-        done = subprocess.run(code, env=os.environ | environment, capture_output=True, check=True)
-        return int(done.stdout.split()[-1])
+        return int(printed("-c", FAULTS.format(kept=kept), **environment).split()[-1])
 
     assert faults(kept=True, MALLOC_TRIM_THRESHOLD_="65536") < 10  # as dask sets it for workers
     assert faults(kept=False, MALLOC_TRIM_THRESHOLD_="65536") > 1000

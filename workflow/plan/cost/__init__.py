@@ -18,6 +18,6 @@ if TYPE_CHECKING:
         prediction,
         this_machine,
     )
-    from .work import DRAW, PARTS, Work, kind_of, touchable_share, typical_seconds
+    from .work import PARTS, Work, drawing_seconds, kind_of, touchable_share, typical_seconds
 
 __all__, __getattr__, __dir__ = public_names(__name__, __file__)

@@ -13,7 +13,7 @@ from ....kernels import Quantities
 from ....kernels.compile.clock import working_time
 from ...simulate import Batch, Problem, Recording, Task, block_means
 from ...system import processor
-from .work import DRAW, DRAWING, PARTS, Work, typical_seconds
+from .work import DRAWING, PARTS, Work, drawing_seconds, typical_seconds
 
 FOUR = (0.003, 0.03, 0.3, 3.0)
 ROUNDS = 5  # of all probes; the quickest of each part counts, the slowest tells how far it varies
@@ -56,7 +56,7 @@ def typical(probe: Batch) -> np.ndarray:
         work = Work(task.problem, task.steps_per_spacing, task.march_steps, True, count, count)
         found += list(typical_seconds(probe.quantities, work, RECORDING).values())
     samples = probe.tasks[0].problem.elements * probe.tasks[0].steps_per_spacing
-    found[PARTS.index(DRAWING)] = DRAW(samples)
+    found[PARTS.index(DRAWING)] = drawing_seconds(samples)
     return probe.blocks * probe.realizations_per_block * found
 
 

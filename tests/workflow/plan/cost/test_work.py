@@ -1,7 +1,5 @@
 """The cost model: additive, increasing, and true in what does not depend on a machine."""
 
-import math
-
 import numpy as np
 import pytest
 from hypothesis import given
@@ -28,14 +26,11 @@ from elastomer_friction.kernels.quick.contacts.steady_friction import (
 from elastomer_friction.kernels.rheology.kelvin import SCHEMES
 from elastomer_friction.workflow.plan.cost.timing import PROBES, batch, factors, typical
 from elastomer_friction.workflow.plan.cost.work import (
-    DRAW,
     DRAWING,
     PARTS,
-    STEP,
-    SWEEP,
-    SecondsBySize,
     Work,
     begun_anew,
+    drawing_seconds,
     followed_patches,
     kind_of,
     touchable_share,
@@ -98,7 +93,7 @@ LIGHT, HEAVY = ({"elements": 5000, "load": load, "spectrum": BRANCH} for load in
         ("marching", slides(0.25, 20), slides(0.2, 20), 1.5),  # all of them between
         ("marching", slides(1.0, start="rest"), slides(1.0), 2.0),  # steady sliding comes first
         ("steady", slides(1.0), slides(1.0, speed=1e6), 1.5),  # of elements with branches
-        ("marching", FULL, LONG, 10.0),
+        ("marching", FULL, LONG, 3.0),
         ("steady", FULL, LONG, 1.0),
         ("steady", {**NARROW, "steps": 2}, {**NARROW, "steps": 8}, 3.0),  # contacts are followed
     ],
@@ -198,19 +193,9 @@ def test_marches_begin_anew_near_h_of_one_at_high_speed():
     assert often > 2.4 > 1.01 > max(seldom, begun_anew(Problem(1.0, 1e4, 1.0, 9.0, 1.2)))
 
 
-CURVE = SecondsBySize((10.0, 100.0, 1000.0), (2.0, 8.0, 80.0))
-
-
-def test_a_curve_passes_through_what_was_measured():
-    assert [CURVE(size) for size in CURVE.sizes] == pytest.approx(CURVE.seconds)
-    assert CURVE(math.sqrt(1000.0)) == pytest.approx(4.0)  # a power law in between
-    assert CURVE(1.0) == pytest.approx(2.0)  # what a call takes at least
-    assert CURVE(2000.0) == pytest.approx(160.0)
-
-
-@given(st.sampled_from([CURVE, DRAW, STEP, SWEEP]), st.floats(1.0, 1e7), st.floats(1.0, 4.0))
-def test_more_samples_never_take_less_time(curve, size, factor):
-    assert curve(size * factor) >= curve(size) * (1.0 - 1e-12)
+def test_lines_are_drawn_at_no_less_for_more_samples():
+    seconds = drawing_seconds(np.geomspace(1.0, 1e7, 50))
+    assert (np.diff(seconds) > 0.0).all()
 
 
 @pytest.mark.exhaustive  # computes all probes
