@@ -92,18 +92,33 @@ def predict_block(share, memory, b, total):
             total[i] += of_unit * memory[b, k, i]
 
 
+class Pressing(NamedTuple):
+    """What presses elements: the force is stiffness * (level - c) above their threshold c."""
+
+    level: float  # in h
+    stiffness: float
+
+
 @inlined
-def settle_and_predict(due, share, memory, b, room):
-    """Take due_k p from the memory of block b, and do the same.
+def force_on(pressing, c):
+    """Return the force of an element of threshold c."""
+    depth = pressing.level - c
+    return pressing.stiffness * depth if depth > 0.0 else 0.0
+
+
+@inlined
+def settle_and_predict(due, share, memory, b, pressing, c, room):
+    """Take due_k p from the memory of block b, and do the same; c : thresholds, shape (BLOCK,).
 
     room : shape (2 BLOCK,): the sums, and the forces p. One array: those that could overlap are
     looked at for it in every loop.
     """
     of_unit, taken = share[0], due[0]
     for i in range(BLOCK):
-        y = memory[b, 0, i] - taken * room[BLOCK + i]
+        p = force_on(pressing, c[i])
+        y = memory[b, 0, i] - taken * p
         memory[b, 0, i] = y
-        room[i] = of_unit * y
+        room[i], room[BLOCK + i] = of_unit * y, p
     for k in range(1, share.size):
         of_unit, taken = share[k], due[k]
         for i in range(BLOCK):

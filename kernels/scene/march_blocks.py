@@ -26,10 +26,12 @@ from ..rheology.prony import Prony, fill_law
 from ..rheology.retardation import Retardation
 from ..rheology.scaled import (
     BLOCK,
+    Pressing,
     Scales,
     all_settled,
     as_it_is,
     catch_up,
+    force_on,
     go_on,
     predict_block,
     settle_and_predict,
@@ -59,13 +61,6 @@ class ElementBlocks(NamedTuple):
     memory: np.ndarray  # scaled, shape (blocks, K, BLOCK)
     seen: np.ndarray  # shape (blocks,): the last step that the memory knows of
     scales: Scales
-
-
-class Pressing(NamedTuple):
-    """What presses elements: the force is stiffness * (level - c) above their threshold c."""
-
-    level: float  # in h
-    stiffness: float
 
 
 class BlockElements(NamedTuple):
@@ -98,7 +93,7 @@ class BlockMarch(NamedTuple):
     blocks: ElementBlocks
     rows: SpringRows  # the thresholds of blocks, of which those that are chosen come first
     constants: np.ndarray  # of the law of the last step, as fill_law leaves them
-    forces: np.ndarray  # of settle_and_predict
+    room: np.ndarray  # of settle_and_predict
     depths: np.ndarray  # of _sums
     carried: np.ndarray  # of median_width
 
@@ -120,10 +115,10 @@ def in_blocks(elements, done):
     units, n = elements.memory.shape
     count = (n + BLOCK - 1) // BLOCK
     memory, c = np.zeros((count, units, BLOCK)), np.full((count, BLOCK), np.inf)
-    for i in range(n):
-        c[i // BLOCK, i % BLOCK] = -elements.p[i]
-        for k in range(units):
-            memory[i // BLOCK, k, i % BLOCK] = elements.memory[k, i]
+    for b in range(count):
+        first, size = b * BLOCK, min(BLOCK, n - b * BLOCK)
+        c[b, :size] = -elements.p[first : first + size]
+        memory[b, :, :size] = elements.memory[:, first : first + size]
     blocks = ElementBlocks(memory, np.full(count, done), as_it_is(units, done))
     return BlockElements(blocks, c, Pressing(0.0, 1.0), elements.d)
 
@@ -141,15 +136,8 @@ def _forces(c, last):
     p = np.empty(c.size)
     thresholds = c.reshape(-1)
     for i in range(p.size):
-        p[i] = _force(last, thresholds[i])
+        p[i] = force_on(last, thresholds[i])
     return p
-
-
-@inlined
-def _force(pressing, c):
-    """Return the force of an element of threshold c."""
-    depth = pressing.level - c
-    return pressing.stiffness * depth if depth > 0.0 else 0.0
 
 
 @kernel
@@ -267,19 +255,17 @@ def _step(march, law, t, old, last, choice):
 @inlined
 def _balance(march, law, t, old, last, count):
     """Return (d, passes) of a step, taken with the first blocks that are chosen alone."""
-    (memory, seen, scales), p, track = march.blocks, march.forces, march.track
+    (memory, seen, scales), room, track = march.blocks, march.room, march.track
     c, some, sums, highest, found = march.rows
     rows, begin = SpringRows(c, some[:count], sums, highest, found), track.begin[t + 1]
     step, z = march.done + t + 1, track.z[track.line[t + 1], begin : begin + track.z.shape[1] // 2]
     catch_up(scales, memory, seen, rows.some, step)
     filled(rows)
     for b in rows.some:
-        for i in range(BLOCK):
-            p[BLOCK + i] = _force(last, c[b, i])
-        settle_and_predict(scales.due, scales.scale, memory, b, p)
+        settle_and_predict(scales.due, scales.scale, memory, b, last, c[b], room)
         here = z[b * BLOCK : (b + 1) * BLOCK]
         for i in range(here.size):
-            c[b, i] = here[i] - p[i]
+            c[b, i] = here[i] - room[i]
     all_settled(scales)
     return balance_rows(march.control, law, rows, old, step)
 
@@ -374,7 +360,7 @@ def _sums(march, now, s):
     By columns, as in add_overlap. So many depths are noted: how deep elements are, row by row of
     those that touch, and that of a free one where others lie between.
     """
-    track, rows, slope, depths = march.track, march.rows, march.forces, march.depths
+    track, rows, slope, depths = march.track, march.rows, march.room, march.depths
     (stiffness, lag, _), n, sums, at, after = now.law, track.z.shape[1] // 2, rows.sums, 0, 0
     before = track.slope[track.line[s - 1], track.begin[s - 1] :]
     ahead = track.slope[track.line[s], track.begin[s] :]
