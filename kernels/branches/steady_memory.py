@@ -21,7 +21,6 @@ import numpy as np
 
 from ..compile.jit import kernel
 from ..model.contact import solve_indentation
-from ..rheology.foreseen import foreseen, from_memory, remember, step_one
 from ..rheology.forms import Form
 from ..rheology.law import (
     Elements,
@@ -32,6 +31,7 @@ from ..rheology.law import (
     rest,
     settle,
 )
+from ..rheology.next_step import fill_memory, foreseen, from_memory, step_one
 
 TURNS = 60  # at most; a few are enough
 EXACT = 1e-13  # residual that is as good as none
@@ -126,7 +126,7 @@ def _as_found(law, z, first, way, x, forces):
         some = min(TOGETHER, z.size - i, j + 1 if way < 0 else z.size - j)
         for k in range(some):
             p[j + way * k] = forces[i + k]
-        remember(law, y, forces[i : i + some], memory, j, way)
+        fill_memory(law, y, forces[i : i + some], memory, j, way)
         i, j = i + some, j + way * (some - 1)
     return Elements(memory, p, x[-1] + z[first])
 

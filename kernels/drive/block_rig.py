@@ -15,7 +15,7 @@ from ..rheology.retardation import Retardation
 from ..rheology.scaled import BLOCK, catch_up, go_on, predict_block
 from ..scene.march_blocks import SLACK, ElementBlocks, can_touch, cap_over, in_blocks, round_apart
 from ..scene.samples import samples_per_contact
-from ..scene.spring_rows import SpringRows, filled, spring_rows_of
+from ..scene.spring_rows import SpringRows, refilled, spring_rows_of
 from .posed_line import PosedLine, heights_at, seen_from
 from .rig import accept, attempt, friction_of, patch_width
 
@@ -90,7 +90,7 @@ def _balance(rig, law, begin, t):
     rows = SpringRows(c, some, sums, highest, found)
     catch_up(scales, memory, seen, some, rig.number[TAKEN])
     share, w = law.decay * scales.scale, np.empty(BLOCK)
-    filled(rows)
+    refilled(rows)
     for b in some:
         z = rig.z[b * BLOCK : (b + 1) * BLOCK]
         heights_at(rig.line, begin + b * BLOCK, t, z)

@@ -40,13 +40,13 @@ from .cycles import add_impulses
 from .energy import keep_energies
 from .follow import book_step, first_after, seen_at
 from .records import count_lengths, keep_forces, keep_frame, keep_motion
-from .samples import median_width
+from .samples import median_over_load
 from .spring_rows import (
     COLUMNS,
     SpringRows,
     add_overlap,
-    filled,
     fold,
+    refilled,
     spring_rows_of,
 )
 
@@ -95,7 +95,7 @@ class BlockMarch(NamedTuple):
     constants: np.ndarray  # of the law of the last step, as fill_law leaves them
     room: np.ndarray  # of settle_and_predict
     depths: np.ndarray  # of _sums
-    carried: np.ndarray  # of median_width
+    carried: np.ndarray  # of median_over_load
 
 
 class Progress(NamedTuple):
@@ -260,7 +260,7 @@ def _balance(march, law, t, old, last, count):
     rows, begin = SpringRows(c, some[:count], sums, highest, found), track.begin[t + 1]
     step, z = march.done + t + 1, track.z[track.line[t + 1], begin : begin + track.z.shape[1] // 2]
     catch_up(scales, memory, seen, rows.some, step)
-    filled(rows)
+    refilled(rows)
     for b in rows.some:
         settle_and_predict(scales.due, scales.scale, memory, b, last, c[b], room)
         here = z[b * BLOCK : (b + 1) * BLOCK]
@@ -349,7 +349,7 @@ def _keep_trace(trace, k, march, now, s):
     lag, track = now.law[1], march.track
     sums, gathered = _sums(march, now, s)
     keep_forces(trace, k, lag, sums, track.z.shape[1] // 2, now.old, now.d)
-    trace.samples_per_contact[k] = median_width(march.depths[:gathered], march.carried)
+    trace.samples_per_contact[k] = median_over_load(march.depths[:gathered], march.carried)
     keep_motion(trace, k, lag, track, s - 1)
 
 

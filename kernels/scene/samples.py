@@ -13,11 +13,11 @@ def samples_per_contact(force):
     A patch is a run of touching samples; patches up to this width carry half of the load. n in
     full contact, 0 where nothing touches.
     """
-    return median_width(force, np.zeros(force.size))
+    return median_over_load(force, np.zeros(force.size))
 
 
 @borrowing
-def median_width(force, carried):
+def median_over_load(force, carried):
     """Return the same; carried : room, shape (n,) or more, all zero before and after."""
     n, total, load = force.size, 0.0, 0.0
     begun = run = widest = 0

@@ -33,7 +33,7 @@ def spring_rows_of(c):
 
 
 @inlined
-def filled(rows):
+def refilled(rows):
     """Note that other thresholds fill the rows."""
     rows.highest[0], rows.found[0] = -np.inf, np.nan
 

@@ -13,9 +13,9 @@ from elastomer_friction.kernels.branches.steady_memory import (
     steady_at,
     steady_memory,
 )
-from elastomer_friction.kernels.rheology.foreseen import foreseen
 from elastomer_friction.kernels.rheology.forms import FORMS
 from elastomer_friction.kernels.rheology.law import Elements, law_of, memories, rest
+from elastomer_friction.kernels.rheology.next_step import foreseen
 from elastomer_friction.kernels.rheology.retardation import retardation
 from elastomer_friction.kernels.rheology.spectrum import KELVIN, Spectrum
 from tests.convergence import observed_order

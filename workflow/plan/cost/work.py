@@ -37,8 +37,8 @@ PLAIN, BRANCHES, PROGRAMME, MAPS = "plain", "branches", "programme", "maps"
 # vbar = 5 it takes 0.22 and 0.50 steps with 1 and 13 branches where 0.18 of the line can, and 0.93
 # and 2.3 where all of it can. Of 40 random marches, H 0.2 to 1, N 200 to 15 000, Fbar 0.003 to 3,
 # vbar 0.1 to 1000, up to 13 branches, two in three are within a factor of 1.35 of the laws, and all
-# within 2.2. Of 24 steady states with their friction, H = 0.7, N 500 and 5000, Fbar 0.05 and 1, vbar
-# 1 and 100, with 1, 5 and 13 branches, 23 are within 1.5, and one within 1.8.
+# within 2.2. Of 24 steady states with their friction, H = 0.7, N 500 and 5000, Fbar 0.05 and 1,
+# vbar 1 and 100, with 1, 5 and 13 branches, 23 are within 1.5, and one within 1.8.
 DENSE, UNIT = 0.75, 0.32  # of a step in which all elements are moved, and for each variable
 LEFT, MOVED, MOVED_UNIT = 0.04, 0.8, 0.115  # of one in which those are that can touch
 EDGES = 20.0  # samples of blocks beyond what can touch, for each of (samples of the line)**0.37

@@ -38,7 +38,7 @@ def step_one(law, y, w, new):
 
 
 @by_type
-def remember(law, y, forces, memory, at, way):
+def fill_memory(law, y, forces, memory, at, way):
     """Fill what an element remembers at the samples at, at + way, ... of ``memory`` (M, n).
 
     law : as ``foreseen`` returns it. y (M,) : what it counts of the element before it comes to the
@@ -117,7 +117,7 @@ def _step_of_branches(law, y, w, new):
     return predict_one(law, y, 0.0)
 
 
-@remember.of(Foreseen)
+@fill_memory.of(Foreseen)
 def _remember(law, y, forces, memory, at, way):
     for k in range(y.size):
         decay, due, fresh, v, j = law.decay[k], law.due[k], law.fresh[k], y[k], at
@@ -128,7 +128,7 @@ def _remember(law, y, forces, memory, at, way):
         y[k] = v if abs(v) > NEGLIGIBLE else 0.0
 
 
-@remember.of(Relaxed)
+@fill_memory.of(Relaxed)
 def _remember_branches(law, y, forces, memory, at, way):
     for i in range(forces.size):
         settle_one(law, y, predict_one(law, y, 0.0), 0.0, forces[i])
