@@ -91,8 +91,8 @@ LIGHT, HEAVY = ({"elements": 5000, "load": load, "spectrum": BRANCH} for load in
         ("marching", LIGHT, HEAVY, 3.0),  # what cannot touch is left out
         ("marching", slides(10.0), slides(10.1), 1.0),  # a step more, between the samples
         ("marching", slides(0.25, 20), slides(0.2, 20), 1.5),  # all of them between
-        ("marching", slides(1.0, start="rest"), slides(1.0), 2.0),  # steady sliding comes first
-        ("steady", slides(1.0), slides(1.0, speed=1e6), 1.5),  # of elements with branches
+        ("marching", slides(1.0, start="rest"), slides(1.0), 1.2),  # steady sliding comes first
+        ("steady", slides(1.0), slides(1.0, speed=1e6), 1.2),  # of elements with branches
         ("marching", FULL, LONG, 3.0),
         ("steady", FULL, LONG, 1.0),
         ("steady", {**NARROW, "steps": 2}, {**NARROW, "steps": 8}, 3.0),  # contacts are followed
