@@ -1,7 +1,7 @@
 """The thresholds of elements in rows of BLOCK, of which some are left out.
 
 Those that are left out are not reached by an indentation below some bound. The load is balanced as
-in model/contact.py. What the rows carry at the guess may be summed up while they are filled.
+in model/contact.py.
 """
 
 from typing import NamedTuple
