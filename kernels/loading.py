@@ -61,7 +61,8 @@ def load(scheme: str, asked: Quantities) -> None:
         with _helped(scheme, asked):
             at_speed, nobody = AtSpeed.of(scheme, STEPS, WIDE[1], (1.2,)), np.empty(0)
             how = How(float(STEPS), at_speed.share, True)
-            slide_on(at_speed.law, _stack(line), at_speed.at_speeds, nobody, how)
+            speeds = at_speed.speed, at_speed.others
+            slide_on(at_speed.law, _stack(line), speeds, nobody, how)
             smooth = smooth_line(line.z, line.slope, 1.0 / STEPS)
             slide_between(smooth, WIDE[1], nobody, nobody, nobody)
             law_of(form_of(KELVIN, scheme), 1.0)  # which says the times of a curve

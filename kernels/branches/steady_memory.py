@@ -140,10 +140,7 @@ def _solve(law, line, load, enough, most, x, forces):
     """
     size, least, turns = x.size, np.inf, 0
     sound = SOUND + FINEST * law.stiffness
-    bits = 0
-    while line.size >> bits > 0:
-        bits += 1
-    powers = Powers(np.empty((2, bits, size + 1, size + 1)), np.zeros(2, np.int64))
+    powers = Powers(np.empty((2, _bits(line.size), size + 1, size + 1)), np.zeros(2, np.int64))
     now, step, tried = x.copy(), np.zeros(size), np.empty(line.size)
     runs = np.empty(line.size + 1, np.int64)
     while turns < most:
@@ -183,6 +180,15 @@ class Powers(NamedTuple):
 
     of: np.ndarray  # shape (2, k, M + 2, M + 2)
     known: np.ndarray  # shape (2,): how many of them are known
+
+
+@kernel
+def _bits(number):
+    """Return how many binary digits a whole number has."""
+    bits = 0
+    while number >> bits > 0:
+        bits += 1
+    return bits
 
 
 @kernel
@@ -239,9 +245,7 @@ def _carry(law, powers, touching, length, tangents):
 
     One by one, or where it takes less by powers of two of them.
     """
-    bits = 0
-    while length >> bits > 0:
-        bits += 1
+    bits = _bits(length)
     if 3 * length <= bits * tangents.shape[0]:
         _take_steps(law, touching, length, tangents)
         return

@@ -118,7 +118,7 @@ def _step_of_branches(law, y, w, new):
 
 
 @fill_memory.of(Foreseen)
-def _remember(law, y, forces, memory, at, way):
+def _fill_memory(law, y, forces, memory, at, way):
     for k in range(y.size):
         decay, due, fresh, v, j = law.decay[k], law.due[k], law.fresh[k], y[k], at
         for i in range(forces.size):
@@ -129,7 +129,7 @@ def _remember(law, y, forces, memory, at, way):
 
 
 @fill_memory.of(Relaxed)
-def _remember_branches(law, y, forces, memory, at, way):
+def _fill_memory_of_branches(law, y, forces, memory, at, way):
     for i in range(forces.size):
         settle_one(law, y, predict_one(law, y, 0.0), 0.0, forces[i])
         for k in range(y.size):

@@ -18,7 +18,10 @@ def samples_per_contact(force):
 
 @borrowing
 def median_over_load(force, carried):
-    """Return the same; carried : room, shape (n,) or more, all zero before and after."""
+    """Return the samples per contact, as samples_per_contact does, without an array made.
+
+    carried : room, shape (n,) or more, all zero before and after.
+    """
     n, total, load = force.size, 0.0, 0.0
     begun = run = widest = 0
     for f in force:

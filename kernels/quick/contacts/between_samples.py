@@ -11,6 +11,7 @@ import numpy as np
 
 from ...compile.jit import borrowing, kernel
 from ...lines.polynomials import height, septic, steepness
+from ..steady.sliding import power_step
 from .events import AREA, BOTTOM, GROWTH, MOST_EVENTS, RISE, TOP, WIDTH, room_for_patches, turn
 from .smooth_line import first_zero, pressure, products, squared
 
@@ -84,14 +85,17 @@ def _balanced(line, speed, load, guess, patches):
         if abs(excess) <= CLOSE * load:
             return contact, turns
         if turns == 1:
-            power = (d - deepest) * contact.rate / contact.force
-            up, down = power + 1.0, power - 1.0
-            ratio = (down * contact.force + up * load) / (up * contact.force + down * load)
-            d = deepest + (d - deepest) * ratio
+            d = deepest + power_step(d - deepest, contact.force, contact.rate, load)
         else:
             d -= excess / contact.rate
         if turns == MOST_TURNS or not d - deepest > least:
             return contact, 0
+
+
+@borrowing
+def _interval(first, i, n):
+    """Return which of n intervals is the i-th that elements come to, from ``first`` on."""
+    return first - i if i <= first else first - i + n
 
 
 @borrowing
@@ -103,7 +107,7 @@ def _sums(line, contact, patches):
     for k in range(contact.patches):
         length, rise = length + at[k, WIDTH], rise + at[k, RISE]
         for i in range(after[k, TOP], after[k, BOTTOM] + 1):
-            j = first - i if i <= first else first - i + z.size
+            j = _interval(first, i, z.size)
             start = at[k, TOP] if i == after[k, TOP] else 0.0
             stop = at[k, BOTTOM] if i == after[k, BOTTOM] else 1.0
             if stop - start == 1.0:
@@ -148,7 +152,7 @@ def _grown(line, speed, deep, left, patches, count):
     for k in range(count):
         for end in (TOP, BOTTOM):
             i, t = after[k, end], at[k, end]
-            c = septic(z, slope, bend, h, first - i if i <= first else first - i + z.size)
+            c = septic(z, slope, bend, h, _interval(first, i, z.size))
             along = -steepness(c, t) / h
             some = max(deep - height(c, t) + speed * along, 0.0) * at[k, GROWTH + end] * left
             force, work = force + some, work + some * along
@@ -166,7 +170,7 @@ def _unpressed(line, speed, deep, patches, count):
     force = work = length = rise = 0.0
     for k in range(count):
         for i in range(after[k, TOP], after[k, BOTTOM] + 1):
-            j = first - i if i <= first else first - i + z.size
+            j = _interval(first, i, z.size)
             if deep + speed * flat[j] > high[j]:
                 continue
             t = at[k, TOP] if i == after[k, TOP] else 0.0

@@ -23,9 +23,9 @@ GAUSS = tuple(
 class SmoothLine(NamedTuple):
     """A line between its samples, and what is shared by all loads and speeds; n intervals."""
 
-    z: np.ndarray  # in h, shape (n,), as the next two
+    z: np.ndarray  # in h, shape (n,), as the next
     slope: np.ndarray  # in h/dx
-    bend: np.ndarray  # second and third derivative, shape (n, 2)
+    bend: np.ndarray  # second and third derivative, in h/dx^2 and h/dx^3, shape (n, 2)
     spacing: float  # of the samples, in dx
     low: np.ndarray  # shape (n,): not above any height in the interval
     high: np.ndarray  # shape (n,): not below any

@@ -60,11 +60,10 @@ class AtSpeed(NamedTuple):
     """A speed of steady sliding, and what of it is the same on all lines of as many samples."""
 
     speed: float  # vbar
-    others: tuple[float, ...]  # speeds jumped to, vbar
+    others: np.ndarray  # speeds jumped to, vbar, shape (others,)
     scheme: str
     law: Kelvin  # for steps of one sample
     share: float  # of the elastic part of mu that is corrected
-    at_speeds: tuple[float, np.ndarray]  # as of slide_on
 
     @classmethod
     def of(
@@ -76,8 +75,7 @@ class AtSpeed(NamedTuple):
     ) -> "AtSpeed":
         """Return what holds at ``speed`` with ``steps`` samples per spacing; all speeds vbar."""
         law = SCHEMES[scheme](1.0 / (steps * speed))
-        at_speeds = speed, np.array(others, float)
-        return cls(speed, others, scheme, law, corrected_share(steps, speed), at_speeds)
+        return cls(speed, np.array(others, float), scheme, law, corrected_share(steps, speed))
 
 
 class Sliding(NamedTuple):
@@ -122,7 +120,8 @@ def steady_friction(grounds: Grounds, at_speed: AtSpeed, loads: np.ndarray) -> S
     """
     one = grounds.each[0].line
     how = How(float(one.steps_per_spacing), at_speed.share, one.band_limited)
-    stay, decay, found = slide_on(at_speed.law, grounds.stack, at_speed.at_speeds, loads, how)
+    speeds = at_speed.speed, at_speed.others
+    stay, decay, found = slide_on(at_speed.law, grounds.stack, speeds, loads, how)
     table = found.table
     datum = np.array([[ground.line.datum] for ground in grounds.each])
     return Sliding(
@@ -155,7 +154,7 @@ def follow_narrow(sliding: Sliding, before: Sliding | None = None) -> np.ndarray
         narrow = np.flatnonzero(sliding.samples[j] < NARROW)
         if narrow.size == 0 or ground.smooth is None:
             continue
-        speeds, d = (at_speed.speed, np.array(at_speed.others, float)), sliding.d[j, narrow]
+        speeds, d = (at_speed.speed, at_speed.others), sliding.d[j, narrow]
         if before is not None:
             deepest = ground.smooth.deepest[2]
             depth = before.indentation[j, narrow] - ground.line.datum - deepest

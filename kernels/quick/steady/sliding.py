@@ -9,7 +9,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ...compile.jit import kernel
+from ...compile.jit import borrowing, kernel
 from ...model.contact import excess_at, solve_indentation
 from ...model.steady import steady_indentation
 from .carry import Decay, carry
@@ -34,6 +34,18 @@ def elastic_guess(z, deepest, load):
     return d
 
 
+@borrowing
+def power_step(depth, force, rate, load):
+    """Return the depth after a step of Halley's method for force = load.
+
+    rate : derivative of the force with respect to the depth. The step is exact where the force is a
+    power of the depth, and elsewhere never far off.
+    """
+    power = depth * rate / force
+    up, down = power + 1.0, power - 1.0
+    return depth * ((down * force + up * load) / (up * force + down * load))
+
+
 @kernel
 def approach(decay, z, spans, stay, load):
     """Return d near the root under the load n Fbar. decay, z, spans, stay : as of carry."""
@@ -41,12 +53,8 @@ def approach(decay, z, spans, stay, load):
     for step in range(STEPS):
         total, slope, _, _ = carry(decay, z, spans, stay, d, None, None)
         if step < POWER_STEPS:
-            # Halley's for total = load, were total a power of the depth: never far off.
-            depth = d - z[spans.deepest]
-            power = depth * slope / total
-            up, down = power + 1.0, power - 1.0
-            depth *= (down * total + up * load) / (up * total + down * load)
-            d = z[spans.deepest] + depth
+            deepest = z[spans.deepest]
+            d = deepest + power_step(d - deepest, total, slope, load)
         else:
             d -= (total - load) / slope
     return d
