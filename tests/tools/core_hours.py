@@ -3,7 +3,8 @@
     python -m tests.tools.core_hours fig7 --scale paper --minutes 20 --seed 1 --out sample.json
 
 It measures CPU time of one thread, which computes as a worker does. How draws lead to the whole
-stands in sample.py.
+stands in sample.py. A shared machine is not always equally quick: the probes on which plans rest
+are timed before and after each draw, and its time is told as the machine of the plan would take.
 """
 
 import argparse
@@ -16,6 +17,8 @@ import numpy as np
 
 from elastomer_friction.workflow.plan import this_machine
 from elastomer_friction.workflow.plan.cost import PARTS
+from elastomer_friction.workflow.plan.cost.machine import Pace
+from elastomer_friction.workflow.plan.cost.timing import factors
 from elastomer_friction.workflow.plan.plan import make_plan
 from elastomer_friction.workflow.simulate import BatchResult, block_means
 from elastomer_friction.workflow.study import read_study
@@ -30,17 +33,22 @@ from tests.tools.sample import (
 )
 
 LEAST = 60  # draws of all variants
+ROUNDS = 2  # of the probes, at each time
 HOUR = 3600.0
 
 
-def described(draw: Draw, result: BatchResult) -> dict[str, Any]:
-    """Return what a draw was and took, to be kept."""
+def described(draw: Draw, result: BatchResult, slower: np.ndarray) -> dict[str, Any]:
+    """Return what a draw was and took, to be kept.
+
+    slower : how much longer parts of work took meanwhile than on the machine of the plan.
+    """
     batch = draw.batch
     first = batch.tasks[0].problem
     by_speed: dict[float, float] = {}
     for task, own in zip(batch.tasks, result.spent.sum(axis=1).tolist(), strict=True):
         by_speed[task.problem.speed] = by_speed.get(task.problem.speed, 0.0) + own
-    parts = (*result.spent.sum(axis=0).tolist(), result.seconds - float(result.spent.sum()))
+    spent = result.spent.sum(axis=0)
+    parts = (np.append(spent, result.seconds - spent.sum()) / slower).tolist()
     return {
         "variant": draw.label,
         "hurst": first.hurst,
@@ -52,19 +60,24 @@ def described(draw: Draw, result: BatchResult) -> dict[str, Any]:
         "lines": batch.blocks * batch.realizations_per_block,
         "share": draw.share,
         "predicted": batch.seconds,
-        "seconds": result.seconds,
+        "seconds": sum(parts),
+        "used": result.seconds,
         "parts": dict(zip(PARTS, parts, strict=True)),
         "speeds": list(by_speed.items()),
     }
 
 
-def measured(whole: list[Stratum], draws: list[Draw]) -> Iterator[dict[str, Any]]:
-    """Yield what each draw is and took."""
+def measured(whole: list[Stratum], draws: list[Draw], pace: Pace) -> Iterator[dict[str, Any]]:
+    """Yield what each draw is and took. pace : of the plan."""
     for stratum in whole:  # machine code is loaded
         small = min(stratum.batches, key=lambda batch: batch.seconds)
         block_means(small)
+    planned = np.array([pace.measured[part][0] for part in PARTS])
+    before = factors(ROUNDS)
     for number, draw in enumerate(draws):
-        row = described(draw, block_means(draw.batch))
+        result, after = block_means(draw.batch), factors(ROUNDS)
+        now = np.array([(before[part][0] * after[part][0]) ** 0.5 for part in PARTS])
+        row, before = described(draw, result, now / planned), after
         said = f"{number + 1:4d} of {len(draws)}: {row['seconds']:8.2f} s, "
         print(f"{said}predicted {draw.batch.seconds:8.2f}", flush=True)
         yield row
@@ -123,11 +136,12 @@ def main() -> None:
     """Draw, measure, print; write where asked."""
     asked = options()
     study = read_study(asked.study, asked.scale, [])
-    whole = strata(make_plan(study, this_machine().pace))
+    pace = this_machine().pace
+    whole = strata(make_plan(study, pace))
     generator = np.random.default_rng(asked.seed)
     numbers = number_of_draws(whole, asked.draws, 60.0 * asked.minutes)
     draws = [d for s, n in zip(whole, numbers, strict=True) for d in drawn(s, n, generator)]
-    rows = list(measured(whole, draws))
+    rows = list(measured(whole, draws, pace))
     print(f"\n{study.name}, {asked.scale}, seed {asked.seed}")
     kept = {**vars(asked), "out": None, **verdict(whole, rows), "draws": rows}
     if asked.out:
