@@ -24,8 +24,6 @@ from elastomer_friction.kernels import (
     SceneCase,
     Slide,
     Spectrum,
-    amplitudes,
-    draw_phases,
     scene_steps,
 )
 from elastomer_friction.kernels.branches.steady_memory import steady_memory
@@ -42,9 +40,10 @@ from elastomer_friction.kernels.scene.scene_case import indentation_at
 from tests.kernels.scene import given
 from tests.tools.march_costs import fastest
 from tests.tools.rivals.compiled import Compiled
-from tests.tools.rivals.limits import NUMBER, Limits, of_steady
+from tests.tools.rivals.limits import NUMBER, PASSES, Limits, machine, of_scene, of_steady
+from tests.tools.rivals.problem import a_line
 
-M, SPEED, LOAD = 4, 5.0, 0.05
+HURST, M, SPEED, LOAD = 0.7, 4, 5.0, 0.05
 ELEMENTS, BRANCHES = (50, 500, 5000), (0, 1, 5, 13)
 LOADS, SPEEDS = (0.001, 0.05, 1.0, 3.0), (0.1, 1.0, 10.0, 100.0, 1000.0)  # of steady states
 TURNS = 5
@@ -68,12 +67,6 @@ def branches(count: int) -> Spectrum:
         return KELVIN
     times = np.geomspace(1e-2, 10.0, count) if count > 1 else np.ones(1)
     return Spectrum((1.0,) * count, tuple(times / times.sum()), 0.0)
-
-
-def a_line(elements: int) -> Line:
-    """Return a random line."""
-    phases = draw_phases(np.random.default_rng(1), elements)
-    return Line.self_affine(amplitudes(0.7, elements), phases, elements, M)
 
 
 def a_scene(name: str, count: int) -> SceneCase:
@@ -132,50 +125,55 @@ class Marches(NamedTuple):
         return [min(each) for each in zip(*turns, strict=True)]
 
 
-def ratios(name: str, elements: int, compiled: Compiled, limits: Limits) -> tuple[str, str]:
-    """Return C over the march by blocks, and the limit of all elements over C, for all BRANCHES."""
-    over, limit, line = [], [], a_line(elements)
+def ratios(name: str, elements: int, compiled: Compiled, limits: Limits) -> str:
+    """Return C and the limit of all elements over the march by blocks, for all BRANCHES."""
+    over, share, line = [], [], a_line(HURST, elements, M)
     for count in BRANCHES:
-        marches = Marches.of(line, a_scene(name, count), compiled)
+        scene = a_scene(name, count)
+        marches = Marches.of(line, scene, compiled)
         blocks, _, dense = marches.taken()
-        least = limits.of_scene(line.z.size, max(count, 1)) * marches.steps
+        units, n = max(count, 1), line.z.size
+        work = of_scene(units, PASSES if scene.indentation is None else 0)
+        least = limits.seconds(work, n * marches.steps, NUMBER * n * (units + 4))
         over.append(f"{dense / blocks:.2f}")
-        limit.append(f"{least / dense:.2f}")
-    return ", ".join(over), ", ".join(limit)
+        share.append(f"{least / blocks:.2f}")
+    return f"{', '.join(over)}: {', '.join(share)}"
 
 
 def scene_costs() -> None:
     """Print the table."""
     with contextlib.suppress(FileNotFoundError):
-        compiled = Compiled()
-        limits = Limits(compiled)
-        print(f"\nC that steps every element over the march by blocks, for {BRANCHES} branches\n")
+        rivals = machine()
+        print(
+            f"\nC that steps every element over the march by blocks, for {BRANCHES} branches: the"
+        )
+        print("share of the limit of every element in the march\n")
         print("| scene | " + " | ".join(f"N = {elements}" for elements in ELEMENTS) + " |")
         print("|---|" + "---|" * len(ELEMENTS))
         for name in SCENES:
-            found = [ratios(name, elements, compiled, limits) for elements in ELEMENTS]
-            print(f"| {name} | " + " | ".join(over for over, _ in found) + " |", flush=True)
-        print(
-            "| limit of bytes and flops over C | " + " | ".join(limit for _, limit in found) + " |"
-        )
+            found = [ratios(name, elements, *rivals) for elements in ELEMENTS]
+            print(f"| {name} | " + " | ".join(found) + " |", flush=True)
 
 
 def steady_costs() -> None:
     """Print what whole steady states cost, in ns a sample, beside their limit in full contact."""
-    line = a_line(max(ELEMENTS))
-    print(f"\nSteady states, the load given: ns a sample (N = {max(ELEMENTS)}, m = {M}, K = 13)\n")
+    line = a_line(HURST, max(ELEMENTS), M)
+    form, n, least = form_of(branches(13), "exponential"), line.z.size, math.nan
+    with contextlib.suppress(FileNotFoundError):
+        least = machine()[1].seconds(of_steady(13), n, NUMBER * 14 * n)
+    print(
+        f"\nSteady states, the load given: ns a sample (N = {max(ELEMENTS)}, m = {M}, K = 13), and"
+    )
+    print(f"the share of the limit in full contact, {1e9 * least / n:.2g} ns\n")
     print("| Fbar | " + " | ".join(f"v = {speed:g}" for speed in SPEEDS) + " |")
     print("|---|" + "---|" * len(SPEEDS))
-    form, samples = form_of(branches(13), "exponential"), line.z.size
     for load in LOADS:
         taken = [
-            fastest(lambda v=M * speed, f=load * samples: steady_memory(form, line.z, v, f))
+            fastest(lambda v=M * speed, f=load * n: steady_memory(form, line.z, v, f))
             for speed in SPEEDS
         ]
-        print(f"| {load:g} | " + " | ".join(f"{1e9 * t / samples:.0f}" for t in taken) + " |")
-    with contextlib.suppress(FileNotFoundError):
-        least = Limits(Compiled()).seconds(of_steady(13), samples, NUMBER * 14 * samples)
-        print(f"| limit | {1e9 * least / samples:.1f} |")
+        cells = (f"{1e9 * t / n:.0f}: {least / t:.3f}" for t in taken)
+        print(f"| {load:g} | " + " | ".join(cells) + " |")
 
 
 if __name__ == "__main__":
