@@ -19,7 +19,6 @@ from elastomer_friction.kernels import (
     Hold,
     Line,
     Oscillation,
-    Programme,
     Quantities,
     Ramp,
     SceneCase,
@@ -33,28 +32,27 @@ from elastomer_friction.kernels import (
     steady_sliding,
 )
 from elastomer_friction.kernels.drive import Drive, run_pulled
-from tests.kernels.scene import given
 from tests.tools.contact_costs import contact_costs
 from tests.tools.march_costs import fastest, march_costs
 from tests.tools.narrow_costs import narrow_costs
 from tests.tools.rivals.limits import limit_table
 from tests.tools.rivals.problem import a_line
-from tests.tools.scene_costs import branches, scene_costs, steady_costs
+from tests.tools.scene_costs import (
+    HURST,
+    LOAD,
+    SPEED,
+    M,
+    a_scene,
+    branches,
+    scene_costs,
+    steady_costs,
+)
 from tests.tools.task_costs import task_costs
 
-OF_SCENES = (0.7, 500, 4)  # H, N, m
-(_, ELEMENTS_OF_SCENES, M), LOAD, SPEED = OF_SCENES, 0.05, 5.0
+OF_SCENES = (HURST, 500, M)
 SLIDE = (Slide(SPEED, 100.0),)
 MARCHED = round(100.0 * M)  # steps
 REPEATS, ONCE = 10, 1e-9  # turns, and seconds that one call fills
-
-
-def a_scene(programme: Programme, spectrum: Spectrum, **changes: object) -> SceneCase:
-    """Return a scene that keeps a trace at 64 moments, from rest."""
-    edges = np.array([0.0, 1.0, 2.0, 4.0, 8.0, 1000.0])
-    usual: dict = {"load": LOAD, "start": "relaxed", "edges": edges}
-    scene = given.a_scene(programme, spectrum, M, **usual | changes)
-    return scene._replace(kept=np.unique(np.linspace(0, scene.kept[-1], 65).astype(np.int64)))
 
 
 def pulled(line: Line, spectrum: Spectrum, stiffness: float) -> tuple[Callable, Callable]:
@@ -67,7 +65,7 @@ def pulled(line: Line, spectrum: Spectrum, stiffness: float) -> tuple[Callable, 
 
 def drive_costs() -> None:
     """Print what a programme costs where a spring pulls, over the same of a line that is moved."""
-    print(f"\nPull over slide (N = {ELEMENTS_OF_SCENES}, m = {M})\n")
+    print(f"\nPull over slide (N = {OF_SCENES[1]}, m = {M})\n")
     print("| material | stiff spring, slides through | soft spring, creeps |\n|---|---|---|")
     for name, spectrum in (("Kelvin", KELVIN), ("K = 13", branches(13))):
         ratios = []
@@ -89,6 +87,10 @@ def scenes() -> dict[str, tuple[Line, SceneCase, str]]:
     kelvin, slide = "general path, Kelvin", "slide, K = 1"
     held = {"load": math.nan, "indentation": 1.0}
     frames = {"asked": ("trace", "snapshots"), "frames": np.arange(64)}
+    lengths = {
+        "asked": ("trace", "contact_lengths"),
+        "edges": np.array([0.0, 1.0, 2.0, 4.0, 8.0, 1000.0]),
+    }
     return {
         kelvin: (line, a_scene(SLIDE, KELVIN), "march, all samples"),
         slide: (line, a_scene(SLIDE, one), kelvin),
@@ -101,7 +103,7 @@ def scenes() -> dict[str, tuple[Line, SceneCase, str]]:
         "ramp": (line, a_scene((Ramp(SPEED, 3.0 * SPEED, 10.0),), one), slide),
         "prescribed indentation": (line, a_scene(SLIDE, one, **held), slide),
         "energy": (line, a_scene(SLIDE, one, asked=("trace", "energy")), slide),
-        "contact lengths": (line, a_scene(SLIDE, one, asked=("trace", "contact_lengths")), slide),
+        "contact lengths": (line, a_scene(SLIDE, one, **lengths), slide),
         "64 snapshots": (line, a_scene(SLIDE, one, **frames), slide),
         "no trace": (line, a_scene(SLIDE, one, asked=()), slide),
         "measured line": (Line.measured(line.z[::M], M), a_scene(SLIDE, one), slide),
@@ -133,7 +135,7 @@ def effects_of_scenes() -> None:
     for _ in range(REPEATS):
         for name, run in runs.items():
             taken[name] = min(taken[name], fastest(run, ONCE) / steps[name])
-    print(f"\nWhat a step of a scene costs (N = {ELEMENTS_OF_SCENES}, m = {M})\n")
+    print(f"\nWhat a step of a scene costs (N = {OF_SCENES[1]}, m = {M})\n")
     print("| effect | ratio | to |\n|---|---|---|")
     for name, (_, _, other) in compared.items():
         print(f"| {name} | {taken[name] / taken[other]:.2f} | {other} |")
@@ -165,7 +167,7 @@ def outcomes(lines: list[Line], load: float, x: float, span: float, asked: Quant
 
 def effects() -> None:
     """Print what each effect costs: what is not asked for must cost nothing."""
-    print(f"What effects cost (m = {STEPS}), relative to everything a relaxation needs")
+    print(f"\nWhat effects cost (m = {STEPS}), relative to everything a relaxation needs")
     for point, (hurst, load, x) in POINTS.items():
         lines = [a_line(hurst, ELEMENTS, STEPS, seed) for seed in range(LINES)]
         span = 1.5 / x ** (1.0 - hurst) * 1.2 * x / np.pi  # 1.5 tau/b

@@ -2,7 +2,7 @@
 
     python -m tests.tools.scene_costs
 
-All ways march the same elements along the same track, keep the same and must agree in all of it.
+Both ways march the same elements along the same track, keep the same and must agree in all of it.
 Printed are ratios of CPU times of one thread, the least of several taken in turns. Printed by
 `make bench` (bench.py).
 """
@@ -20,6 +20,7 @@ from elastomer_friction.kernels import (
     Hold,
     Line,
     Oscillation,
+    Programme,
     Ramp,
     SceneCase,
     Slide,
@@ -32,7 +33,6 @@ from elastomer_friction.kernels.motion.track import tracks
 from elastomer_friction.kernels.rheology.forms import form_of
 from elastomer_friction.kernels.rheology.law import Elements
 from elastomer_friction.kernels.scene.begin import begun
-from elastomer_friction.kernels.scene.follow import follow
 from elastomer_friction.kernels.scene.march_blocks import follow_blocks, in_blocks
 from elastomer_friction.kernels.scene.records import Trace
 from elastomer_friction.kernels.scene.run import Recorders
@@ -69,20 +69,18 @@ def branches(count: int) -> Spectrum:
     return Spectrum((1.0,) * count, tuple(times / times.sum()), 0.0)
 
 
-def a_scene(name: str, count: int) -> SceneCase:
-    """Return a scene that keeps a trace at 64 moments, from rest."""
-    programme, changes = SCENES[name]
+def a_scene(programme: Programme, spectrum: Spectrum, **changes: Any) -> SceneCase:
+    """Return a scene that keeps a trace at 64 moments or fewer, from rest."""
     usual: dict[str, Any] = {"load": LOAD, "start": "relaxed"}
-    scene = given.a_scene(programme, branches(count), M, **usual | changes)
-    return scene._replace(kept=np.linspace(0, scene.kept[-1], 65).astype(np.int64)[1:])
+    scene = given.a_scene(programme, spectrum, M, **usual | changes)
+    return scene._replace(kept=np.unique(np.linspace(0, scene.kept[-1], 65).astype(np.int64))[1:])
 
 
 class Marches(NamedTuple):
-    """The same scene, marched in three ways."""
+    """The same scene, marched in two ways."""
 
     steps: int
     by_blocks: Callable[[], Trace]  # they return it at the kept steps
-    all_elements: Callable[[], Trace]
     in_c: Callable[[], Trace]
 
     @classmethod
@@ -100,27 +98,24 @@ class Marches(NamedTuple):
         ends = np.flatnonzero(np.diff(steps.leg, append=-1)) + 1
         elements = Elements(begin.memory, begin.p, begin.d)
 
-        def recorded(way: Callable, state: object, *more: np.ndarray) -> Trace:
+        def by_blocks() -> Trace:
             kept = Recorders(scene, line, steps)
-            way(form, control, track, state, 0, *more, *kept.all())
+            follow_blocks(form, control, track, in_blocks(elements, 0), 0, ends, *kept.all())
             assert kept.trace
             return kept.trace
 
         load = 0.0 if scene.indentation is not None else scene.load * line.z.size
         return cls(
             steps.dt.size,
-            lambda: recorded(follow_blocks, in_blocks(elements, 0), ends),
-            lambda: recorded(follow, elements),
+            by_blocks,
             lambda: compiled.follow(form, track, load, given_d, elements, scene.kept),
         )
 
     def taken(self) -> list[float]:
         """Return the seconds of each. Raises AssertionError where they differ."""
-        expected = self.in_c()
-        for way in self[1:3]:
-            for name, found, values in zip(Trace._fields, way(), expected, strict=True):
-                atol = AGREEMENT * np.abs(values).max()
-                np.testing.assert_allclose(found, values, rtol=0.0, atol=atol, err_msg=name)
+        for name, found, values in zip(Trace._fields, self.by_blocks(), self.in_c(), strict=True):
+            atol = AGREEMENT * np.abs(values).max()
+            np.testing.assert_allclose(found, values, rtol=0.0, atol=atol, err_msg=name)
         turns = [[fastest(way, 0.02) for way in self[1:]] for _ in range(TURNS)]
         return [min(each) for each in zip(*turns, strict=True)]
 
@@ -128,10 +123,11 @@ class Marches(NamedTuple):
 def ratios(name: str, elements: int, compiled: Compiled, limits: Limits) -> str:
     """Return C and the limit of all elements over the march by blocks, for all BRANCHES."""
     over, share, line = [], [], a_line(HURST, elements, M)
+    programme, changes = SCENES[name]
     for count in BRANCHES:
-        scene = a_scene(name, count)
+        scene = a_scene(programme, branches(count), **changes)
         marches = Marches.of(line, scene, compiled)
-        blocks, _, dense = marches.taken()
+        blocks, dense = marches.taken()
         units, n = max(count, 1), line.z.size
         work = of_scene(units, PASSES if scene.indentation is None else 0)
         least = limits.seconds(work, n * marches.steps, NUMBER * n * (units + 4))

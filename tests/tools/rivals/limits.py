@@ -11,7 +11,7 @@ import numpy as np
 from elastomer_friction.kernels.quick.steady.spans import SPAN
 from tests.tools.rivals.compiled import Compiled
 
-ROUNDS, LEAST = 5, 0.01  # measurements, and seconds of each
+ROUNDS, LEAST = 15, 0.01  # measurements, and seconds of each
 PASSES = 3  # over the thresholds, in which Newton's method balances a load
 NUMBER = 8  # bytes
 # Flops of a polynomial of seventh degree (kernels/lines/polynomials.py): two derivatives of a
@@ -87,7 +87,9 @@ class Limits:
         """Return the bytes a second that a loop over so many bytes moves, to a factor of two."""
         power = max(int(size).bit_length(), 13)
         if power not in self._bandwidth:
-            a, b = np.ones((2, 2**power // (2 * NUMBER)))
+            room = np.ones(2**power // NUMBER + 7)
+            whole = room[-room.ctypes.data % 64 // NUMBER :]  # lines of the cache
+            a, b = whole[: 2**power // NUMBER].reshape(2, -1)
             each = _least(lambda times: self.compiled.triad(a, b, times))
             self._bandwidth[power] = 3 * NUMBER * a.size / each
         return self._bandwidth[power]
