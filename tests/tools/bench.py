@@ -1,13 +1,11 @@
 """`make bench`: what a case costs beside other ways to compute it, and what effects cost.
 
-Times are medians of CPU time; compare them with each other, not between machines. What accuracy
-costs is the study of that name: `make study-accuracy`.
+Times are the least CPU times of several; compare them with each other, not between machines. What
+accuracy costs is the study of that name: `make study-accuracy`.
 """
 
+import contextlib
 import math
-import statistics
-import time
-import timeit
 from collections.abc import Callable
 from functools import partial
 
@@ -21,14 +19,11 @@ from elastomer_friction.kernels import (
     Hold,
     Line,
     Oscillation,
-    Programme,
     Quantities,
     Ramp,
     SceneCase,
     Slide,
     Spectrum,
-    amplitudes,
-    draw_phases,
     lagged_slope,
     march,
     run_case,
@@ -37,38 +32,27 @@ from elastomer_friction.kernels import (
     steady_sliding,
 )
 from elastomer_friction.kernels.drive import Drive, run_pulled
-from tests.kernels.scene import given
 from tests.tools.contact_costs import contact_costs
-from tests.tools.march_costs import march_costs
+from tests.tools.march_costs import fastest, march_costs
 from tests.tools.narrow_costs import narrow_costs
-from tests.tools.scene_costs import branches, scene_costs, steady_costs
+from tests.tools.rivals.limits import limit_table
+from tests.tools.rivals.problem import a_line
+from tests.tools.scene_costs import (
+    HURST,
+    LOAD,
+    SPEED,
+    M,
+    a_scene,
+    branches,
+    scene_costs,
+    steady_costs,
+)
 from tests.tools.task_costs import task_costs
 
-ELEMENTS_OF_SCENES, M, LOAD, SPEED = 500, 4, 0.05, 5.0
+OF_SCENES = (HURST, 500, M)
 SLIDE = (Slide(SPEED, 100.0),)
 MARCHED = round(100.0 * M)  # steps
-REPEATS = 10
-
-
-def seconds(function: Callable[[], object], repeats: int = 15) -> float:
-    """Return the median CPU time of a call, after one that is not counted."""
-    clock = timeit.Timer(function, timer=time.process_time)
-    return statistics.median(clock.repeat(repeats + 1, number=1)[1:])
-
-
-def a_line(measured: bool = False) -> Line:
-    """Return a random line, or the same heights taken as measured."""
-    phases = draw_phases(np.random.default_rng(1), ELEMENTS_OF_SCENES)
-    line = Line.self_affine(amplitudes(0.7, ELEMENTS_OF_SCENES), phases, ELEMENTS_OF_SCENES, M)
-    return Line.measured(line.z[::M], M) if measured else line
-
-
-def a_scene(programme: Programme, spectrum: Spectrum, **changes: object) -> SceneCase:
-    """Return a scene that keeps a trace at 64 moments, from rest."""
-    edges = np.array([0.0, 1.0, 2.0, 4.0, 8.0, 1000.0])
-    usual: dict = {"load": LOAD, "start": "relaxed", "edges": edges}
-    scene = given.a_scene(programme, spectrum, M, **usual | changes)
-    return scene._replace(kept=np.unique(np.linspace(0, scene.kept[-1], 65).astype(np.int64)))
+REPEATS, ONCE = 10, 1e-9  # turns, and seconds that one call fills
 
 
 def pulled(line: Line, spectrum: Spectrum, stiffness: float) -> tuple[Callable, Callable]:
@@ -81,12 +65,12 @@ def pulled(line: Line, spectrum: Spectrum, stiffness: float) -> tuple[Callable, 
 
 def drive_costs() -> None:
     """Print what a programme costs where a spring pulls, over the same of a line that is moved."""
-    print(f"\nPull over slide (N = {ELEMENTS_OF_SCENES}, m = {M})\n")
+    print(f"\nPull over slide (N = {OF_SCENES[1]}, m = {M})\n")
     print("| material | stiff spring, slides through | soft spring, creeps |\n|---|---|---|")
     for name, spectrum in (("Kelvin", KELVIN), ("K = 13", branches(13))):
         ratios = []
         for stiffness in (1.0, 2e-3):
-            runs = pulled(a_line(), spectrum, stiffness)
+            runs = pulled(a_line(*OF_SCENES), spectrum, stiffness)
             taken = [min(each) for each in zip(*in_turns(runs), strict=True)]
             ratios.append(taken[0] / taken[1])
         print(f"| {name} | {ratios[0]:.2f} | {ratios[1]:.2f} |")
@@ -94,15 +78,19 @@ def drive_costs() -> None:
 
 def in_turns(runs: tuple[Callable, ...]) -> list[list[float]]:
     """Return the CPU time of some runs, taken in turns."""
-    return [[seconds(run, 1) for run in runs] for _ in range(REPEATS)]
+    return [[fastest(run, ONCE) for run in runs] for _ in range(REPEATS)]
 
 
 def scenes() -> dict[str, tuple[Line, SceneCase, str]]:
     """Return lines and scenes by the effect that they show, and what they are compared with."""
-    line, one = a_line(), branches(1)
+    line, one = a_line(*OF_SCENES), branches(1)
     kelvin, slide = "general path, Kelvin", "slide, K = 1"
     held = {"load": math.nan, "indentation": 1.0}
     frames = {"asked": ("trace", "snapshots"), "frames": np.arange(64)}
+    lengths = {
+        "asked": ("trace", "contact_lengths"),
+        "edges": np.array([0.0, 1.0, 2.0, 4.0, 8.0, 1000.0]),
+    }
     return {
         kelvin: (line, a_scene(SLIDE, KELVIN), "march, all samples"),
         slide: (line, a_scene(SLIDE, one), kelvin),
@@ -115,10 +103,10 @@ def scenes() -> dict[str, tuple[Line, SceneCase, str]]:
         "ramp": (line, a_scene((Ramp(SPEED, 3.0 * SPEED, 10.0),), one), slide),
         "prescribed indentation": (line, a_scene(SLIDE, one, **held), slide),
         "energy": (line, a_scene(SLIDE, one, asked=("trace", "energy")), slide),
-        "contact lengths": (line, a_scene(SLIDE, one, asked=("trace", "contact_lengths")), slide),
+        "contact lengths": (line, a_scene(SLIDE, one, **lengths), slide),
         "64 snapshots": (line, a_scene(SLIDE, one, **frames), slide),
         "no trace": (line, a_scene(SLIDE, one, asked=()), slide),
-        "measured line": (a_line(measured=True), a_scene(SLIDE, one), slide),
+        "measured line": (Line.measured(line.z[::M], M), a_scene(SLIDE, one), slide),
     }
 
 
@@ -142,12 +130,12 @@ def effects_of_scenes() -> None:
     runs: dict[str, Callable[[], object]] = {
         name: partial(run_scene, line, scene) for name, (line, scene, _) in compared.items()
     }
-    runs["march, all samples"], steps["march, all samples"] = marching(a_line()), MARCHED
+    runs["march, all samples"], steps["march, all samples"] = marching(a_line(*OF_SCENES)), MARCHED
     taken = dict.fromkeys(runs, math.inf)
     for _ in range(REPEATS):
         for name, run in runs.items():
-            taken[name] = min(taken[name], seconds(run, 1) / steps[name])
-    print(f"\nWhat a step of a scene costs (N = {ELEMENTS_OF_SCENES}, m = {M})\n")
+            taken[name] = min(taken[name], fastest(run, ONCE) / steps[name])
+    print(f"\nWhat a step of a scene costs (N = {OF_SCENES[1]}, m = {M})\n")
     print("| effect | ratio | to |\n|---|---|---|")
     for name, (_, _, other) in compared.items():
         print(f"| {name} | {taken[name] / taken[other]:.2f} | {other} |")
@@ -179,20 +167,20 @@ def outcomes(lines: list[Line], load: float, x: float, span: float, asked: Quant
 
 def effects() -> None:
     """Print what each effect costs: what is not asked for must cost nothing."""
-    print(f"What effects cost (m = {STEPS}), relative to everything a relaxation needs")
+    print(f"\nWhat effects cost (m = {STEPS}), relative to everything a relaxation needs")
     for point, (hurst, load, x) in POINTS.items():
-        amplitude = amplitudes(hurst, ELEMENTS)
-        phases = [draw_phases(np.random.default_rng(k), ELEMENTS) for k in range(LINES)]
-        lines = [Line.self_affine(amplitude, p, ELEMENTS, STEPS) for p in phases]
+        lines = [a_line(hurst, ELEMENTS, STEPS, seed) for seed in range(LINES)]
         span = 1.5 / x ** (1.0 - hurst) * 1.2 * x / np.pi  # 1.5 tau/b
         run = partial(outcomes, lines, load, x, span)
-        taken = {name: seconds(partial(run, asked)) for name, asked in EFFECTS.items()}
+        taken = {name: fastest(partial(run, asked)) for name, asked in EFFECTS.items()}
         print(f"\n{point}")
         for name, value in taken.items():
             print(f"  {name:40s}{value / taken['steady states, jump, relaxation']:6.2f}")
 
 
 if __name__ == "__main__":
+    with contextlib.suppress(FileNotFoundError):
+        limit_table()
     march_costs()
     narrow_costs()
     scene_costs()

@@ -9,7 +9,7 @@ Printed by `make bench` (bench.py).
 
 import contextlib
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 
 import numpy as np
 
@@ -25,13 +25,13 @@ from elastomer_friction.kernels.quick.march.active import active_march
 from elastomer_friction.studies.accuracy.alternatives import TamaasMarch
 from elastomer_friction.workflow.simulate.realizations import lines_at_once
 from tests.tools.rivals.compiled import Compiled
-from tests.tools.rivals.limits import MARCH, NUMBER, SWEEP, Limits
-from tests.tools.rivals.problem import RATIO, ROWS, Problem, Row
+from tests.tools.rivals.limits import MARCH, NUMBER, SWEEP, machine
+from tests.tools.rivals.problem import RATIO, ROWS, Problem
 
 LEAST, MOST = 0.2, 7  # seconds for each way, and repeats
 AGREEMENT = 1e-8  # of the change of mu in the march
-HEAD = ("march", "dense", "C", "limit", "tamaas")
-PARTS = ("sweep", "limit", "case", "C")
+HEAD = ("march", "dense", "C", "limit", "share", "tamaas")
+PARTS = ("sweep", "limit", "share", "case", "C")
 
 
 def fastest(function: Callable[[], object], least: float = LEAST) -> float:
@@ -101,37 +101,36 @@ def march_costs() -> None:
     """Print the tables."""
     compiled = limits = None
     with contextlib.suppress(FileNotFoundError):
-        compiled = Compiled()
-        limits = Limits(compiled)
+        compiled, limits = machine()
     print(
-        "March: ns per nominal element step; C: every element, vectorised; limit: rivals/limits.py"
+        "March: ns per nominal element step; C: every element, vectorised; limit of the same, and"
     )
-    print(f"{'H, N, m, x, Fbar, steps':36s}" + "".join(f"{name:>9s}" for name in HEAD))
+    print("its share in the time of the march: more than 1 by elements that are not stepped")
+    _print_row("H, N, m, x, Fbar, steps", HEAD)
     below = []
     for row in ROWS:
-        problem = Problem(row)
-        found = marches(problem, compiled)
-        whole = cases(problem, compiled)
-        sweep = fastest(lambda p=problem: steady_sliding(p.before, p.line.z, p.load))
-        n, least = problem.line.z.size, None
+        problem, name = Problem(row), ", ".join(f"{value:g}" for value in row)
+        z, found = problem.line.z, {k: 1e9 * s for k, s in marches(problem, compiled).items()}
+        parts = {k: 1e3 * s for k, s in cases(problem, compiled).items()}
+        sweep = fastest(lambda p=problem, z=z: steady_sliding(p.before, z, p.load))
+        parts["sweep"] = 1e9 * sweep / problem.sweeps / z.size
         if limits:
-            found["limit"] = limits.seconds(MARCH, 1, 3 * NUMBER * n)
-            least = 1e9 * limits.seconds(SWEEP, 1, 2 * NUMBER * n)
-        print(f"{_name(row):36s}" + "".join(_number(found.get(name)) for name in HEAD))
-        parts = [1e9 * sweep / problem.sweeps / n, least, 1e3 * whole["case"]]
-        below.append((row, [*parts, 1e3 * whole["C"] if "C" in whole else None]))
+            for values, what, work, arrays in (
+                (found, "march", MARCH, 3),
+                (parts, "sweep", SWEEP, 2),
+            ):
+                values["limit"] = 1e9 * limits.seconds(work, 1, arrays * NUMBER * z.size)
+                values["share"] = values["limit"] / values[what]
+        _print_row(name, [f"{found[k]:.3g}" if k in found else "-" for k in HEAD])
+        below.append((name, [f"{parts[k]:.3g}" if k in parts else "-" for k in PARTS]))
     print("\nSweep: ns per sample; whole case (two steady states, jump, march): ms")
-    print(f"{'H, N, m, x, Fbar, steps':36s}" + "".join(f"{name:>9s}" for name in PARTS))
-    for row, values in below:
-        print(f"{_name(row):36s}" + "".join(_number(value, 1.0) for value in values))
+    _print_row("H, N, m, x, Fbar, steps", PARTS)
+    for each in below:
+        _print_row(*each)
 
 
-def _name(row: Row) -> str:
-    return ", ".join(f"{value:g}" for value in row)
-
-
-def _number(value: float | None, scale: float = 1e9) -> str:
-    return f"{'-':>9s}" if value is None else f"{scale * value:9.3g}"
+def _print_row(name: str, cells: Sequence[str]) -> None:
+    print(f"{name:36s}" + "".join(f"{cell:>9s}" for cell in cells))
 
 
 if __name__ == "__main__":

@@ -13,22 +13,23 @@ from collections.abc import Callable
 
 import numpy as np
 
-from elastomer_friction.kernels import (
-    Case,
-    Line,
-    Quantities,
-    amplitudes,
-    draw_phases,
-    prepare,
-    run_prepared,
+from elastomer_friction.kernels import Case, Line, Quantities, prepare, run_prepared
+from elastomer_friction.kernels.quick.contacts.between_samples import Columns, slide_between
+from elastomer_friction.kernels.quick.contacts.steady_friction import (
+    AtSpeed,
+    Grounds,
+    follow_narrow,
+    steady_friction,
 )
 from elastomer_friction.kernels.rheology.kelvin import SCHEMES
 from tests.tools.march_costs import fastest
 from tests.tools.rivals.compiled import Compiled
-from tests.tools.rivals.problem import RATIO
+from tests.tools.rivals.limits import GAPS, JUMP, NUMBER, PATCH, SMOOTH, Limits, Work, machine
+from tests.tools.rivals.problem import RATIO, a_line
 
 M, FINER, LEAST = 4, (1, 4, 16, 64), 0.1  # samples to a spacing, times as many in C; seconds
 LOADS = tuple(np.geomspace(1e-3, 0.1, 10))
+LAST = " | ns | limit | share |"
 ROWS = ((0.0, 2000, 100.0), (0.2, 2000, 100.0), (0.7, 2000, 1000.0))  # H, N, x
 
 
@@ -64,28 +65,53 @@ def in_c(compiled: Compiled, line: Line, speed: float) -> Callable[[], np.ndarra
     return run
 
 
+def patches(line: Line, speed: float) -> float:
+    """Return how many patches of contact there are between the samples, under all loads."""
+    (ground,) = (grounds := Grounds.of([line])).each
+    loads = np.array(LOADS) * line.z.size
+    sliding = steady_friction(grounds, AtSpeed.of("exponential", M, speed), loads)
+    follow_narrow(sliding)
+    d = sliding.indentation[0] - line.datum
+    # From the indentation that is found, one turn is enough.
+    table, _ = slide_between(ground.smooth, speed, np.empty(0), loads, d)
+    return Columns(*table.T).events.sum()
+
+
+def least(limits: Limits, line: Line, speed: float) -> float:
+    """Return the least seconds of both steady states and of the jump, under all loads."""
+    n, before, after = line.z.size, patches(line, speed), patches(line, RATIO * speed)
+
+    def of(work: Work, number: float) -> float:
+        return limits.seconds(work, number, NUMBER * 9 * n)
+
+    turns = of(GAPS, 2 * len(LOADS) * n) + of(PATCH, before + after)
+    return of(SMOOTH, n) + turns + of(JUMP, before)
+
+
 def narrow_costs() -> None:
     """Print the table."""
     with contextlib.suppress(FileNotFoundError):
-        compiled = Compiled()
+        compiled, limits = machine()
         print(
             "\nNarrow contacts: time of C with m samples to a spacing over that of the program with"
         )
         print(
-            f"{M}: how far mu_1 and the jump of C are from the program's in the median, per cent\n"
+            f"{M}: how far mu_1 and the jump of C are from the program's in the median, per cent;"
         )
-        print("| H, N, x | " + " | ".join(f"m = {M * more}" for more in FINER) + " |")
-        print("|---|" + "---|" * len(FINER))
+        print("ns of the program for each sample and load, their limit, and its share\n")
+        print("| H, N, x | " + " | ".join(f"m = {M * more}" for more in FINER) + LAST)
+        print("|---|" + "---|" * (len(FINER) + 3))
         for hurst, elements, x in ROWS:
-            phases, speed = draw_phases(np.random.default_rng(1), elements), x / math.pi
-            amplitude, cells = amplitudes(hurst, elements), []
-            lines = [Line.self_affine(amplitude, phases, elements, M * more) for more in FINER]
+            lines, cells = [a_line(hurst, elements, M * more) for more in FINER], []
+            speed = x / math.pi
             run = by_program(lines[0], speed)
             expected, taken = run(), fastest(run, LEAST)
             for line in lines:
                 rival = in_c(compiled, line, speed)
                 off = 100.0 * np.median(np.abs(rival() / expected - 1.0), axis=0)
                 cells.append(f"{fastest(rival, LEAST) / taken:.1f}: {off[0]:.2g}, {off[1]:.2g}")
+            limit, each = least(limits, lines[0], speed), 1e9 / (len(LOADS) * lines[0].z.size)
+            cells += [f"{taken * each:.2f}", f"{limit * each:.3f}", f"{limit / taken:.3f}"]
             print(f"| {hurst:g}, {elements}, {x:g} | " + " | ".join(cells) + " |")
 
 

@@ -2,7 +2,7 @@
 
     python -m tests.tools.scene_costs
 
-All ways march the same elements along the same track, keep the same and must agree in all of it.
+Both ways march the same elements along the same track, keep the same and must agree in all of it.
 Printed are ratios of CPU times of one thread, the least of several taken in turns. Printed by
 `make bench` (bench.py).
 """
@@ -20,12 +20,11 @@ from elastomer_friction.kernels import (
     Hold,
     Line,
     Oscillation,
+    Programme,
     Ramp,
     SceneCase,
     Slide,
     Spectrum,
-    amplitudes,
-    draw_phases,
     scene_steps,
 )
 from elastomer_friction.kernels.branches.steady_memory import steady_memory
@@ -34,7 +33,6 @@ from elastomer_friction.kernels.motion.track import tracks
 from elastomer_friction.kernels.rheology.forms import form_of
 from elastomer_friction.kernels.rheology.law import Elements
 from elastomer_friction.kernels.scene.begin import begun
-from elastomer_friction.kernels.scene.follow import follow
 from elastomer_friction.kernels.scene.march_blocks import follow_blocks, in_blocks
 from elastomer_friction.kernels.scene.records import Trace
 from elastomer_friction.kernels.scene.run import Recorders
@@ -42,9 +40,10 @@ from elastomer_friction.kernels.scene.scene_case import indentation_at
 from tests.kernels.scene import given
 from tests.tools.march_costs import fastest
 from tests.tools.rivals.compiled import Compiled
-from tests.tools.rivals.limits import NUMBER, Limits, of_steady
+from tests.tools.rivals.limits import NUMBER, PASSES, Limits, machine, of_scene, of_steady
+from tests.tools.rivals.problem import a_line
 
-M, SPEED, LOAD = 4, 5.0, 0.05
+HURST, M, SPEED, LOAD = 0.7, 4, 5.0, 0.05
 ELEMENTS, BRANCHES = (50, 500, 5000), (0, 1, 5, 13)
 LOADS, SPEEDS = (0.001, 0.05, 1.0, 3.0), (0.1, 1.0, 10.0, 100.0, 1000.0)  # of steady states
 TURNS = 5
@@ -70,26 +69,18 @@ def branches(count: int) -> Spectrum:
     return Spectrum((1.0,) * count, tuple(times / times.sum()), 0.0)
 
 
-def a_line(elements: int) -> Line:
-    """Return a random line."""
-    phases = draw_phases(np.random.default_rng(1), elements)
-    return Line.self_affine(amplitudes(0.7, elements), phases, elements, M)
-
-
-def a_scene(name: str, count: int) -> SceneCase:
-    """Return a scene that keeps a trace at 64 moments, from rest."""
-    programme, changes = SCENES[name]
+def a_scene(programme: Programme, spectrum: Spectrum, **changes: Any) -> SceneCase:
+    """Return a scene that keeps a trace at 64 moments or fewer, from rest."""
     usual: dict[str, Any] = {"load": LOAD, "start": "relaxed"}
-    scene = given.a_scene(programme, branches(count), M, **usual | changes)
-    return scene._replace(kept=np.linspace(0, scene.kept[-1], 65).astype(np.int64)[1:])
+    scene = given.a_scene(programme, spectrum, M, **usual | changes)
+    return scene._replace(kept=np.unique(np.linspace(0, scene.kept[-1], 65).astype(np.int64))[1:])
 
 
 class Marches(NamedTuple):
-    """The same scene, marched in three ways."""
+    """The same scene, marched in two ways."""
 
     steps: int
     by_blocks: Callable[[], Trace]  # they return it at the kept steps
-    all_elements: Callable[[], Trace]
     in_c: Callable[[], Trace]
 
     @classmethod
@@ -107,75 +98,78 @@ class Marches(NamedTuple):
         ends = np.flatnonzero(np.diff(steps.leg, append=-1)) + 1
         elements = Elements(begin.memory, begin.p, begin.d)
 
-        def recorded(way: Callable, state: object, *more: np.ndarray) -> Trace:
+        def by_blocks() -> Trace:
             kept = Recorders(scene, line, steps)
-            way(form, control, track, state, 0, *more, *kept.all())
+            follow_blocks(form, control, track, in_blocks(elements, 0), 0, ends, *kept.all())
             assert kept.trace
             return kept.trace
 
         load = 0.0 if scene.indentation is not None else scene.load * line.z.size
         return cls(
             steps.dt.size,
-            lambda: recorded(follow_blocks, in_blocks(elements, 0), ends),
-            lambda: recorded(follow, elements),
+            by_blocks,
             lambda: compiled.follow(form, track, load, given_d, elements, scene.kept),
         )
 
     def taken(self) -> list[float]:
         """Return the seconds of each. Raises AssertionError where they differ."""
-        expected = self.in_c()
-        for way in self[1:3]:
-            for name, found, values in zip(Trace._fields, way(), expected, strict=True):
-                atol = AGREEMENT * np.abs(values).max()
-                np.testing.assert_allclose(found, values, rtol=0.0, atol=atol, err_msg=name)
+        for name, found, values in zip(Trace._fields, self.by_blocks(), self.in_c(), strict=True):
+            atol = AGREEMENT * np.abs(values).max()
+            np.testing.assert_allclose(found, values, rtol=0.0, atol=atol, err_msg=name)
         turns = [[fastest(way, 0.02) for way in self[1:]] for _ in range(TURNS)]
         return [min(each) for each in zip(*turns, strict=True)]
 
 
-def ratios(name: str, elements: int, compiled: Compiled, limits: Limits) -> tuple[str, str]:
-    """Return C over the march by blocks, and the limit of all elements over C, for all BRANCHES."""
-    over, limit, line = [], [], a_line(elements)
+def ratios(name: str, elements: int, compiled: Compiled, limits: Limits) -> str:
+    """Return C and the limit of all elements over the march by blocks, for all BRANCHES."""
+    over, share, line = [], [], a_line(HURST, elements, M)
+    programme, changes = SCENES[name]
     for count in BRANCHES:
-        marches = Marches.of(line, a_scene(name, count), compiled)
-        blocks, _, dense = marches.taken()
-        least = limits.of_scene(line.z.size, max(count, 1)) * marches.steps
+        scene = a_scene(programme, branches(count), **changes)
+        marches = Marches.of(line, scene, compiled)
+        blocks, dense = marches.taken()
+        units, n = max(count, 1), line.z.size
+        work = of_scene(units, PASSES if scene.indentation is None else 0)
+        least = limits.seconds(work, n * marches.steps, NUMBER * n * (units + 4))
         over.append(f"{dense / blocks:.2f}")
-        limit.append(f"{least / dense:.2f}")
-    return ", ".join(over), ", ".join(limit)
+        share.append(f"{least / blocks:.2f}")
+    return f"{', '.join(over)}: {', '.join(share)}"
 
 
 def scene_costs() -> None:
     """Print the table."""
     with contextlib.suppress(FileNotFoundError):
-        compiled = Compiled()
-        limits = Limits(compiled)
-        print(f"\nC that steps every element over the march by blocks, for {BRANCHES} branches\n")
+        rivals = machine()
+        print(
+            f"\nC that steps every element over the march by blocks, for {BRANCHES} branches: the"
+        )
+        print("share of the limit of every element in the march\n")
         print("| scene | " + " | ".join(f"N = {elements}" for elements in ELEMENTS) + " |")
         print("|---|" + "---|" * len(ELEMENTS))
         for name in SCENES:
-            found = [ratios(name, elements, compiled, limits) for elements in ELEMENTS]
-            print(f"| {name} | " + " | ".join(over for over, _ in found) + " |", flush=True)
-        print(
-            "| limit of bytes and flops over C | " + " | ".join(limit for _, limit in found) + " |"
-        )
+            found = [ratios(name, elements, *rivals) for elements in ELEMENTS]
+            print(f"| {name} | " + " | ".join(found) + " |", flush=True)
 
 
 def steady_costs() -> None:
     """Print what whole steady states cost, in ns a sample, beside their limit in full contact."""
-    line = a_line(max(ELEMENTS))
-    print(f"\nSteady states, the load given: ns a sample (N = {max(ELEMENTS)}, m = {M}, K = 13)\n")
+    line = a_line(HURST, max(ELEMENTS), M)
+    form, n, least = form_of(branches(13), "exponential"), line.z.size, math.nan
+    with contextlib.suppress(FileNotFoundError):
+        least = machine()[1].seconds(of_steady(13), n, NUMBER * 14 * n)
+    print(
+        f"\nSteady states, the load given: ns a sample (N = {max(ELEMENTS)}, m = {M}, K = 13), and"
+    )
+    print(f"the share of the limit in full contact, {1e9 * least / n:.2g} ns\n")
     print("| Fbar | " + " | ".join(f"v = {speed:g}" for speed in SPEEDS) + " |")
     print("|---|" + "---|" * len(SPEEDS))
-    form, samples = form_of(branches(13), "exponential"), line.z.size
     for load in LOADS:
         taken = [
-            fastest(lambda v=M * speed, f=load * samples: steady_memory(form, line.z, v, f))
+            fastest(lambda v=M * speed, f=load * n: steady_memory(form, line.z, v, f))
             for speed in SPEEDS
         ]
-        print(f"| {load:g} | " + " | ".join(f"{1e9 * t / samples:.0f}" for t in taken) + " |")
-    with contextlib.suppress(FileNotFoundError):
-        least = Limits(Compiled()).seconds(of_steady(13), samples, NUMBER * 14 * samples)
-        print(f"| limit | {1e9 * least / samples:.1f} |")
+        cells = (f"{1e9 * t / n:.0f}: {least / t:.3f}" for t in taken)
+        print(f"| {load:g} | " + " | ".join(cells) + " |")
 
 
 if __name__ == "__main__":

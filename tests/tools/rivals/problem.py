@@ -50,14 +50,18 @@ ROWS = (
 )
 
 
+def a_line(hurst: float, elements: int, m: int, seed: int = 1) -> Line:
+    """Return a random line."""
+    phases = draw_phases(np.random.default_rng(seed), elements)
+    return Line.self_affine(amplitudes(hurst, elements), phases, elements, m)
+
+
 class Problem:
     """A row with its line and its steady states."""
 
     def __init__(self, row: Row) -> None:
         self.row, self.speed = row, row.x / math.pi
-        phases = draw_phases(np.random.default_rng(1), row.elements)
-        amplitude = amplitudes(row.hurst, row.elements)
-        self.line = line = Line.self_affine(amplitude, phases, row.elements, row.m)
+        self.line = line = a_line(row.hurst, row.elements, row.m)
         self.load = row.load * line.z.size
         paces = (1.0 / (row.m * self.speed * ratio) for ratio in (1.0, RATIO))
         self.before, self.law = (SCHEMES["exponential"](pace) for pace in paces)
