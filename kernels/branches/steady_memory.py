@@ -27,11 +27,10 @@ from ..rheology.law import (
     law_of,
     memories,
     predict,
-    predict_one,
     rest,
     settle,
 )
-from ..rheology.next_step import fill_memory, foreseen, from_memory, step_one
+from ..rheology.next_step import BLOCK, fill_memory, foreseen, from_memory, slide_one
 
 TURNS = 60  # at most; a few are enough
 EXACT = 1e-13  # residual that is as good as none
@@ -39,6 +38,7 @@ GUESSED = 1e-3  # and that is as good as it need be of a first guess
 SOUND = 1e-6  # residual that is taken
 FINEST = 1e-13  # and beside it, times the stiffness of a step: what rounding leaves
 TOGETHER = 16  # samples at which the memory of a unit is filled before that of the next
+APART = 64  # samples that are taken one by one before it is asked again whether many can be passed
 COARSER, COARSEST = 4, 1000  # samples of the line for one of a guess, and how many it has at least
 
 
@@ -142,11 +142,10 @@ def _solve(law, line, load, enough, most, x, forces):
     sound = SOUND + FINEST * law.stiffness
     powers = Powers(np.empty((2, _bits(line.size), size + 1, size + 1)), np.zeros(2, np.int64))
     now, step, tried = x.copy(), np.zeros(size), np.empty(line.size)
-    runs = np.empty(line.size + 1, np.int64)
     while turns < most:
         y = np.zeros((size + 1, 1))
         y[:-1, 0] = now
-        count = _turn(law, line, y, powers, tried, runs)
+        _turn(law, line, y, powers, tried)
         turns += 1
         if y[-1, 0] <= 0.0 and not np.isnan(load):
             step *= 0.5
@@ -161,7 +160,7 @@ def _solve(law, line, load, enough, most, x, forces):
             x[:], forces[:] = now, tried
         if stuck or left < enough:
             break
-        step = _step(_tangents(law, powers, runs[:count], size), y[:, 0])
+        step = _step(_tangents(law, powers, tried, size), y[:, 0])
         now += step
     return turns, least
 
@@ -192,50 +191,39 @@ def _bits(number):
 
 
 @kernel
-def _turn(law, line, x, powers, forces, runs):
+def _turn(law, line, x, powers, forces):
     """Take an element round the line, from before the first of the heights (n,) to after the last.
 
     x : shape (M + 2, 1), what is counted of it, d, and the sum of the forces on it, changed.
-    forces (n,) is filled, and ``runs`` (n + 1,) with how many steps it touches, then does not, and
-    so on. Returns how many of these numbers there are.
+    forces (n,) is filled.
     """
-    y, d = x.reshape(-1)[:-2], x[-2, 0]
-    w, total, i, run = predict_one(law, y, 0.0), 0.0, 0, 0
-    runs[0] = 0
+    y, d, total, i = x.reshape(-1)[:-2], x[-2, 0], 0.0, 0
     while i < line.size:
-        free = i
-        while free < line.size and line[free] >= d:
-            forces[free] = 0.0
-            free += 1
-        steps, touches = free - i, False
-        if steps > 0:
-            _carry(law, powers, False, steps, x)
-            w = predict_one(law, y, 0.0)
+        stop = i
+        while stop < line.size and line[stop] >= d:
+            forces[stop] = 0.0
+            stop += 1
+        if stop - i >= BLOCK:
+            _carry(law, powers, False, stop - i, x)
         else:
-            depth = w + (d - line[i])
-            steps, touches = 1, depth > 0.0
-            new = law.stiffness * depth if touches else 0.0
-            w = step_one(law, y, w, new)
-            forces[i] = new
-            total += new
-        if touches != (run % 2 == 0):
-            run += 1
-            runs[run] = 0
-        runs[run] += steps
-        i += steps
+            stop = min(i + APART, line.size)
+            total += slide_one(law, y, d, line[i:stop], forces[i:stop])
+        i = stop
     x[-1, 0] = total
-    return run + 1
 
 
 @kernel
-def _tangents(law, powers, runs, size):
+def _tangents(law, powers, forces, size):
     """Return what _turn has made of x with respect to what it began as, shape (M + 2, M + 2).
 
-    runs : as of ``_turn``, so many as there are.
+    forces (n,) : as it left them.
     """
-    tangents = np.eye(size + 1)
-    for run in range(runs.size):
-        _carry(law, powers, run % 2 == 0, runs[run], tangents)
+    tangents, i = np.eye(size + 1), 0
+    while i < forces.size:
+        touches, begun = forces[i] > 0.0, i
+        while i < forces.size and (forces[i] > 0.0) == touches:
+            i += 1
+        _carry(law, powers, touches, i - begun, tangents)
     return tangents
 
 

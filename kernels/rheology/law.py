@@ -84,13 +84,3 @@ def settle(law, memory, w, p, new):
     w (n,) : as predict left it; it may be changed. p (n,) : forces of the step before.
     new (n,) : of this step, stiffness * max(0, w - u). p stays: the caller makes new the next p.
     """
-
-
-@by_type
-def predict_one(law, y, p):
-    """Return what predict gives for one element; y (M,) : its memory, p : its force."""
-
-
-@by_type
-def settle_one(law, y, w, p, new):
-    """Take the memory y (M,) of one element over the step, as settle."""

@@ -6,16 +6,23 @@ it before its own force acts (prony.py). From step to step, all being of one len
     v_k <- E_k v_k - (E_k B_k + A_k) p,
 
 and an element without force would reach sum v_k. The relaxation form needs no force as it is.
+
+One element after the other meets the samples of a line. What a block of samples would find without
+forces in it is known at once from the v_k before it, and each force takes its part of that from the
+samples behind it: so no sample waits for the sum over all units at the one before.
 """
 
+import math
 from typing import NamedTuple
 
 import numpy as np
 
 from ..compile.jit import by_type
-from .law import NEGLIGIBLE, predict, predict_one, settle, settle_one
+from .law import NEGLIGIBLE, predict, settle
 from .prony import Prony
-from .relaxed import Relaxed
+from .relaxed import Relaxed, predict_one, settle_one
+
+BLOCK = 8  # samples; their forces are taken from the v_k by fours
 
 
 @by_type
@@ -28,16 +35,16 @@ def from_memory(law, memory, p):
     """Return what is counted of an element (M,) with this memory (M,) after a step with force p."""
 
 
-@by_type
-def step_one(law, y, w, new):
-    """Take an element over a step with the force new; return where none would take it in the next.
+@by_type.borrowing
+def slide_one(law, y, d, heights, forces):
+    """Take an element over samples of these heights (n,) at the indentation d; return its force.
 
-    law : as ``foreseen`` returns it. y (M,) : what it counts of the element, changed. w : where the
-    element would be without the force new.
+    law : as ``foreseen`` returns it. y (M,) : what it counts of the element, changed. forces (n,) :
+    filled; their sum is returned.
     """
 
 
-@by_type
+@by_type.borrowing
 def fill_memory(law, y, forces, memory, at, way):
     """Fill what an element remembers at the samples at, at + way, ... of ``memory`` (M, n).
 
@@ -47,17 +54,30 @@ def fill_memory(law, y, forces, memory, at, way):
 
 
 class Foreseen(NamedTuple):
-    """Constants of one step of v_k; stiffness as of every law (law.py)."""
+    """Constants of one step of v_k, and of a block; stiffness as of every law (law.py)."""
 
     decay: np.ndarray  # E_k, shape (K,)
     due: np.ndarray  # E_k B_k + A_k, shape (K,): what a force takes from v_k
     fresh: np.ndarray  # B_k, shape (K,): what it takes from the memory
     stiffness: float
+    ahead: np.ndarray  # shape (K, BLOCK): the force that v_k would be at every sample of a block
+    echo: np.ndarray  # shape (BLOCK,): what a force takes from that 1, 2, ... samples later
+    left: np.ndarray  # shape (K,): of v_k after a block
+    taken: np.ndarray  # shape (BLOCK, K): what a force at every sample takes from that
 
 
 @foreseen.of(Prony)
 def _foreseen_of_units(law):
-    return Foreseen(law.decay, law.decay * law.fresh + law.stale, law.fresh, law.stiffness)
+    due, powers = law.decay * law.fresh + law.stale, np.ones((BLOCK + 1, law.decay.size))
+    for m in range(BLOCK):
+        for k in range(law.decay.size):
+            left = law.decay[k] * powers[m, k]
+            powers[m + 1, k] = left if left > math.sqrt(NEGLIGIBLE) else 0.0
+    ahead, echo = law.stiffness * powers[:BLOCK].T.copy(), np.empty(BLOCK)
+    for m in range(BLOCK):
+        echo[m] = (due * ahead[:, m]).sum()
+    taken = due * powers[:BLOCK][::-1]
+    return Foreseen(law.decay, due, law.fresh, law.stiffness, ahead, echo, powers[BLOCK], taken)
 
 
 @foreseen.of(Relaxed)
@@ -92,29 +112,56 @@ def _settle(law, memory, w, p, new):
             memory[k, i] = v if abs(v) > NEGLIGIBLE else 0.0
 
 
-@predict_one.of(Foreseen)
-def _predict_one(law, y, p):
-    even = odd = 0.0  # one sum would wait for itself
-    for k in range(0, y.size - 1, 2):
-        even += y[k]
-        odd += y[k + 1]
-    return even + odd + (y[-1] if y.size % 2 == 1 else 0.0)
-
-
-@step_one.of(Foreseen)
-def _step_one(law, y, w, new):
-    for k in range(y.size):
-        y[k] = law.decay[k] * y[k] - law.due[k] * new
-    if new == 0.0:
+@slide_one.of(Foreseen)
+def _slide_one(law, y, d, heights, forces):
+    total, whole = 0.0, heights.size // BLOCK * BLOCK
+    for i in range(0, whole, BLOCK):
+        block = forces[i : i + BLOCK]
+        for m in range(BLOCK):
+            block[m] = law.stiffness * (d - heights[i + m])
         for k in range(y.size):
-            y[k] = y[k] if abs(y[k]) > NEGLIGIBLE else 0.0
-    return predict_one(law, y, 0.0)
+            for m in range(BLOCK):
+                block[m] += law.ahead[k, m] * y[k]
+        before = total
+        for m in range(BLOCK):
+            force = block[m]
+            for r in range(m):
+                force -= law.echo[m - r - 1] * block[r]
+            block[m] = max(force, 0.0)
+            total += block[m]
+        for k in range(y.size):
+            y[k] *= law.left[k]
+        for m in range(0, BLOCK, 4):
+            first, second, third, fourth = block[m], block[m + 1], block[m + 2], block[m + 3]
+            taken = law.taken[m : m + 4]
+            for k in range(y.size):
+                y[k] -= (taken[0, k] * first + taken[1, k] * second) + (
+                    taken[2, k] * third + taken[3, k] * fourth
+                )
+        if total == before:
+            for k in range(y.size):
+                y[k] = y[k] if abs(y[k]) > NEGLIGIBLE else 0.0
+    for i in range(whole, heights.size):
+        depth = d - heights[i]
+        for k in range(y.size):
+            depth += y[k]
+        forces[i] = law.stiffness * max(depth, 0.0)
+        total += forces[i]
+        for k in range(y.size):
+            v = law.decay[k] * y[k] - law.due[k] * forces[i]
+            y[k] = v if abs(v) > NEGLIGIBLE else 0.0
+    return total
 
 
-@step_one.of(Relaxed)
-def _step_of_branches(law, y, w, new):
-    settle_one(law, y, w, 0.0, new)
-    return predict_one(law, y, 0.0)
+@slide_one.of(Relaxed)
+def _slide_of_branches(law, y, d, heights, forces):
+    total = 0.0
+    for i in range(heights.size):
+        w = predict_one(law, y)
+        forces[i] = law.stiffness * max(w + (d - heights[i]), 0.0)
+        total += forces[i]
+        settle_one(law, y, w, forces[i])
+    return total
 
 
 @fill_memory.of(Foreseen)
@@ -131,6 +178,6 @@ def _fill_memory(law, y, forces, memory, at, way):
 @fill_memory.of(Relaxed)
 def _fill_memory_of_branches(law, y, forces, memory, at, way):
     for i in range(forces.size):
-        settle_one(law, y, predict_one(law, y, 0.0), 0.0, forces[i])
+        settle_one(law, y, predict_one(law, y), forces[i])
         for k in range(y.size):
             memory[k, at + way * i] = y[k]

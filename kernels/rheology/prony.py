@@ -27,10 +27,8 @@ from .law import (
     law_of,
     memories,
     predict,
-    predict_one,
     rest,
     settle,
-    settle_one,
 )
 from .retardation import Retardation
 
@@ -144,18 +142,3 @@ def _settle(law, memory, w, p, new):
         for i in range(p.size):
             y = decay * memory[k, i] - fresh * new[i] - stale * p[i]
             memory[k, i] = y if abs(y) > NEGLIGIBLE else 0.0
-
-
-@predict_one.of(Prony)
-def _predict_one(law, y, p):
-    w = 0.0
-    for k in range(y.size):
-        w += law.decay[k] * y[k] - law.stale[k] * p
-    return w
-
-
-@settle_one.of(Prony)
-def _settle_one(law, y, w, p, new):
-    for k in range(y.size):
-        left = law.decay[k] * y[k] - law.fresh[k] * new - law.stale[k] * p
-        y[k] = left if abs(left) > NEGLIGIBLE else 0.0

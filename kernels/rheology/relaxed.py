@@ -11,6 +11,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from ..compile.jit import borrowing
 from .law import (
     NEGLIGIBLE,
     displacement,
@@ -18,10 +19,8 @@ from .law import (
     law_of,
     memories,
     predict,
-    predict_one,
     rest,
     settle,
-    settle_one,
 )
 from .retardation import merged
 from .spectrum import Spectrum
@@ -116,8 +115,9 @@ def _settle(law, memory, w, p, new):
             memory[b, i] = s if abs(s) > NEGLIGIBLE else 0.0
 
 
-@predict_one.of(Relaxed)
-def _predict_one(law, y, p):
+@borrowing
+def predict_one(law, y):
+    """Return what predict gives for one element; y (M,) : its memory."""
     count = law.decay.size
     carried, keep = 0.0, law.drag
     for b in range(count):
@@ -126,8 +126,9 @@ def _predict_one(law, y, p):
     return (keep * y[count] - carried) / law.stiffness
 
 
-@settle_one.of(Relaxed)
-def _settle_one(law, y, w, p, new):
+@borrowing
+def settle_one(law, y, w, new):
+    """Take the memory y (M,) of one element over the step, as settle."""
     count = law.decay.size
     u = w - new / law.stiffness
     moved = u - y[count]

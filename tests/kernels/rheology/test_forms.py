@@ -13,10 +13,14 @@ from elastomer_friction.kernels.rheology.law import (
     law_of,
     memories,
     predict,
-    predict_one,
     rest,
     settle,
-    settle_one,
+)
+from elastomer_friction.kernels.rheology.next_step import (
+    fill_memory,
+    foreseen,
+    from_memory,
+    slide_one,
 )
 from elastomer_friction.kernels.rheology.prony import moments
 from elastomer_friction.kernels.rheology.relaxed import relaxation
@@ -235,19 +239,26 @@ def test_the_old_force_comes_back_with_a_gain_below_one(name, dt):
     assert 0.0 <= law.lag <= 0.5 + 1e-12
 
 
+@pytest.mark.parametrize("count", [1, 7, 8, 9, 16, 30])
 @pytest.mark.parametrize("name", MATERIALS)
 @pytest.mark.parametrize("scheme", FORMS)
-def test_one_element_is_stepped_like_many(scheme, name):
+def test_an_element_that_meets_many_samples_is_stepped_like_one(scheme, name, count):
     form, rng = FORMS[scheme](MATERIALS[name]), np.random.default_rng(3)
-    law, memory = law_of(form, 0.02), -rng.random((memories(form), 6))
-    p, new = rng.random((2, 6))
-    w = np.empty(6)
-    predict(law, memory, p, w)
-    alone = memory.T.copy()
-    settled, predicted = memory.copy(), w.copy()
-    settle(law, settled, w, p, new)
-    for i in range(6):
-        one = predict_one(law, alone[i], p[i])
-        assert one == pytest.approx(predicted[i], rel=1e-12)
-        settle_one(law, alone[i], one, p[i], new[i])
-        np.testing.assert_allclose(alone[i], settled[:, i], rtol=1e-11, atol=1e-13)
+    law, heights, d = law_of(form, 0.02), rng.normal(size=count), 0.4
+    memory, p, w = rest(form, np.full(1, 0.1)), np.full(1, 0.1), np.empty(1)
+    ahead = foreseen(law)
+    y = from_memory(ahead, memory[:, 0], p[0])
+    began, forces = y.copy(), np.empty(count)
+    total = slide_one(ahead, y, d, heights, forces)
+    filled = np.empty((memory.size, count))
+    fill_memory(ahead, began, forces, filled, count - 1, -1)
+    assert total == pytest.approx(forces.sum(), rel=1e-12)
+    np.testing.assert_allclose(began, y, rtol=1e-11, atol=1e-13)
+    for i in range(count):
+        predict(law, memory, p, w)
+        new = law.stiffness * np.maximum(0.0, w + d - heights[i])
+        settle(law, memory, w, p, new)
+        p = new
+        assert forces[i] == pytest.approx(new[0], rel=1e-11, abs=1e-13)
+        np.testing.assert_allclose(filled[:, count - 1 - i], memory[:, 0], rtol=1e-11, atol=1e-13)
+    assert 0 < np.count_nonzero(forces) < count or count == 1
