@@ -34,7 +34,7 @@ from .waves import two_sided, wave_numbers
 
 SETTLED = 1e-6  # change of mu, relative to it, in a turn or in a time tau, that ends the search
 LEAST = 1e-9  # the same, relative to the steepest slope: what the tolerance of a contact leaves
-TURNS = 500  # of the direct solution
+TURNS, BLOCKS = 500, 100  # at most: of the direct solution, and times tau of the march
 FLAT = 1.0  # tangent of the loss angle from which a dashpot is marched
 
 
@@ -108,6 +108,11 @@ def _settled(change: float, mu: float) -> bool:
     return change < max(SETTLED * abs(mu), LEAST)
 
 
+def _closely(change: float) -> float:
+    """Return how closely to solve contacts while mu still moves by so much."""
+    return max(TOLERANCE, min(1e-3, change))
+
+
 def _everywhere(space: HalfSpace, response: np.ndarray) -> np.ndarray:
     """Return the pressures of steady sliding in full contact, negative where there is none."""
     z = space.surface.z
@@ -134,7 +139,7 @@ def _direct(
     symmetric = compliance * (np.abs(response) ** 2 / response.real)
     rest = compliance * response - symmetric
     operator = Operator.inverse(symmetric, shape[1])
-    passes, tolerance, mu, gap, found = 0, 1e-3, math.inf, z, None
+    passes, tolerance, mu, gap, found = 0, _closely(math.inf), math.inf, z, None
     if start is not None:
         depth = operator.displaced(start.p, np.empty(shape))
         found, passes = ElasticContact(start.p, depth, start.d, 0), 1
@@ -149,24 +154,36 @@ def _direct(
         change, mu = abs(new - mu) / steepest, new
         if _settled(change, mu / steepest) and tolerance == TOLERANCE:
             return _carried(space, memory, found.p, found.d), passes
-        tolerance = max(TOLERANCE, min(1e-3, change))
+        tolerance = _closely(change)
     raise ValueError(f"no steady state was found in {TURNS} turns: mu still moves by {change:.1e}")
 
 
 def _marched(space: HalfSpace, step: Step, speed: float, start: Body | None) -> tuple[Body, int]:
-    """March until mu stands still, return (body, passes): what is left falls by e in a time tau."""
+    """March until mu stands still, return (body, passes): what is left falls by e in a time tau.
+
+    An element meets the same sample again after a period, and remembers exp(-L/(v tau)) of it: mu
+    is quiet before it changes by that share of its change a period ago. It can also be the same at
+    two instants by chance. So what has to be small is the range of mu in a time tau, and what is
+    remembered of its range in a period.
+    """
     surface, passes = space.surface, 0
     steepest = float(np.abs(surface.slope).max())
     if start is None:
         start, passes = rest_on(space)
     body = start._replace(memory=start.memory.copy())
-    block = max(4, math.ceil(surface.steps_per_spacing * abs(speed)))
-    mu, change = math.inf, math.inf
-    while not _settled(change, mu / steepest):
+    period, forgetting = surface.z.shape[1], surface.steps_per_spacing * abs(speed)
+    block, remembered = max(4, math.ceil(forgetting)), math.exp(-period / forgetting)
+    mu, change = [mean_slope(body.p, step.weight)], math.inf
+    for _ in range(BLOCKS):
+        tolerance = _closely(change)
         for _ in range(block):
-            body, used = take_step(space, body, step)
+            body, used = take_step(space, body, step, tolerance)
             passes += used
-        new = mean_slope(body.p, step.weight)
-        change, mu = abs(new - mu) / steepest, new
-    body, used = take_step(space, body, step, TOLERANCE)  # the contact that a jump begins with
-    return body, passes + used
+            mu.append(mean_slope(body.p, step.weight))
+        moved = max(np.ptp(mu[-block - 1 :]), remembered * np.ptp(mu[-period - 1 :]))
+        change = float(moved) / steepest
+        if _settled(change, mu[-1] / steepest):
+            # The contact that a jump begins with.
+            body, used = take_step(space, body, step, TOLERANCE)
+            return body, passes + used
+    raise ValueError(f"no steady state was found in {BLOCKS} tau: mu still moves by {change:.1e}")

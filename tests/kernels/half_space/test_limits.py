@@ -177,6 +177,18 @@ def test_what_is_not_asked_for_is_not_computed() -> None:
     assert steady.work < everything.work
 
 
+@pytest.mark.parametrize(("elements", "seed", "load"), [(8, 9, 0.1), (8, 11, 0.05)])
+def test_a_state_that_was_marched_to_stands_still(elements: int, seed: int, load: float) -> None:
+    """mu of these passes through the same value twice, or rests until contacts come round again."""
+    surface, speed = rough(elements, 4, seed=seed), 10.0 / np.pi
+    space = HalfSpace.under(form_of(KELVIN, "exponential"), surface, load)
+    found = slide_steadily(space, KELVIN, speed)
+    body = found.body
+    for _ in range(2 * surface.z.shape[1]):
+        body, _ = take_step(space, body, found.step, 1e-7)
+    assert found.step_mu == pytest.approx(mean_slope(body.p, found.step.weight), rel=1e-5)
+
+
 def test_few_passes_of_a_step_keep_the_friction_of_many() -> None:
     """Over two and a half times tau after a velocity step; the first steps take more passes."""
     surface, speed = rough(32, 4), 10.0 / np.pi
