@@ -48,7 +48,7 @@ def helped(monkeypatch):
 
     def start(command, **others):
         assert command[1:4] == ["-m", "elastomer_friction.kernels.loading", "exponential"]
-        started.append(real(["sleep", "0.2" if not started else "60"], **others))
+        started.append(real(["sleep", "0.2" if not started else "600"], **others))
         return started[-1]
 
     monkeypatch.setattr(loading.subprocess, "Popen", start)

@@ -19,7 +19,7 @@ from elastomer_friction.kernels.compile.cache import (
 )
 from elastomer_friction.kernels.compile.jit import kernel
 from tests.support.disks import mounted
-from tests.support.python import standing
+from tests.support.python import PATIENCE, standing
 
 
 def twice(x):
@@ -152,7 +152,7 @@ def test_a_process_that_was_stopped_while_it_compiled_is_not_waited_for(cache):
         waiting.join(0.2)
         assert waiting.is_alive()
         holder.send_signal(signal.SIGSTOP)
-        waiting.join(60.0)
+        waiting.join(PATIENCE)
         assert not waiting.is_alive()
 
 

@@ -71,7 +71,7 @@ def status_of(port, path):
     context.check_hostname, context.verify_mode = False, ssl.CERT_NONE
     address = f"https://127.0.0.1:{port}{path}"
     with pytest.raises(urllib.error.HTTPError) as refused:
-        urllib.request.urlopen(address, timeout=10.0, context=context)
+        urllib.request.urlopen(address, timeout=PATIENCE, context=context)
     refused.value.close()
     return refused.value.code
 

@@ -3,6 +3,7 @@
 import asyncio
 import time
 from operator import truediv
+from threading import Event
 
 import pytest
 from distributed.comm import CommClosedError
@@ -35,6 +36,14 @@ def test_what_is_for_one_worker_is_computed_there_and_what_is_dropped_does_not_c
     assert pool.take(0.05) == []
 
 
+SEEN = Event()  # the workers of these tests are threads of this process
+
+
+def until_seen(_):
+    """Last until it was seen that this has begun."""
+    SEEN.wait(PATIENCE)
+
+
 def change(status, address, dask_scheduler):
     """Let a scheduler take a worker for paused, or running; run there."""
     dask_scheduler.handle_worker_status_change(status, address, "test")
@@ -42,7 +51,8 @@ def change(status, address, dask_scheduler):
 
 def test_a_snapshot_tells_who_is_there_who_takes_up_work_and_what_has_begun(client):
     first, second = client.nthreads()
-    pool = Pool(client, time.sleep)
+    pool = Pool(client, until_seen)
+    SEEN.clear()
     client.run_on_scheduler(change, "paused", first)
     try:
         found = pool.ask().result(PATIENCE)
@@ -51,10 +61,11 @@ def test_a_snapshot_tells_who_is_there_who_takes_up_work_and_what_has_begun(clie
             [second],
             set(),
         )
-        begun, waiting = (*pool.submit([0.5], [second]), *pool.submit([0.0], [first]))
+        begun, waiting = (*pool.submit([1], [second]), *pool.submit([2], [first]))
         while not (found := pool.ask().result(PATIENCE)).begun:
             time.sleep(0.01)
     finally:
+        SEEN.set()
         client.run_on_scheduler(change, "running", first)
     assert {*found.begun} == {begun}
     assert pool.pending(begun)

@@ -218,7 +218,8 @@ def test_a_folder_that_cannot_be_flushed_is_said_once(tmp_path, monkeypatch, cap
     assert said.count("\n") == 1
 
 
-def test_who_looks_at_the_lock_keeps_nobody_from_it(tmp_path):
+def test_who_looks_at_the_lock_keeps_nobody_from_it(tmp_path, monkeypatch):
+    monkeypatch.setattr("elastomer_friction.workflow.system.lock.GLANCE_SECONDS", PATIENCE)
     with hold(tmp_path):
         pass
     with (tmp_path / LOCK).open() as file:
