@@ -13,9 +13,7 @@ import numpy as np
 
 from elastomer_friction.kernels import (
     KELVIN,
-    SCHEMES,
     Case,
-    ConstantForce,
     Hold,
     Line,
     Oscillation,
@@ -24,19 +22,17 @@ from elastomer_friction.kernels import (
     SceneCase,
     Slide,
     Spectrum,
-    lagged_slope,
     march,
     run_case,
     run_scene,
     scene_steps,
-    steady_sliding,
 )
 from elastomer_friction.kernels.drive import Drive, run_pulled
 from tests.tools.contact_costs import contact_costs
-from tests.tools.march_costs import fastest, march_costs
+from tests.tools.march_costs import fastest, in_turns, march_costs
 from tests.tools.narrow_costs import narrow_costs
 from tests.tools.rivals.limits import limit_table
-from tests.tools.rivals.problem import a_line
+from tests.tools.rivals.problem import Problem, Row, a_line
 from tests.tools.scene_costs import (
     HURST,
     LOAD,
@@ -71,14 +67,9 @@ def drive_costs() -> None:
         ratios = []
         for stiffness in (1.0, 2e-3):
             runs = pulled(a_line(*OF_SCENES), spectrum, stiffness)
-            taken = [min(each) for each in zip(*in_turns(runs), strict=True)]
-            ratios.append(taken[0] / taken[1])
+            pull, slide = in_turns(runs, REPEATS, ONCE)
+            ratios.append(pull / slide)
         print(f"| {name} | {ratios[0]:.2f} | {ratios[1]:.2f} |")
-
-
-def in_turns(runs: tuple[Callable, ...]) -> list[list[float]]:
-    """Return the CPU time of some runs, taken in turns."""
-    return [[fastest(run, ONCE) for run in runs] for _ in range(REPEATS)]
 
 
 def scenes() -> dict[str, tuple[Line, SceneCase, str]]:
@@ -110,31 +101,22 @@ def scenes() -> dict[str, tuple[Line, SceneCase, str]]:
     }
 
 
-def marching(line: Line) -> Callable[[], object]:
-    """Return the march that corresponds: a Kelvin element slides on, no sample is left out."""
-    law = SCHEMES["exponential"](1.0 / (M * SPEED))
-    load = LOAD * line.z.size
-    state, _ = steady_sliding(law, line.z, load)
-    weight = lagged_slope(line.slope, law.lag)
-    kept = np.unique(np.linspace(1, MARCHED, 64, dtype=int))
-    return partial(march, law, ConstantForce(load), line.z, weight, state, kept, math.inf)
-
-
 def effects_of_scenes() -> None:
     """Print what a step of every scene costs, over the scene it is compared with.
 
     Each is the least of several times, taken in turns.
     """
-    compared = scenes()
-    steps = {name: scene_steps(scene, M).dt.size for name, (_, scene, _) in compared.items()}
+    compared, p = scenes(), Problem(Row(*OF_SCENES, math.pi * SPEED, LOAD, MARCHED))
     runs: dict[str, Callable[[], object]] = {
         name: partial(run_scene, line, scene) for name, (line, scene, _) in compared.items()
     }
-    runs["march, all samples"], steps["march, all samples"] = marching(a_line(*OF_SCENES)), MARCHED
-    taken = dict.fromkeys(runs, math.inf)
-    for _ in range(REPEATS):
-        for name, run in runs.items():
-            taken[name] = min(taken[name], fastest(run, ONCE) / steps[name])
+    steps = {name: scene_steps(scene, M).dt.size for name, (_, scene, _) in compared.items()}
+    # What corresponds: a Kelvin element slides on, no sample is left out.
+    every, kept = "march, all samples", np.unique(np.linspace(1, MARCHED, 64, dtype=int))
+    runs[every] = partial(march, p.law, p.control, p.line.z, p.weight, p.one, kept, math.inf)
+    steps[every] = MARCHED
+    times = in_turns(runs.values(), REPEATS, ONCE)
+    taken = {name: s / steps[name] for name, s in zip(runs, times, strict=True)}
     print(f"\nWhat a step of a scene costs (N = {OF_SCENES[1]}, m = {M})\n")
     print("| effect | ratio | to |\n|---|---|---|")
     for name, (_, _, other) in compared.items():

@@ -9,7 +9,7 @@ Printed by `make bench` (bench.py).
 
 import contextlib
 import time
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable
 
 import numpy as np
 
@@ -30,8 +30,8 @@ from tests.tools.rivals.problem import RATIO, ROWS, Problem
 
 LEAST, MOST = 0.2, 7  # seconds for each way, and repeats
 AGREEMENT = 1e-8  # of the change of mu in the march
-HEAD = ("march", "dense", "C", "limit", "share", "tamaas")
-PARTS = ("sweep", "limit", "share", "case", "C")
+COLUMNS = ("march", "dense", "C", "limit of a step", "share of it", "tamaas")
+COLUMNS += ("sweep", "limit of a sweep", "share of one", "case", "case in C")
 
 
 def fastest(function: Callable[[], object], least: float = LEAST) -> float:
@@ -43,6 +43,12 @@ def fastest(function: Callable[[], object], least: float = LEAST) -> float:
         function()
         taken.append(time.thread_time() - began)
     return min(taken)
+
+
+def in_turns(runs: Iterable[Callable[[], object]], turns: int, least: float) -> list[float]:
+    """Return the least CPU times of some calls, taken in turns."""
+    taken = [[fastest(run, least) for run in runs] for _ in range(turns)]
+    return [min(each) for each in zip(*taken, strict=True)]
 
 
 def marches(problem: Problem, compiled: Compiled | None) -> dict[str, float]:
@@ -93,44 +99,35 @@ def cases(problem: Problem, compiled: Compiled | None) -> dict[str, float]:
             law = p.law
             compiled.march(p.line.z, p.weight, w, d, law.decay, law.stiffness, p.load, p.row.steps)
 
-        found["C"] = fastest(in_c)
+        found["case in C"] = fastest(in_c)
     return found
 
 
 def march_costs() -> None:
-    """Print the tables."""
+    """Print the table."""
     compiled = limits = None
     with contextlib.suppress(FileNotFoundError):
         compiled, limits = machine()
     print(
-        "March: ns per nominal element step; C: every element, vectorised; limit of the same, and"
+        "\nns per nominal element step of this march, of one of all samples that can touch (dense),"
     )
-    print("its share in the time of the march: more than 1 by elements that are not stepped")
-    _print_row("H, N, m, x, Fbar, steps", HEAD)
-    below = []
+    print("and of all elements (C, tamaas), whose limit and its share in this march follow; ns per")
+    print("sample of a sweep; ms of a whole case: two steady states, jump and march\n")
+    print("| H, N, m, x, Fbar, steps | " + " | ".join(COLUMNS) + " |")
+    print("|---|" + "---|" * len(COLUMNS))
     for row in ROWS:
-        problem, name = Problem(row), ", ".join(f"{value:g}" for value in row)
+        problem = Problem(row)
         z, found = problem.line.z, {k: 1e9 * s for k, s in marches(problem, compiled).items()}
-        parts = {k: 1e3 * s for k, s in cases(problem, compiled).items()}
+        found |= {k: 1e3 * s for k, s in cases(problem, compiled).items()}
         sweep = fastest(lambda p=problem, z=z: steady_sliding(p.before, z, p.load))
-        parts["sweep"] = 1e9 * sweep / problem.sweeps / z.size
+        found["sweep"] = 1e9 * sweep / problem.sweeps / z.size
         if limits:
-            for values, what, work, arrays in (
-                (found, "march", MARCH, 3),
-                (parts, "sweep", SWEEP, 2),
-            ):
-                values["limit"] = 1e9 * limits.seconds(work, 1, arrays * NUMBER * z.size)
-                values["share"] = values["limit"] / values[what]
-        _print_row(name, [f"{found[k]:.3g}" if k in found else "-" for k in HEAD])
-        below.append((name, [f"{parts[k]:.3g}" if k in parts else "-" for k in PARTS]))
-    print("\nSweep: ns per sample; whole case (two steady states, jump, march): ms")
-    _print_row("H, N, m, x, Fbar, steps", PARTS)
-    for each in below:
-        _print_row(*each)
-
-
-def _print_row(name: str, cells: Sequence[str]) -> None:
-    print(f"{name:36s}" + "".join(f"{cell:>9s}" for cell in cells))
+            step = found["limit of a step"] = 1e9 * limits.seconds(MARCH, 1, 3 * NUMBER * z.size)
+            least = found["limit of a sweep"] = 1e9 * limits.seconds(SWEEP, 1, 2 * NUMBER * z.size)
+            found["share of it"] = step / found["march"]
+            found["share of one"] = least / found["sweep"]
+        cells = (f"{found[name]:.3g}" if name in found else "" for name in COLUMNS)
+        print(f"| {', '.join(f'{value:g}' for value in row)} | " + " | ".join(cells) + " |")
 
 
 if __name__ == "__main__":

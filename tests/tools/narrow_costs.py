@@ -92,13 +92,9 @@ def narrow_costs() -> None:
     """Print the table."""
     with contextlib.suppress(FileNotFoundError):
         compiled, limits = machine()
-        print(
-            "\nNarrow contacts: time of C with m samples to a spacing over that of the program with"
-        )
-        print(
-            f"{M}: how far mu_1 and the jump of C are from the program's in the median, per cent;"
-        )
-        print("ns of the program for each sample and load, their limit, and its share\n")
+        print(f"\nNarrow contacts: time of C over that of the program with m = {M}: how far mu_1")
+        print("and the jump of C are from the program's in the median, per cent; ns of the program")
+        print("for each sample and load, their limit, and its share\n")
         print("| H, N, x | " + " | ".join(f"m = {M * more}" for more in FINER) + LAST)
         print("|---|" + "---|" * (len(FINER) + 3))
         for hurst, elements, x in ROWS:

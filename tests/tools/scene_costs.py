@@ -38,7 +38,7 @@ from elastomer_friction.kernels.scene.records import Trace
 from elastomer_friction.kernels.scene.run import Recorders
 from elastomer_friction.kernels.scene.scene_case import indentation_at
 from tests.kernels.scene import given
-from tests.tools.march_costs import fastest
+from tests.tools.march_costs import fastest, in_turns
 from tests.tools.rivals.compiled import Compiled
 from tests.tools.rivals.limits import NUMBER, PASSES, Limits, machine, of_scene, of_steady
 from tests.tools.rivals.problem import a_line
@@ -116,8 +116,7 @@ class Marches(NamedTuple):
         for name, found, values in zip(Trace._fields, self.by_blocks(), self.in_c(), strict=True):
             atol = AGREEMENT * np.abs(values).max()
             np.testing.assert_allclose(found, values, rtol=0.0, atol=atol, err_msg=name)
-        turns = [[fastest(way, 0.02) for way in self[1:]] for _ in range(TURNS)]
-        return [min(each) for each in zip(*turns, strict=True)]
+        return in_turns(self[1:], TURNS, 0.02)
 
 
 def ratios(name: str, elements: int, compiled: Compiled, limits: Limits) -> str:
