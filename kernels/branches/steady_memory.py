@@ -3,11 +3,11 @@
 At constant indentation the line carries its field of states along. One turn of an element round
 the period, from the deepest sample, is a piecewise linear map of its state there and of d. It
 must come back to where it began, and the forces on the way must carry the load (eq. 4): Newton's
-method on both with exact tangents, which follow the same law in columns of their own. While an
-element touches, or does not, a step does the same to all tangents: many at once are a power of it.
-Where the line lies above d no element touches, as none is ever pulled up, and the element takes
-such a power of a step as well. The first guess is the state of every fourth sample in steps that
-are as long, and its own that of every sixteenth, and so on.
+method on both with exact tangents, which follow the same law. While an element touches, or does
+not, a step does the same to all tangents: many at once are a power of it. Where the line lies above
+d no element touches, as none is ever pulled up, and the element takes such a power of a step as
+well. The first guess is the state of every sixteenth sample in steps that are as long, and its own
+that of still fewer.
 Eq. 4 alone is solved in model/contact.py, and in model/steady.py where u is all that is remembered.
 
 The state of an element at given d contracts in its own energy norm and the force grows with d,
@@ -19,7 +19,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ..compile.jit import kernel
+from ..compile.jit import borrowing, kernel
 from ..model.contact import solve_indentation
 from ..rheology.forms import Form
 from ..rheology.law import (
@@ -39,7 +39,8 @@ SOUND = 1e-6  # residual that is taken
 FINEST = 1e-13  # and beside it, times the stiffness of a step: what rounding leaves
 TOGETHER = 16  # samples at which the memory of a unit is filled before that of the next
 APART = 64  # samples that are taken one by one before it is asked again whether many can be passed
-COARSER, COARSEST = 4, 1000  # samples of the line for one of a guess, and how many it has at least
+RADIX = 8  # of the powers of a step that are kept
+COARSER, COARSEST = 16, 1000  # samples of the line for one of a guess, and how many it has at least
 
 
 class SteadyMemory(NamedTuple):
@@ -135,32 +136,40 @@ def _as_found(law, z, first, way, x, forces):
 def _solve(law, line, load, enough, most, x, forces):
     """Take x to the solution with Newton's method; return (turns, residual).
 
+    Where a step leaves less than a tenth, what it leaves corrects the tangents (C. G. Broyden,
+    Math. Comp. 19 (1965) 577).
     x : what is counted of the element before its turn, and d; the best of all turns is left there,
     and its forces (n,) too. load : NaN where d is given. most : turns.
     """
-    size, least, turns = x.size, np.inf, 0
+    size, least, before, turns, exact = x.size, np.inf, 0.0, 0, False
     sound = SOUND + FINEST * law.stiffness
-    powers = Powers(np.empty((2, _bits(line.size), size + 1, size + 1)), np.zeros(2, np.int64))
+    powers, tangents = _no_powers(size - 1, line.size), np.empty((size, size + 1))
     now, step, tried = x.copy(), np.zeros(size), np.empty(line.size)
     while turns < most:
-        y = np.zeros((size + 1, 1))
-        y[:-1, 0] = now
+        y = np.append(now, 0.0)
         _turn(law, line, y, powers, tried)
         turns += 1
-        if y[-1, 0] <= 0.0 and not np.isnan(load):
+        if y[-1] <= 0.0 and not np.isnan(load):
             step *= 0.5
             now -= step
+            before = 0.0
             continue
-        y[:size, 0] -= now
-        y[-1, 0] -= load
-        left = _residual(y[:, 0], now, load)
-        stuck = least < sound and not left < 0.5 * least
+        y[:-1] -= now
+        y[-1] -= load
+        left = _residual(y, now, load)
+        stuck = exact and least < sound and not left < 0.5 * least
         if left < least:
             least = left
             x[:], forces[:] = now, tried
         if stuck or left < enough:
             break
-        step = _step(_tangents(law, powers, tried, size), y[:, 0])
+        exact = not left < 0.1 * before
+        before = left
+        if exact:
+            tangents = _tangents(law, powers, tried, size)
+        else:
+            tangents += np.outer(step / (step**2).sum(), y)
+        step = _step(tangents, y)
         now += step
     return turns, least
 
@@ -175,109 +184,130 @@ def _residual(excess, x, load):
 
 
 class Powers(NamedTuple):
-    """What 2^k steps do to tangents: of an element that is free (0) and of one that touches (1)."""
+    """What steps do to tangents: of an element that is free (0) and of one that touches (1).
 
-    of: np.ndarray  # shape (2, k, M + 2, M + 2)
+    Of 1 to RADIX - 1 steps, then of RADIX times as many, and so on. Rows and columns are as those
+    of ``_tangents``, and of the sum of forces.
+    """
+
+    of: np.ndarray  # shape (2, RADIX - 1 for every digit of the most steps, M + 2, M + 2)
     known: np.ndarray  # shape (2,): how many of them are known
+    spare: np.ndarray  # shape (M + 2,)
 
 
 @kernel
-def _bits(number):
-    """Return how many binary digits a whole number has."""
-    bits = 0
-    while number >> bits > 0:
-        bits += 1
-    return bits
+def _no_powers(count, most):
+    """Return Powers of elements of so many internal variables for at most so many steps."""
+    digits = 1
+    while most >= RADIX:
+        most //= RADIX
+        digits += 1
+    of = np.empty((2, digits * (RADIX - 1), count + 2, count + 2))
+    return Powers(of, np.zeros(2, np.int64), np.empty(count + 2))
 
 
 @kernel
 def _turn(law, line, x, powers, forces):
     """Take an element round the line, from before the first of the heights (n,) to after the last.
 
-    x : shape (M + 2, 1), what is counted of it, d, and the sum of the forces on it, changed.
+    x : shape (M + 2,), what is counted of it, d, and the sum of the forces on it, changed.
     forces (n,) is filled.
     """
-    y, d, total, i = x.reshape(-1)[:-2], x[-2, 0], 0.0, 0
+    d, total, i = x[-2], 0.0, 0
     while i < line.size:
         stop = i
         while stop < line.size and line[stop] >= d:
             forces[stop] = 0.0
             stop += 1
         if stop - i >= BLOCK:
-            _carry(law, powers, False, stop - i, x)
+            _carry(law, powers, False, stop - i, x.reshape(1, -1))
         else:
             stop = min(i + APART, line.size)
-            total += slide_one(law, y, d, line[i:stop], forces[i:stop])
+            total += slide_one(law, x[:-2], d, line[i:stop], forces[i:stop])
         i = stop
-    x[-1, 0] = total
+    x[-1] = total
 
 
 @kernel
 def _tangents(law, powers, forces, size):
-    """Return what _turn has made of x with respect to what it began as, shape (M + 2, M + 2).
+    """Return the derivatives of what _turn has made of x, shape (M + 1, M + 2).
 
-    forces (n,) : as it left them.
+    A row is with respect to one of what is counted of the element at first, the last one to d.
+    forces (n,) : as _turn left them. What the element has forgotten is not carried further.
     """
-    tangents, i = np.eye(size + 1), 0
+    tangents, first, i = np.eye(size, size + 1), 0, 0
     while i < forces.size:
         touches, begun = forces[i] > 0.0, i
         while i < forces.size and (forces[i] > 0.0) == touches:
             i += 1
-        _carry(law, powers, touches, i - begun, tangents)
+        _carry(law, powers, touches, i - begun, tangents[first:])
+        if first == 0 and _forgotten(tangents[:-1, :-2]):
+            tangents[:-1, :-2] = 0.0
+            first = size - 1
     return tangents
 
 
 @kernel
+def _forgotten(tangents):
+    """Return whether none of them matters any more."""
+    for row in tangents:
+        for value in row:
+            if abs(value) > EXACT:
+                return False
+    return True
+
+
+@kernel
 def _carry(law, powers, touching, length, tangents):
-    """Take tangents over so many steps in which an element touches, or does not.
-
-    One by one, or where it takes less by powers of two of them.
-    """
-    bits = _bits(length)
-    if 3 * length <= bits * tangents.shape[0]:
-        _take_steps(law, touching, length, tangents)
-        return
-    kind = 1 if touching else 0
-    of, known = powers.of[kind], powers.known[kind]
-    for k in range(known, bits):
-        if k == 0:
-            of[0] = np.eye(of.shape[1])
-            _take_steps(law, touching, 1, of[0])
-        else:
-            of[k] = of[k - 1]
-            _multiply(of[k - 1], of[k])
-    powers.known[kind] = max(known, bits)
-    for k in range(bits):
-        if length >> k & 1:
-            _multiply(of[k], tangents)
+    """Take rows of tangents (c, M + 2) over so many steps in which an element touches, or not."""
+    kind, place = 1 if touching else 0, -1
+    of, spare = powers.of[kind], powers.spare
+    while length > 0:
+        power = place + length % RADIX
+        for k in range(powers.known[kind], power + 1):
+            if k == 0:
+                of[0] = _one_step(law, touching, spare.size)
+            else:
+                of[k] = of[k - 1]
+                _multiply(of[k], of[(k - 1) // (RADIX - 1) * (RADIX - 1)], spare)
+            powers.known[kind] = k + 1
+        if power > place:
+            _multiply(tangents, of[power], spare)
+        place += RADIX - 1
+        length //= RADIX
 
 
 @kernel
-def _take_steps(law, touching, length, tangents):
-    """Take tangents over so many steps; their rows are as of ``_turn``."""
-    memory, d, total = tangents[:-2], tangents[-2], tangents[-1]
-    w, new = np.empty(d.size), np.empty(d.size)
-    for _ in range(length):
-        predict(law, memory, new, w)
-        for c in range(d.size):
-            new[c] = law.stiffness * (w[c] + d[c]) if touching else 0.0
-        settle(law, memory, w, new, new)
-        for c in range(d.size):
-            total[c] += new[c]
+def _one_step(law, touching, size):
+    """Return what a step makes of tangents, as of ``Powers``."""
+    memory, d, w, new = np.eye(size - 2, size), np.zeros(size), np.empty(size), np.zeros(size)
+    d[-2] = 1.0
+    predict(law, memory, new, w)
+    if touching:
+        new = law.stiffness * (w + d)
+    settle(law, memory, w, new, new)
+    total = new.copy()
+    total[-1] += 1.0
+    return np.vstack((memory, d.reshape(1, -1), total.reshape(1, -1))).T.copy()
 
 
-@kernel
-def _multiply(a, b):
-    """Change b to the product a b."""
-    product = np.zeros(b.shape)
-    for i in range(a.shape[0]):
-        row = product[i]
-        for j in range(a.shape[1]):
-            factor, other = a[i, j], b[j]
-            if factor != 0.0:
-                for c in range(row.size):
-                    row[c] += factor * other[c]
-    b[:] = product
+@borrowing
+def _multiply(rows, by, spare):
+    """Change every row (M + 2,) to its product with a matrix; spare (M + 2,) is overwritten."""
+    for row in rows:
+        for j in range(row.size):
+            spare[j] = row[j]
+            row[j] = 0.0
+        for j in range(0, row.size - 3, 4):  # a sum would wait for itself
+            first, second, third, fourth = spare[j], spare[j + 1], spare[j + 2], spare[j + 3]
+            some = by[j : j + 4]
+            for c in range(row.size):
+                row[c] += (first * some[0, c] + second * some[1, c]) + (
+                    third * some[2, c] + fourth * some[3, c]
+                )
+        for j in range(row.size // 4 * 4, row.size):
+            for c in range(row.size):
+                row[c] += spare[j] * by[j, c]
 
 
 @kernel
@@ -291,7 +321,7 @@ def _step(tangents, excess):
     for i in range(size):
         row = i if i < size - 1 else size
         for j in range(size):
-            a[i, j] = tangents[row, j] - (1.0 if i == j and i < size - 1 else 0.0)
+            a[i, j] = tangents[j, row] - (1.0 if i == j and i < size - 1 else 0.0)
         a[i, size] = -excess[row]
         if np.isnan(excess[row]):
             a[i] = 0.0

@@ -7,9 +7,13 @@ from hypothesis import strategies as st
 
 from elastomer_friction.kernels import SCHEMES, steady_sliding
 from elastomer_friction.kernels.branches.steady_memory import (
-    Powers,
+    RADIX,
+    _as_met,
     _carry,
-    _take_steps,
+    _no_powers,
+    _one_step,
+    _tangents,
+    _turn,
     steady_at,
     steady_memory,
 )
@@ -214,9 +218,30 @@ def test_many_steps_do_to_tangents_what_one_after_the_other_does(scheme, touchin
     form, length = FORMS[scheme](PRONY3), 700
     law, size = foreseen(law_of(form, 0.01)), memories(form) + 2
     start = np.random.default_rng(2).normal(size=(size, size))
-    one_by_one, at_once = start.copy(), start.copy()
-    powers = Powers(np.empty((2, length.bit_length(), size, size)), np.zeros(2, np.int64))
-    _take_steps(law, touching, length, one_by_one)
+    one_by_one, at_once, powers = start.copy(), start.copy(), _no_powers(size - 2, length)
+    for _ in range(length):
+        one_by_one = one_by_one @ _one_step(law, touching, size)
     _carry(law, powers, touching, length, at_once)
-    assert powers.known[int(touching)] == length.bit_length()
+    assert powers.known[int(touching)] > 3 * (RADIX - 1)
     np.testing.assert_allclose(at_once, one_by_one, rtol=1e-10, atol=1e-12)
+
+
+@pytest.mark.parametrize("scheme", FORMS)
+@pytest.mark.parametrize("speed", [1.0, 50.0, 1e4])
+def test_tangents_are_what_a_turn_makes_of_a_small_change(scheme, speed):
+    """At 1 sample per tau what the element remembers is forgotten on the way."""
+    z, _ = random_line(N, 0.7, M, 5)
+    form = FORMS[scheme](PRONY3)
+    found = steady_memory(form, z, speed, LOAD * z.size)
+    law, size = foreseen(law_of(form, 1.0 / speed)), memories(form) + 1
+    line, powers = _as_met(z, np.argmin(z), -1, z.size), _no_powers(size - 1, z.size)
+    ends = []
+    for j in range(size):
+        for change in (1e-7, -1e-7):
+            x, forces = np.zeros(size + 1), np.empty(z.size)
+            x[-2] = found.elements.d
+            x[j] += change
+            _turn(law, line, x, powers, forces)
+            ends.append(x)
+    measured = (np.array(ends[::2]) - ends[1::2]) / 2e-7
+    np.testing.assert_allclose(_tangents(law, powers, forces, size), measured, rtol=0, atol=1e-6)
