@@ -105,6 +105,8 @@ def press(
     residual, change, pushed = operator.fields
     sharp, free = operator.sharp, operator.free
     change[:] = pushed[:] = 0.0
+    # The same arrays, one sample after the other: what is free is found without a division.
+    residuals, changes, pushes, pressures = (a.ravel() for a in (residual, change, pushed, p))
     d = start.d + _mean_gap(gap, depth, p, start.d)
     trial, product = 1.0, 0.0
     while True:
@@ -119,14 +121,15 @@ def press(
         if passes >= MOST_PASSES:
             raise ValueError(f"no contact was found in {MOST_PASSES} passes")
         _sharpen(residual, p, free[:count], operator.sharpening, sharp)
-        _turn(residual, sharp, free[:count], change, pushed, product)
-        _cut(p, free[:count], change, trial, mean_pressure)
+        _turn(residuals, sharp, free[:count], changes, pushes, product)
+        _cut(pressures, free[:count], changes, trial, mean_pressure)
         operator.displaced(change, pushed)
         passes += 1
-        along, product, most = _products(residual, change, pushed, p, free[:count])
+        along, product, most = _products(residuals, changes, pushes, pressures, free[:count])
         best = -along / product if product > 0.0 else 0.0
         step = min(best, max(most, 1.0)) if best > 0.0 else 1.0
-        d += shift + _go(p, depth, change, pushed, free[:count], step, NOTHING * mean_pressure)
+        nothing = NOTHING * mean_pressure
+        d += shift + _go(pressures, depth.ravel(), changes, pushes, free[:count], step, nothing)
         trial *= min(max(best, SHYER), BOLDER)
         if best < STALE:  # directions that no longer lead on: begin them anew
             trial, product = 1.0, 0.0
@@ -202,65 +205,54 @@ def _turn(residual, sharp, free, change, pushed, product):
 
     product : of the last change with what it displaces, or 0 where there is none.
     """
-    n = change.shape[1]
     share = total = along = 0.0
     if product > 0.0:
         for i in range(free.size):
-            share += sharp[i] * pushed[free[i] // n, free[i] % n]
+            share += sharp[i] * pushed[free[i]]
         share /= product
-    for i in range(free.size):
-        y, x = free[i] // n, free[i] % n
-        change[y, x] = share * change[y, x] - sharp[i]
-        total += change[y, x]
-        along += change[y, x] * residual[y, x]
-    for i in range(free.size):
-        y, x = free[i] // n, free[i] % n
-        change[y, x] = -sharp[i] if along >= 0.0 else change[y, x] - total / free.size
+    for i, j in enumerate(free):
+        change[j] = share * change[j] - sharp[i]
+        total += change[j]
+        along += change[j] * residual[j]
+    for i, j in enumerate(free):
+        change[j] = -sharp[i] if along >= 0.0 else change[j] - total / free.size
 
 
 @kernel
 def _cut(p, free, change, trial, mean_pressure):
     """Make change what is left of a trial step where p stays positive and keeps its mean."""
-    n = p.shape[1]
     total = 0.0
-    for i in range(free.size):
-        y, x = free[i] // n, free[i] % n
-        change[y, x] = max(p[y, x] + trial * change[y, x], 0.0)
-        total += change[y, x]
+    for j in free:
+        change[j] = max(p[j] + trial * change[j], 0.0)
+        total += change[j]
     factor = mean_pressure * p.size / total
-    for i in range(free.size):
-        y, x = free[i] // n, free[i] % n
-        change[y, x] = change[y, x] * factor - p[y, x]
+    for j in free:
+        change[j] = change[j] * factor - p[j]
 
 
 @kernel
 def _products(residual, change, pushed, p, free):
     """Return change times g, change times what it displaces, and how far p stays positive."""
-    n = p.shape[1]
     along = product = 0.0
     most = np.inf
-    for i in range(free.size):
-        y, x = free[i] // n, free[i] % n
-        along += residual[y, x] * change[y, x]
-        product += pushed[y, x] * change[y, x]
-        if change[y, x] < 0.0 and p[y, x] < -most * change[y, x]:
-            most = -p[y, x] / change[y, x]
+    for j in free:
+        along += residual[j] * change[j]
+        product += pushed[j] * change[j]
+        if change[j] < 0.0 and p[j] < -most * change[j]:
+            most = -p[j] / change[j]
     return along, product, most
 
 
 @kernel
 def _go(p, depth, change, pushed, free, step, nothing):
     """Go a step, in place; return by how much the mean of A p over the contact has moved."""
-    rows, n = p.shape
     moved = count = 0.0
-    for y in range(rows):
-        for x in range(n):
-            depth[y, x] += step * pushed[y, x]
-    for i in range(free.size):
-        y, x = free[i] // n, free[i] % n
-        pressure = p[y, x] + step * change[y, x]
-        p[y, x] = pressure if pressure > nothing else 0.0
+    for j in range(depth.size):
+        depth[j] += step * pushed[j]
+    for j in free:
+        pressure = p[j] + step * change[j]
+        p[j] = pressure if pressure > nothing else 0.0
         if pressure > nothing:
-            moved += step * pushed[y, x]
+            moved += step * pushed[j]
             count += 1.0
     return moved / count
