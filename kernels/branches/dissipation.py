@@ -71,25 +71,27 @@ def _loss(units, p, dt):
 
     The units follow forces that are linear between the samples, and have done so for ever.
     """
-    n = p.size
-    lost = 0.0
-    y = np.empty(n)
-    for k in range(units.times.size):
-        x = dt / units.times[k]
-        decay, _, end, start = moments(x)
-        end, start = units.compliances[k] * end, units.compliances[k] * start
-        now = 0.0
-        for turn in range(2):
-            for i in range(n):
-                now = decay * now - end * p[i] - start * p[i - 1]
-                y[i] = now
-            if turn == 0:
-                now /= -math.expm1(-x * n)  # what periods without end add up to
-        work = 0.0
-        for i in range(n):
-            after = i + 1 if i + 1 < n else 0
-            first = p[i] - p[i - 1], y[i] - y[i - 1]
-            second = p[after] - p[i] - first[0], y[after] - y[i] - first[1]
-            work += first[0] * first[1] + second[0] * second[1] / 12.0
-        lost -= work / x
-    return lost
+    count, n = units.times.size, p.size
+    decay, end, start, x = np.empty((4, count))
+    for k in range(count):
+        x[k] = dt / units.times[k]
+        decay[k], _, at_end, at_start = moments(x[k])
+        end[k], start[k] = units.compliances[k] * at_end, units.compliances[k] * at_start
+    y, risen, work = np.zeros((3, count))
+    for i in range(n):
+        new, old = p[i], p[i - 1]
+        for k in range(count):
+            y[k] = decay[k] * y[k] - (end[k] * new + start[k] * old)
+    for k in range(count):
+        y[k] /= -math.expm1(-x[k] * n)  # what periods without end add up to
+    grown = 0.0
+    for i in range(n + 1):  # the step to a sample is weighed when the next one is known
+        new, old = p[i % n], p[i - 1]
+        bend = (new - old - grown) / 12.0 if i > 0 else 0.0
+        for k in range(count):
+            now = decay[k] * y[k] - (end[k] * new + start[k] * old)
+            rise = now - y[k]
+            work[k] += grown * risen[k] + bend * (rise - risen[k])
+            y[k], risen[k] = now, rise
+        grown = new - old
+    return -(work / x).sum()

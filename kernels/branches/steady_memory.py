@@ -143,7 +143,7 @@ def _solve(law, line, load, enough, most, x, forces):
     """
     size, least, before, turns, exact = x.size, np.inf, 0.0, 0, False
     sound = SOUND + FINEST * law.stiffness
-    powers, tangents = _no_powers(size - 1, line.size), np.empty((size, size + 1))
+    powers, tangents = _powers_of(law, size + 1, line.size), np.empty((size, size + 1))
     now, step, tried = x.copy(), np.zeros(size), np.empty(line.size)
     while turns < most:
         y = np.append(now, 0.0)
@@ -166,7 +166,7 @@ def _solve(law, line, load, enough, most, x, forces):
         exact = not left < 0.1 * before
         before = left
         if exact:
-            tangents = _tangents(law, powers, tried, size)
+            tangents = _tangents(powers, tried)
         else:
             tangents += np.outer(step / (step**2).sum(), y)
         step = _step(tangents, y)
@@ -192,21 +192,33 @@ class Powers(NamedTuple):
 
     of: np.ndarray  # shape (2, RADIX - 1 for every digit of the most steps, M + 2, M + 2)
     known: np.ndarray  # shape (2,): how many of them are known
-    spare: np.ndarray  # shape (M + 2,)
+    product: np.ndarray  # shape (M + 2, M + 2): overwritten
 
 
 @kernel
-def _no_powers(count, most):
-    """Return Powers of elements of so many internal variables for at most so many steps."""
+def _powers_of(law, size, most):
+    """Return Powers of the law, the first of them known, for at most so many steps.
+
+    size : M + 2.
+    """
     digits = 1
     while most >= RADIX:
         most //= RADIX
         digits += 1
-    of = np.empty((2, digits * (RADIX - 1), count + 2, count + 2))
-    return Powers(of, np.zeros(2, np.int64), np.empty(count + 2))
+    of = np.empty((2, digits * (RADIX - 1), size, size))
+    for kind in range(2):
+        memory, d, w, new = np.eye(size - 2, size), np.zeros(size), np.empty(size), np.zeros(size)
+        d[-2] = 1.0
+        predict(law, memory, new, w)
+        if kind == 1:
+            new = law.stiffness * (w + d)
+        settle(law, memory, w, new, new)
+        of[kind, 0, :, :-2], of[kind, 0, :, -2], of[kind, 0, :, -1] = memory.T, d, new
+        of[kind, 0, -1, -1] += 1.0
+    return Powers(of, np.ones(2, np.int64), np.empty((size, size)))
 
 
-@kernel
+@borrowing
 def _turn(law, line, x, powers, forces):
     """Take an element round the line, from before the first of the heights (n,) to after the last.
 
@@ -220,7 +232,7 @@ def _turn(law, line, x, powers, forces):
             forces[stop] = 0.0
             stop += 1
         if stop - i >= BLOCK:
-            _carry(law, powers, False, stop - i, x.reshape(1, -1))
+            _carry(powers, False, stop - i, x.reshape(1, -1))
         else:
             stop = min(i + APART, line.size)
             total += slide_one(law, x[:-2], d, line[i:stop], forces[i:stop])
@@ -229,25 +241,26 @@ def _turn(law, line, x, powers, forces):
 
 
 @kernel
-def _tangents(law, powers, forces, size):
+def _tangents(powers, forces):
     """Return the derivatives of what _turn has made of x, shape (M + 1, M + 2).
 
     A row is with respect to one of what is counted of the element at first, the last one to d.
     forces (n,) : as _turn left them. What the element has forgotten is not carried further.
     """
-    tangents, first, i = np.eye(size, size + 1), 0, 0
+    size = powers.product.shape[0]
+    tangents, first, i = np.eye(size - 1, size), 0, 0
     while i < forces.size:
         touches, begun = forces[i] > 0.0, i
         while i < forces.size and (forces[i] > 0.0) == touches:
             i += 1
-        _carry(law, powers, touches, i - begun, tangents[first:])
+        _carry(powers, touches, i - begun, tangents[first:])
         if first == 0 and _forgotten(tangents[:-1, :-2]):
             tangents[:-1, :-2] = 0.0
-            first = size - 1
+            first = size - 2
     return tangents
 
 
-@kernel
+@borrowing
 def _forgotten(tangents):
     """Return whether none of them matters any more."""
     for row in tangents:
@@ -257,57 +270,47 @@ def _forgotten(tangents):
     return True
 
 
-@kernel
-def _carry(law, powers, touching, length, tangents):
+@borrowing
+def _carry(powers, touching, length, tangents):
     """Take rows of tangents (c, M + 2) over so many steps in which an element touches, or not."""
     kind, place = 1 if touching else 0, -1
-    of, spare = powers.of[kind], powers.spare
+    of, product = powers.of[kind], powers.product[: tangents.shape[0]]
     while length > 0:
         power = place + length % RADIX
         for k in range(powers.known[kind], power + 1):
-            if k == 0:
-                of[0] = _one_step(law, touching, spare.size)
-            else:
-                of[k] = of[k - 1]
-                _multiply(of[k], of[(k - 1) // (RADIX - 1) * (RADIX - 1)], spare)
+            _multiply(of[k - 1], of[(k - 1) // (RADIX - 1) * (RADIX - 1)], of[k])
             powers.known[kind] = k + 1
         if power > place:
-            _multiply(tangents, of[power], spare)
+            _multiply(tangents, of[power], product)
+            for r in range(product.shape[0]):
+                for c in range(product.shape[1]):
+                    tangents[r, c] = product[r, c]
         place += RADIX - 1
         length //= RADIX
 
 
-@kernel
-def _one_step(law, touching, size):
-    """Return what a step makes of tangents, as of ``Powers``."""
-    memory, d, w, new = np.eye(size - 2, size), np.zeros(size), np.empty(size), np.zeros(size)
-    d[-2] = 1.0
-    predict(law, memory, new, w)
-    if touching:
-        new = law.stiffness * (w + d)
-    settle(law, memory, w, new, new)
-    total = new.copy()
-    total[-1] += 1.0
-    return np.vstack((memory, d.reshape(1, -1), total.reshape(1, -1))).T.copy()
-
-
 @borrowing
-def _multiply(rows, by, spare):
-    """Change every row (M + 2,) to its product with a matrix; spare (M + 2,) is overwritten."""
-    for row in rows:
-        for j in range(row.size):
-            spare[j] = row[j]
-            row[j] = 0.0
-        for j in range(0, row.size - 3, 4):  # a sum would wait for itself
-            first, second, third, fourth = spare[j], spare[j + 1], spare[j + 2], spare[j + 3]
-            some = by[j : j + 4]
-            for c in range(row.size):
+def _multiply(rows, by, product):
+    """Fill in the product of rows (c, M + 2) with a matrix."""
+    count, size = rows.shape
+    for r in range(count):
+        for c in range(size):
+            product[r, c] = 0.0
+    fours = size // 4 * 4  # a sum would wait for itself, and row after row for it
+    for j in range(0, fours, 4):
+        some = by[j : j + 4]
+        for r in range(count):
+            row, first, second = product[r], rows[r, j], rows[r, j + 1]
+            third, fourth = rows[r, j + 2], rows[r, j + 3]
+            for c in range(size):
                 row[c] += (first * some[0, c] + second * some[1, c]) + (
                     third * some[2, c] + fourth * some[3, c]
                 )
-        for j in range(row.size // 4 * 4, row.size):
-            for c in range(row.size):
-                row[c] += spare[j] * by[j, c]
+    for j in range(fours, size):
+        for r in range(count):
+            row, value = product[r], rows[r, j]
+            for c in range(size):
+                row[c] += value * by[j, c]
 
 
 @kernel
