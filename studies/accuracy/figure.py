@@ -38,9 +38,11 @@ def _discretisation(groups: Groups) -> Figure:
             drawn += [(groups["as_sampled"], "exponential, as sampled", "^-.")]
         for (held, said, form), colour in zip(drawn, COLOURS, strict=False):
             draw_ladder(ax, held.sel(quantity=name), said, form, colour)
-        ax.set(xscale="log", yscale="log", ylim=LIMITS, xlabel="CPU ms per realization")
+        ax.set(
+            xscale="log", yscale="log", ylim=LIMITS, xlabel="CPU ms per realization; numbers: $m$"
+        )
         ax.set_title(f"({letter}) discretisation error of {label}")
-    axes[0, 0].legend(loc="lower left")
+    axes[1, 0].legend(*axes[0, 0].get_legend_handles_labels(), loc="lower left")
     for ax in axes[:, 0]:
         ax.set_ylabel("relative error")
     worst = float(data.reference_error.sel(quantity="mu_1").max())
@@ -68,7 +70,7 @@ def _rest(groups: Groups) -> Figure:
         ax.set_ylabel("relative error")
     for mark, x in zip(MARKS, found.x.values, strict=False):
         axes[1, 0].plot([], [], mark, color="0.4", label=f"$x = {x:g}$")
-    axes[1, 0].legend(loc="lower left", ncols=2, columnspacing=0.8)
+    axes[1, 0].legend(loc="lower right", ncols=2, columnspacing=0.8)
     write_below(figure, f"Times are medians of those of a process; seed {data.attrs['seed']}.")
     return figure
 
@@ -76,11 +78,11 @@ def _rest(groups: Groups) -> Figure:
 def _sampling(ax: Axes, data: xr.Dataset) -> None:
     """Draw the error of the mean of R realizations: median and range over the points."""
     count = data.realizations.values
-    for name, colour in zip(data.sampled.values, COLOURS[3:], strict=False):
+    for name, mark, colour in zip(data.sampled.values, MARKS, COLOURS, strict=False):
         error = data.error.sel(sampled=name)
         low, high = error.min("point"), error.max("point")
-        ax.fill_between(count, low, high, color=colour, alpha=0.15, lw=0)
-        ax.plot(count, error.median("point"), "o-", color=colour, label=NAMES[str(name)])
+        ax.fill_between(count, low, high, fc=(colour, 0.12), ec=(colour, 0.6), lw=0.4)
+        ax.plot(count, error.median("point"), f"{mark}-", color=colour, label=NAMES[str(name)])
     ax.plot(count, 0.25 / np.sqrt(count), "k--", lw=0.8, label="$0.25\\,R^{-1/2}$")
     ax.set(xscale="log", yscale="log", xlabel="realizations $R$")
     ax.set_title("(a) sampling error: median, range")
@@ -104,9 +106,9 @@ def _balance(ax: Axes, data: xr.Dataset) -> None:
     grid = np.geomspace(3e-3, 1e3, 200)
     front = np.min([np.interp(grid, t, e, right=e[-1], left=np.inf) for t, e in best], axis=0)
     ax.plot(grid, front, "k", lw=2.2, alpha=0.25, label="best")
-    ax.set(xscale="log", yscale="log", xlabel="CPU s in all", xlim=(2e-3, 5e2), ylim=(1e-5, 0.2))
-    ax.set_title(f"(b) both, $\\mu_1$ at $x = {float(one.x):g}$")
-    ax.legend(loc="lower left", frameon=True, framealpha=1.0, edgecolor="none", borderpad=0.1)
+    ax.set(xscale="log", yscale="log", xlabel="CPU s in all", xlim=(2e-3, 5e2), ylim=(5e-5, 0.3))
+    ax.set_title(f"(b) both, $\\mu_1$ at $x = {float(one.x):g}$; dotted: bias alone")
+    ax.legend(loc="upper right", ncols=2, columnspacing=0.8)
 
 
 def _alternatives(ax: Axes, data: xr.Dataset, name: str) -> None:
@@ -119,7 +121,7 @@ def _alternatives(ax: Axes, data: xr.Dataset, name: str) -> None:
             one = data.isel(compared=k).sel(solver=solver)
             (line,) = ax.plot(1e3 * one.seconds, one.error, lw=0.8, marker=mark, ms=2.5)
             line.set(color=COLOURS[colour], label=None if k else str(solver))
-    ax.set(xscale="log", yscale="log", ylim=(2e-8, 2.0))
+    ax.set(xscale="log", yscale="log", ylim=(2e-6, 2.0))
     ax.set_xlabel("CPU ms per realization")
 
 
@@ -133,8 +135,12 @@ def draw_ladder(ax: Axes, data: xr.Dataset, label: str, form: str, colour: str) 
     time, error = 1e3 * data.seconds.median("point"), data.error
     low, middle, high = (error.quantile(share, "point") for share in (0.1, 0.5, 0.9))
     ax.plot(time, middle, form, color=colour, label=label)
-    ax.fill_between(time, low, high, color=colour, alpha=0.15, lw=0)
+    ax.fill_between(time, low, high, fc=(colour, 0.12), ec=(colour, 0.6), lw=0.4)
     if form == "o-":
         for m in set(NUMBERED) & set(data.steps.values.tolist()):
             at = float(time.sel(steps=m)), float(middle.sel(steps=m))
-            ax.annotate(f"{m}", at, (3, 3), textcoords="offset points", fontsize=6.5)
+            style = {
+                "fontsize": 6.5,
+                "bbox": {"fc": "white", "ec": "none", "alpha": 0.7, "pad": 0.3},
+            }
+            ax.annotate(f"{m}", at, (3, 4), textcoords="offset points", **style)

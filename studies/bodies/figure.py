@@ -86,16 +86,21 @@ def _over_cost(ax: Axes, groups: Groups) -> None:
     seconds = {v.label: float(np.mean(v.typical.sum(axis=1))) for v in plan.variants}
     for half, line in PAIRS.items():
         off = np.abs(ratios(groups, half).ratio - 1.0).values
-        kind = "one time" if half == "" else "five times"
+        low, middle, high = np.nanpercentile(off, [10, 50, 90])
+        bar = [[middle - low], [high - middle]]
         style: dict[str, Any] = {"color": COLOURS[half != ""], "ms": 5.0}
-        ax.plot(seconds[line], np.nanmedian(off), "o", label=f"foundation, {kind}", **style)
-        ax.plot([seconds[line]] * 2, np.nanpercentile(off, [10, 90]), "-", color=style["color"])
-        own = groups[half].mu_1_bias.mean()
-        error = max(float(own), 1e-3)
-        ax.plot(seconds[half], error, "s", label=f"half-space, {kind}", **style)
-    ax.set(xscale="log", yscale="log", xlabel="time of a realization of a point (s)")
+        ax.errorbar(seconds[line], middle, bar, fmt="o", **style)
+        bias = float(groups[half].mu_1_bias.mean())
+        ax.plot(seconds[half], bias, "s", **style)
+        kind = "one time" if half == "" else "five times"
+        for body, at in (
+            ("foundation", (seconds[line], middle)),
+            ("half-space", (seconds[half], bias)),
+        ):
+            ax.annotate(f"{body},\n{kind}", at, (6, 0), textcoords="offset points", va="center")
+    ax.set(xscale="log", yscale="log", xlabel="CPU time of one map or line (s)", ylim=(0.01, 1.0))
     ax.set(ylabel="relative error of $\\mu_1$", title="(d) error against cost")
-    ax.legend(loc="best")
+    ax.margins(x=0.25)
 
 
 def _dress(ax: Axes, label: str) -> None:

@@ -62,7 +62,7 @@ def draw(groups: Groups) -> Figure:
         f"the reference (black). Left out are {coarse} points with contacts of fewer than 4 "
         f"samples; of the sets of (g) {without} without a number or with errors over "
         f"{100.0 * LARGEST_ERROR:g} %, and {beyond} of {points} beyond the reference. Panel (f) "
-        "has the median and the whole range over pairs of curves."
+        "has all pairs of curves, and their medians filled."
     )
     foot_line(figure, sound[""][0], rule)
     return figure
@@ -121,22 +121,21 @@ def _thermal(ax: Axes, force: Collapsed, depth: Collapsed) -> None:
     assert isinstance(study, Study)
     material = study.material
     for found, label, colour, marker, aside in (
-        (force, "given force", COLOURS[4], "s", -0.5),
-        (depth, "given indentation", COLOURS[2], "o", 0.5),
+        (force, "given force", COLOURS[4], "s", -1.0),
+        (depth, "given indentation", COLOURS[2], "o", 1.0),
     ):
         temperature, fitted, _ = thermal(found)
         off = fitted - np.log10([material.shift(t) for t in temperature])
+        ax.plot(
+            temperature + aside, off, marker, color=colour, ms=2.0, mfc="none", mew=0.5, label=label
+        )
         for t in np.unique(temperature):
-            each = off[temperature == t]
-            middle = np.median(each)
-            bar = [[middle - each.min()], [each.max() - middle]]
-            ax.errorbar(t + aside, middle, bar, fmt=marker, color=colour, label=label)
-            label = ""
+            ax.plot(t + 2.0 * aside, np.median(off[temperature == t]), marker, color=colour, ms=4.0)
     ax.axhline(0.0, color="k", lw=0.7, ls="--")
     ax.set_xticks(np.unique(temperature))
     ax.set_xlim(temperature.min() - 10.0, temperature.max() + 10.0)
     ax.set(xlabel="temperature (°C)", ylabel="fitted $-$ WLF (decades)")
-    ax.set_title("(f) shift with temperature")
+    ax.set_title("(f) thermal shifts")
     ax.legend(loc="best", fontsize=5.5)
 
 
@@ -151,4 +150,4 @@ def _residuals(ax: Axes, found: dict[tuple[str, str], Collapsed]) -> None:
     ax.set_xticks(range(len(found)), names, fontsize=5.5)
     ax.set(yscale="log", ylabel="rms difference\n(decades of $\\mu$)", title="(g) what remains")
     ax.set(xlim=(-0.5, len(found) - 0.5), ylim=(None, 5.0 * ax.get_ylim()[1]))
-    ax.legend(loc="upper right", fontsize=5.5, ncols=3, columnspacing=0.5, handletextpad=0.1)
+    ax.legend(loc="upper right", fontsize=5.5, ncols=3, columnspacing=0.5, handlelength=1.0)

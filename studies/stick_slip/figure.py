@@ -2,8 +2,8 @@
 
 Steady sliding is stable above the critical stiffness k_c = -(d mu/d ln v) F_N/D_c of rate and state
 (J. R. Rice, A. L. Ruina, J. Appl. Mech. 50, 343 (1983), doi:10.1115/1.3167042). D_c is taken as the
-distance v t_b slid in the time t_b of the rubber's one branch, which holds where that is about the
-length of contacts: beyond, D_c is shorter and k_c is larger (docs/drive.md).
+distance v t_b slid in the time t_b of the rubber's one branch, or the mean length of contacts where
+that is shorter, as they are renewed sooner.
 """
 
 import numpy as np
@@ -13,6 +13,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.ticker import NullFormatter
 
+from elastomer_friction.studies.style import shades
 from elastomer_friction.workflow.report import COLOURS, error_bars, foot_line
 from elastomer_friction.workflow.result import Groups
 
@@ -28,11 +29,12 @@ NAMES = ("drive_swing", "drive_swing_error")
 SLIPPING = 0.05  # swing over the rms slope from which a line is said to stick and slip
 
 
-def critical_stiffness(mu: xr.DataArray, force: float) -> xr.DataArray:
-    """Return k_c (N/m) over the velocity; mu : of steady sliding; NaN where friction rises."""
-    velocity = mu.velocity
-    falls = -np.gradient(mu.values, np.log(velocity.values))
-    critical = falls * force / (velocity * BRANCH)
+def critical_stiffness(data: xr.Dataset) -> xr.DataArray:
+    """Return k_c (N/m) over the velocity; NaN where friction rises."""
+    one = data.isel(stiffness=0)
+    falls = one.mu_1.copy(data=-np.gradient(one.mu_1.values, np.log(one.velocity.values)))
+    contacts = one.samples_per_contact * one.spacing / one.steps_per_spacing
+    critical = falls * one.normal_force / np.minimum(one.velocity * BRANCH, contacts)
     return critical.where(critical > 0.0)
 
 
@@ -41,7 +43,7 @@ def draw(groups: Groups) -> Figure:
     data = groups[""].squeeze()
     scale = float(np.ravel(data.rms_slope)[0])
     steady = data.mu_1.isel(stiffness=0)
-    critical = critical_stiffness(steady, float(data.normal_force))
+    critical = critical_stiffness(data)
     figure, axes = plt.subplots(2, 2, figsize=(6.9, 5.2))
     _diagram(axes[0, 0], data, scale, critical)
     axes[0, 1].errorbar(
@@ -65,9 +67,8 @@ def draw(groups: Groups) -> Figure:
     foot_line(
         figure,
         groups[""],
-        "Line in (a): k_c = -(d mu/d ln v) F_N/(v t_b), too soft where v t_b is longer than "
-        "contacts. In (d) lines of one surface each slip at times of their own, so that the mean "
-        "swings less than each does.",
+        "k_c is -(d mu/d ln v) F_N over v t_b or the mean length of contacts. In (d) lines of one "
+        "surface each slip at times of their own, so that the mean swings less than each does.",
     )
     return figure
 
@@ -77,13 +78,14 @@ def _diagram(ax: Axes, data: xr.Dataset, scale: float, critical: xr.DataArray) -
     swing = (data.drive_swing / scale).transpose("stiffness", "velocity")
     v, k = np.meshgrid(data.velocity, data.stiffness)
     slips = swing.values > SLIPPING
-    shown = ax.scatter(v[slips], k[slips], c=swing.values[slips], s=34, cmap="viridis_r", vmin=0)
+    colours = shades(0.0, float(swing.max()), log=False)
+    ax.scatter(v[slips], k[slips], c=colours.to_rgba(swing.values[slips]), s=34)
     ax.plot(v[~slips], k[~slips], ".", ms=3, color="0.6")
-    ax.plot(data.velocity, critical, "-", color=COLOURS[1], lw=1.2)
+    ax.plot(data.velocity, critical, "k-", lw=1.2)
     ax.set(xscale="log", yscale="log", xlabel="velocity $v$ (m/s)", ylabel="stiffness $k$ (N/m)")
     ax.set_ylim(0.7 * k.min(), 1.4 * k.max())
     ax.set_title("(a) coloured: stick and slip; line: $k_c$")
-    ax.figure.colorbar(shown, ax=ax, label=r"swing$/\nabla z$")
+    ax.figure.colorbar(colours, ax=ax, label=r"swing$/\nabla z$")
 
 
 def _forces(ax: Axes, data: xr.Dataset, scale: float, critical: xr.DataArray) -> None:

@@ -13,7 +13,7 @@ STUDY = ("stick_slip",)
 def test_a_soft_spring_slips_and_a_stiff_one_slides(groups):
     data = groups[""]
     swing = (data.drive_swing / data.rms_slope).transpose("velocity", "stiffness")
-    critical = critical_stiffness(data.mu_1.isel(stiffness=0), float(data.normal_force))
+    critical = critical_stiffness(data)
     falling = np.isfinite(critical.values)
     soft, stiff = data.stiffness.values
     assert falling.any()

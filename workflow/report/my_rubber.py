@@ -19,6 +19,7 @@ NEEDED = ("mu_1", "rms_slope", "tau", "q_max", "shear_modulus", "length", "speed
 USUAL = Wlf(8.86, 101.6, 0.0)  # about T_s, some 50 K above the glass transition
 AROUND = range(-40, 101)  # degrees about the temperature of the result
 MOST_MOMENTS = 500_000  # of the motions of a rubber, about 16 MB
+STEEPEST = 0.3  # rms slope: the model neglects its square, then a tenth
 ONE_TIME = "eqs. 12 to 16 are those of one relaxation time"
 
 
@@ -42,7 +43,8 @@ def scaled_friction(groups: Mapping[str, xr.Dataset]) -> dict[str, Any] | None:
         else:
             why = why or "steady friction is known nowhere at all velocities"
             without.append(f"No rubber is scaled from {called}: {why}.")
-    return {"rubbers": rubbers, "without": without} if rubbers or without else None
+    found = {"rubbers": rubbers, "without": without, "steepest": STEEPEST}
+    return found if rubbers or without else None
 
 
 def _why_not(data: xr.Dataset, body: str | None) -> str | None:
@@ -66,25 +68,26 @@ def _rubber(name: str, data: xr.Dataset, material: Mapping[str, Any]) -> dict[st
     """Return own values, curves and temperatures of one group; None where friction is not known.
 
     ``curves`` has one entry for each load and H, and ``family`` tells those of one L q_max and one
-    set of x.
+    set of x. Own values are of the steepest lines that the model allows, else of the gentlest.
     """
     data = data.isel(velocity_step=0).sortby("velocity")
     contact = 2.0 / (1.0 - material.get("poisson", INCOMPRESSIBLE))  # E*/G
     several = bool(material.get("branches") or "branches_file" in material)
-    curves = [each for at in _places(data) if (each := _curve(at, contact, several)) is not None]
-    if not curves:
+    known = [(at, c) for at in _places(data) if (c := _curve(at, contact, several)) is not None]
+    if not known:
         return None
+    first, chosen = max(known, key=lambda each: _allowed(each[0]))
+    curves = [curve for _, curve in known]
     kept = [pair for each in curves for pair in each["motions"] or [] if pair]
     if sum(len(time) for time, _ in kept) > MOST_MOMENTS:
         curves = [each | {"motions": None} for each in curves]
-    first = next(_places(data))
     own = {key: float(first[key]) for key in ("shear_modulus", "tau", "roughness", "q_max")}
     own |= {"pressing": float(first.normal_force) / float(first.length)}
     branches = material.get("branches", [])
     glassy = branches and not material.get("relaxation_time")
     return {
         "name": name,
-        "own": own | {"hurst": float(first.hurst)},
+        "own": own | {key: chosen[key] for key in ("hurst", "family")},
         "contact": contact,
         "branches": [[g / own["shear_modulus"], t / _tau(material)] for g, t in branches],
         "glassy": 1.0 + sum(g for g, _ in branches) / own["shear_modulus"] if glassy else None,
@@ -92,6 +95,12 @@ def _rubber(name: str, data: xr.Dataset, material: Mapping[str, Any]) -> dict[st
         "temperature": _temperatures(data, first, material),
         "curves": curves,
     }
+
+
+def _allowed(at: xr.Dataset) -> float:
+    """Return a rank by the rms slope: the largest that is small, else the smallest, is best."""
+    slope = float(np.ravel(at.rms_slope)[0])
+    return slope if slope <= STEEPEST else -slope
 
 
 def _tau(material: Mapping[str, Any]) -> float:

@@ -128,7 +128,10 @@ told.fast = say("my-v1", 400);
 told.away = $("my-curves").hidden;
 say("my-v1", 200);
 told.cold = say("my-heat", 0);
-told.weak = (say("my-heat", 40), say("my-pressing", 0));
+say("my-heat", 40);
+told.small = say("my-pressing", 300);
+told.steep = say("my-roughness", 400);
+told.weak = say("my-pressing", 0);
 const wide = document.documentElement;
 told.fits = wide.scrollWidth <= wide.clientWidth;
 told.keys = [...document.querySelectorAll("section :is(input, select)")]
@@ -143,6 +146,8 @@ told.keys = [...document.querySelectorAll("section :is(input, select)")]
     assert "standard error is 3 %" in told["said"]
     assert "Outside what was computed: for this τ" in told["fast"]
     assert "Outside what was computed: for this τ" in told["cold"]
+    assert "slopes are not small" not in told["small"]
+    assert "The rms slope is 2: above 0.3 slopes are not small, and the model" in told["steep"]
     assert "take F_N/L from" in told["weak"]
     assert (told["away"], told["fits"], told["keys"]) == (True, True, True)
 
@@ -228,6 +233,16 @@ told.said = $("my-said").textContent;
     np.testing.assert_allclose(told["time"], at.time.values * float(at.tau) / 2.0, rtol=1e-9)
     assert told["shown"]
     assert "µ(t) is the motion computed at" in told["said"]
+
+
+@pytest.mark.parametrize(
+    ("slopes", "hurst"), [((7.4, 0.25), 0.7), ((0.1, 0.02), 0.3), ((7, 3), 0.7)]
+)
+def test_the_rubber_shown_first_has_the_steepest_slope_that_is_small(data, slopes, hurst):
+    steep = data.rms_slope * 0 + xr.DataArray(list(slopes), {"hurst": data.hurst}, "hurst")
+    found = one_rubber(data.assign(rms_slope=steep))
+    assert found["own"]["hurst"] == hurst
+    assert found["own"]["family"] == found["curves"][0]["family"]
 
 
 def test_what_is_not_scaled_has_a_sentence(data):
