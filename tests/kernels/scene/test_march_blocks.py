@@ -87,6 +87,7 @@ def test_memory_is_given_back():
     line = a_line()
     scene = a_scene(MOTIONS["oscillation"], WIDE, asked=tuple(ASKED))
     run_scene(line, scene)
+    gc.collect()  # what earlier tests left is given back before
     memsys_enable_stats()
     before = rtsys.get_allocation_stats()
     run_scene(line, scene)
