@@ -8,7 +8,7 @@ from .bounds import first_bounds, widened
 from .crossings import Steady, arrivals_of
 from .lists import lists_of
 from .load_balance import foresee
-from .narrow import ROOM, ROOM_OF_RATE, march_shortening
+from .narrow import march_shortening
 from .runs import classes_of
 from .stepping import Stand
 
@@ -28,7 +28,6 @@ def active_march(march, control, kept_steps, margins=MARGINS):
     into = kept_steps, np.empty(kept_steps.size), np.empty(kept_steps.size)
     guess = foresee(control, march)
     bounds = first_bounds(march, guess, margins[0])
-    spread = bounds.high - bounds.low, bounds.most - bounds.least
     settled, work, inside, steady = np.nan, 0, False, Steady(start.decay.once, start.d)
     stand, last = Stand(0, 0, start.d, guess, np.nan), kept_steps[-1]
     for attempt in range(1, len(margins) + 1):
@@ -39,9 +38,8 @@ def active_march(march, control, kept_steps, margins=MARGINS):
         settled = (sums.moment + moment) / (sums.depth + depth)
         arrivals = arrivals_of(law, lists, runs, steady, march.z, last)
         where = runs, lists, sums, arrivals
-        room = ROOM[attempt - 1] * spread[0], ROOM_OF_RATE[attempt - 1] * spread[1]
         inside, now, _, used = march_shortening(
-            march, control, where, bounds, stand, last, into, 1.0, room
+            march, control, where, bounds, stand, last, into, 1.0
         )
         work += used + march.z.size
         if inside or attempt == len(margins) or not np.isfinite(now.d):

@@ -69,6 +69,27 @@ def landed(landings):
     return Landings(landings.reference, landings.tally, crossing, some, landings.past)
 
 
+@kernel
+def copied(landings):
+    """Return the Landings to put back: the sums over crossings are those of ``distances`` alone."""
+    reference, tally, crossing, distances, past = landings
+    sums = np.empty((2, distances.size))
+    for i in range(distances.size):
+        sums[:, i] = crossing[:, distances[i]]
+    return Landings(reference, tally.copy(), sums, distances, past)
+
+
+@kernel
+def put_back(landings, before):
+    """Return the Landings as they were when they were copied."""
+    crossing = landings.crossing
+    for q in landings.distances:
+        crossing[:, q] = 0.0
+    for i in range(before.distances.size):
+        crossing[:, before.distances[i]] = before.crossing[:, i]
+    return Landings(before.reference, before.tally, crossing, before.distances, before.past)
+
+
 @borrowing
 def beside(landings, step, d, row):
     """Return (how many samples there are, the sum over them) at the indentation d in a step.

@@ -13,19 +13,16 @@ import numpy as np
 
 from ...compile.jit import borrowing, kernel
 from ...rheology.law import State
-from .bounds import Bounds, bounds_of
+from .bounds import Bounds, are_within, bounds_of
 from .crossings import arrivals_of, launch, powers_of
 from .given import a_of
-from .landings import land, landed, no_landings
+from .landings import copied, land, landed, no_landings, put_back
 from .lists import Lists, Sums, add_sample
 from .runs import LISTED, SHORT, UNKNOWN, Runs, class_of
 from .span_kinds import ALWAYS, FREE
 from .stepping import march_on
 
-# What shorter lists leave to d and to D, of their spread at first; in the end none are made.
-ROOM = (0.0, 0.5, 1.0, 100.0)
-ROOM_OF_RATE = (0.0, 0.1, 0.2, 100.0)
-CLOSER = 0.6  # margin of bounds that follow d towards its end, of the spread
+CLOSER = 0.6  # margin of bounds that follow d towards its end, of the spread: at first
 LEAST_SAVED = 0.25  # of the spread of D
 FIRST_DUE = 6  # step after which lists may be shortened; then after half as many again
 SUMMED = 5  # a class: it always touches, and elements always land there
@@ -41,30 +38,45 @@ class Reach(NamedTuple):
 
 
 @kernel
-def march_shortening(march, control, where, bounds, stand, last, into, worth, room):
+def march_shortening(march, control, where, bounds, stand, last, into, worth):
     """March on as march_on does. Shorter lists are made where what they save exceeds what it costs.
 
-    where : runs, lists, sums and arrivals. worth : by which what they save is multiplied. room :
-    that they leave at least to d and to D, beyond what was seen of these.
+    Where d leaves their bounds, the march goes back to where lists were made shorter of which the
+    bounds hold, and on with these; the next shorter ones leave more room.
+    where : runs, lists, sums and arrivals. worth : by which what they save is multiplied.
     """
-    law, (runs, lists, sums, arrivals) = march.law, where
-    landings = no_landings(march.end.d, stand.d, last)
+    law, margin = march.law, CLOSER
+    runs, lists, sums, arrivals = where
+    known = runs, lists, sums, arrivals, no_landings(march.end.d, stand.d, last)
+    longer = [(known, bounds, stand)]
+    longer.pop()  # nothing yet, of a type that is known
     work, due, w = 0, FIRST_DUE, np.empty(march.z.size)
     while True:
-        known = runs, lists, sums, arrivals, landings
-        inside, stand, seen, used = march_on(
+        runs, lists, sums, arrivals, landings = known
+        inside, now, seen, used = march_on(
             march, control, known, bounds, stand, min(due, last), into
         )
         work += used
-        left, d = last - stand.step, stand.d
-        if not inside or left == 0:
-            return inside, stand, seen, work
-        closer = closer_bounds(law, bounds, seen, march.end.d, room)
+        if not inside:
+            while len(longer) > 0 and not are_within(longer[-1][1], now.d, now.advanced):
+                longer.pop()
+            if len(longer) == 0:
+                return False, now, seen, work
+            (runs, lists, sums, arrivals, before), bounds, stand = longer.pop()
+            known = runs, lists, sums, arrivals, put_back(landings, before)
+            due, margin = now.step, 2.0 * margin
+            continue
+        stand, left, d = now, last - now.step, now.d
+        if left == 0:
+            return True, stand, seen, work
+        closer = closer_bounds(law, bounds, seen, march.end.d, margin)
         if worth * gain(bounds, closer, lists, arrivals[1], left) > 1.0:
+            longer.append(((runs, lists, sums, arrivals, copied(landings)), bounds, stand))
             elements_aloft(law, lists, runs, arrivals[1], d, w, left)
             past = landings.past[: stand.step + 1]
             runs, lists, sums, landings = narrowed(law, march.z, closer, known, past, w, left)
             arrivals = arrivals_of(law, lists, runs, State(w, d), march.z, left)
+            known = runs, lists, sums, arrivals, landings
             bounds = closer
             work += lists.c.size + arrivals[1].values.size
         due += due // 2
@@ -80,17 +92,12 @@ def gain(bounds, closer, lists, crossings, steps):
 
 
 @kernel
-def closer_bounds(law, bounds, seen, end, room):
-    """Return Bounds, none beyond ``bounds``, for d between what was seen of it and ``end``.
-
-    room : that they leave at least to d and to D, on both sides of what was seen of them.
-    """
+def closer_bounds(law, bounds, seen, end, margin):
+    """Return Bounds, none beyond ``bounds``, for d between what was seen of it and ``end``."""
     lowest, highest = min(seen.low, end), max(seen.high, end)
-    new = bounds_of(law, lowest, highest, seen.least, seen.most, CLOSER)
-    low = max(min(new.low, lowest - room[0]), bounds.low)
-    high = min(max(new.high, highest + room[0]), bounds.high)
-    least = max(min(new.least, seen.least - room[1]), bounds.least)
-    return Bounds(low, high, least, min(max(new.most, seen.most + room[1]), bounds.most))
+    new = bounds_of(law, lowest, highest, seen.least, seen.most, margin)
+    low, high = max(new.low, bounds.low), min(new.high, bounds.high)
+    return Bounds(low, high, max(new.least, bounds.least), min(new.most, bounds.most))
 
 
 @kernel

@@ -75,7 +75,7 @@ def followed(setting, control, steps, narrowing=True, margin=0.1):
     stand = Stand(0, 0, setting.start.d, guess, np.nan)
     others = bounds, stand, steps, (kept, mu, d)
     if narrowing:
-        found = march_shortening(setting, control, where, *others, 1e9, (0.0, 0.0))
+        found = march_shortening(setting, control, where, *others, 1e9)
     else:
         landings = no_landings(setting.end.d, setting.start.d, steps)
         found = march_on(setting, control, (*where, landings), *others)
@@ -98,14 +98,20 @@ def followed(setting, control, steps, narrowing=True, margin=0.1):
 def test_small_lines(elements, seed, hurst, m, load, x, ratio, scheme, margin):
     """It may fall back on the plain march, but never gives other numbers.
 
-    Nor do lists that are shortened as soon as they can be, as far as the bounds hold.
+    Nor do lists that are shortened as soon as they can be, however often that was too much: the
+    march goes back to longer ones, and ends if the bounds hold that it began with.
     """
     jump = Jump(hurst, m, 10.0**load, 10.0**x, ratio, scheme)
     setting, load = setting_of(jump, max(elements, -(-4 // m)), seed)
     kept, margins = EVERY[:20], (margin, 0.5, 2.0)
     if active_march(setting, ConstantForce(load), kept, margins)[-1]:
         assert_same(setting, load, jump, kept, margins)
-    mu, d, _, _ = followed(setting, ConstantForce(load), EVERY.size, True, max(margin, 0.05))
+    short, long = (
+        followed(setting, ConstantForce(load), EVERY.size, narrowing, max(margin, 0.05))
+        for narrowing in (True, False)
+    )
+    assert short[2] == long[2]
+    mu, d, _, _ = short
     deviation, expected = dense(setting, load, EVERY)
     held = np.isfinite(d)
     np.testing.assert_allclose(d[held], expected[held], rtol=1e-11, atol=1e-15)
@@ -129,12 +135,13 @@ def test_a_march_that_began_anew_shortens_its_lists_too():
     """At H = 1 and large x, d comes to rest and moves on where a higher asperity is met."""
     setting, load = setting_of(Jump(1.0, 4, 0.025, size(3e3, 150.0), 0.8), size(2000, 100))
     marched = partial(active_march, setting, ConstantForce(load), np.array([size(10_000, 500)]))
-    first, found, long = (marched(m) for m in (MARGINS[:1], MARGINS, (-0.4, -0.4, -0.4, 1e3)))
+    first, found = (marched(m) for m in (MARGINS[:1], MARGINS))
+    _, d, held, work = followed(setting, ConstantForce(load), size(10_000, 500), False, 2.0)
     assert not first[-1]
     assert found[-1]
-    assert long[-1]
-    np.testing.assert_allclose(found[1], long[1], rtol=1e-11)
-    assert found[3] < size(0.2, 0.9) * long[3]
+    assert held
+    np.testing.assert_allclose(found[1], d[-1:], rtol=1e-11)
+    assert found[3] < size(0.2, 0.9) * work
 
 
 LONG = [Jump(0.7, 4, 1.0, 78.0, 1.2), Jump(0.7, 4, 0.025, 78.0, 0.8), Jump(1.0, 4, 1.0, 31.0, 1.2)]
@@ -217,14 +224,14 @@ def test_sums_are_those_of_samples_one_by_one():
     assert beside(landings, step, now, 1) == (3.0, pytest.approx(expected, rel=1e-13))
 
 
-@pytest.mark.parametrize("room", [0.0, 0.5, 5.0])
-def test_closer_ones_leave_room_but_never_go_beyond(room):
-    """Their own margin is 0.6 of the spread between what was seen, here 2.5, and the end, 2.75."""
+@pytest.mark.parametrize("margin", [0.6, 2.4, 40.0])
+def test_closer_ones_leave_room_but_never_go_beyond(margin):
+    """A margin of the spread between what was seen, here 2.5, and the end, 2.75."""
     outer = bounds_of(LAW, 1.0, 3.0, 0.2, 0.9, 0.4)
     seen = bounds_of(LAW, 2.5, 2.5, 0.6, 0.6, 0.0)
-    found = closer_bounds(LAW, outer, seen, 2.75, (room, 0.01 * room))
-    assert found.high == pytest.approx(max(2.75 + 0.6 * 0.25, min(2.75 + room, outer.high)))
-    assert found.high <= outer.high
-    assert found.low >= outer.low
-    assert found.most >= min(0.6 + 0.01 * room, outer.most)
+    found = closer_bounds(LAW, outer, seen, 2.75, margin)
+    assert found.high == pytest.approx(min(2.75 + margin * 0.25, outer.high))
+    assert found.low == pytest.approx(max(2.5 - margin * 0.25, outer.low))
+    assert found.least >= outer.least
+    assert found.most <= outer.most
     assert are_within(found, 2.75, 0.6)
