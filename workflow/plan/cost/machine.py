@@ -30,7 +30,8 @@ from ...system import ROOT, THREADS, make_folder, processor, saying_what_compile
 from . import timing, work
 from .work import PARTS, PLAIN
 
-MEASURED_SECONDS = 3.0  # of runs that a measurement is worth
+# Of runs that a measurement is worth: of the same kind of work, from many problems, and of others.
+MEASURED_SECONDS, TOLD_SECONDS = 60.0, 3.0
 MOST_SECONDS = 3600.0  # of runs that are remembered: what is longer ago fades
 LEAST_SECONDS = 0.2  # of a part of a run, below which it teaches nothing
 WHOLE = "whole"  # the part of work that is not told apart: that of a study that measures
@@ -82,9 +83,11 @@ class Pace(NamedTuple):
         if kind != PLAIN and self.measured:
             first = math.exp(mean(math.log(factor) for factor, _ in self.measured.values()))
         known = self.learned.get(label(kind, part), Learned())
-        share = known.seconds / (known.seconds + MEASURED_SECONDS)
+        worth, doubt = TOLD_SECONDS, UNKNOWN
+        if kind == PLAIN and self.measured:
+            worth, doubt = MEASURED_SECONDS, max(math.log(worst), LAWS)
+        share = known.seconds / (known.seconds + worth)
         log = (1.0 - share) * math.log(first) + share * known.log
-        doubt = UNKNOWN if kind != PLAIN or not self.measured else max(math.log(worst), LAWS)
         scatter = math.sqrt(max(known.square - known.log**2, 0.0))
         return Rate(math.exp(log), math.hypot(LAWS, (1.0 - share) * doubt + share * scatter))
 

@@ -104,13 +104,13 @@ def test_a_machine_that_cannot_be_timed_is_noted(timed, monkeypatch):
 
 
 def test_what_runs_took_is_kept_and_told(timed):
-    learn({(PLAIN, "steady"): 60.0}, {(PLAIN, "steady"): 20.0})
+    learn({(PLAIN, "steady"): 1200.0}, {(PLAIN, "steady"): 400.0})
     assert not timed  # nothing to correct yet
     before = this_machine().pace
-    learn({(PLAIN, "steady"): 60.0, (PLAIN, "jump"): 1e-3}, {(PLAIN, "steady"): 20.0})
+    learn({(PLAIN, "steady"): 1200.0, (PLAIN, "jump"): 1e-3}, {(PLAIN, "steady"): 400.0})
     after = this_machine()
     assert len(timed) == 1
-    assert after.note == "M, 2020-01-01, and in 0.017 core-hours of runs"
+    assert after.note == "M, 2020-01-01, and in 0.33 core-hours of runs"
     rates = [pace.rate(PLAIN, "steady").factor for pace in (before, after.pace)]
     assert rates[0] == pytest.approx(1.25)
     assert 2.5 < rates[1] < 3.0
@@ -131,7 +131,8 @@ def learned(*runs, kind=PLAIN, part="steady"):
 
 def test_a_measurement_holds_until_runs_teach_better():
     assert MEASURED.rate(PLAIN, "steady").factor == pytest.approx(2.0)
-    once = learned((30.0, 10.0)).rate(PLAIN, "steady")
+    assert learned((12.0, 6.0), (3.0, 0.5)).rate(PLAIN, "steady").factor < 2.2  # small runs
+    once = learned((600.0, 200.0)).rate(PLAIN, "steady")
     assert 2.7 < once.factor < 3.0
     often = learned(*[(30.0, 10.0)] * 100).rate(PLAIN, "steady")
     assert often.factor == pytest.approx(3.0, rel=0.01)
