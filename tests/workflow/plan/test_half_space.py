@@ -108,7 +108,7 @@ def test_maps_scatter_and_touch_as_the_laws_of_an_accuracy_say(load, x):
     ],
 )
 def test_passes_of_steady_sliding_are_foreseen(spectrum, x):
-    """For nine in ten within 2; 60 to 600 passes of two states are so here."""
+    """For nine in ten within 2; 44 to 567 passes of two states are so here."""
     problem = on_a_map(0.05, x)._replace(spectrum=spectrum)
     steady = Quantities(jump=False, relaxation=False)
     expected, _ = passes_of(problem, 4, 0, steady)
