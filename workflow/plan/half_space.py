@@ -35,7 +35,7 @@ LEAST_OF_MAPS, MOST_STEPS = 4, 16
 MOST_SAMPLES = 4096**2  # of a map; a worker then needs 4 GiB and more
 # Measured at 512 and 1024 samples a side, without branches and with 13.
 MAP_BYTES, BRANCH_BYTES = 260.0, 25.0  # of a worker, for each sample
-PASS = 2.0e-8  # s, of a pass of conjugate gradients, for each sample
+PASS = 1.5e-8  # s, of a pass of conjugate gradients, for each sample
 WARM = 4.5  # passes of a step
 MARCHED = 2.9  # samples that are slid in a time tau, from which a Kelvin element is marched
 SECOND = 0.6  # of the passes of a steady state, that it takes from one of about the same speed
