@@ -21,42 +21,43 @@ from ..compile.jit import kernel
 from ..lines.line import Line
 from ..model.friction import lagged_slope, mean_slope
 from ..rheology.forms import Form
-from ..rheology.law import Elements, law_of
+from ..rheology.law import law_of
 from ..rheology.prony import moments
 from ..rheology.retardation import Retardation
 
 
 def friction_by_loss(
-    units: Retardation, form: Form, line: Line, elements: Elements, speed: float
+    units: Retardation, form: Form, line: Line, p: np.ndarray, speed: float
 ) -> tuple[float, float]:
     """Return (mu, contact): friction in h/dx and the share of samples in contact.
 
     units : the retardation form of the material. form : that of the time scheme, the same one
-    or the relaxation form. elements : of steady sliding (steady_memory.py). speed : vbar, signed.
+    or the relaxation form. p (n,) : forces of steady sliding (steady_memory.py), in 4 G dx h.
+    speed : vbar, signed.
     mu has the sign of the speed; it is NaN where nothing touches.
     """
-    load = float(elements.p.sum())
-    contact = float(np.mean(elements.p > 0.0))
+    load = float(p.sum())
+    contact = float(np.mean(p > 0.0))
     if not load > 0.0:
         return math.nan, contact
     way = math.copysign(1.0, speed)
     step = 1.0 / (line.steps_per_spacing * abs(speed))
     # Elements come to the samples from the side that the line moves to.
-    p = elements.p[::-1] if way > 0.0 else elements.p
-    lost = line.steps_per_spacing * _loss(units, np.ascontiguousarray(p), step) / load
+    met = p[::-1] if way > 0.0 else p
+    lost = line.steps_per_spacing * _loss(units, np.ascontiguousarray(met), step) / load
     share = 1.0 if units.glass > 0.0 else math.exp(-(_loss_tangent(units, 1.0 / step) ** 2))
     if share < 1e-3:
         lost = 0.0
-    summed = 0.0 if share == 1.0 else step_friction(form, line, elements, speed)
+    summed = 0.0 if share == 1.0 else step_friction(form, line, p, speed)
     return way * share * lost + (1.0 - share) * summed, contact
 
 
-def step_friction(form: Form, line: Line, elements: Elements, speed: float) -> float:
+def step_friction(form: Form, line: Line, p: np.ndarray, speed: float) -> float:
     """Return mu of steady sliding (eq. 5) as a step of the march gives it; arguments as above."""
     way = 1 if speed > 0.0 else -1
     lag = law_of(form, 1.0 / (line.steps_per_spacing * abs(speed))).lag
     weight = lagged_slope(np.ascontiguousarray(line.slope[::way]), lag)[::way]
-    return mean_slope(elements.p, weight)
+    return mean_slope(p, weight)
 
 
 def _loss_tangent(units: Retardation, omega: float) -> float:

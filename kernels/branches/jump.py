@@ -40,22 +40,22 @@ def friction_jump(form: Form, line: Line, elements: Elements, speed: float, rati
 
 
 def initial_rate(
-    units: Retardation, line: Line, elements: Elements, speed: float, ratio: float
+    units: Retardation, line: Line, p: np.ndarray, speed: float, ratio: float
 ) -> float:
     """Return d mu/dt (h/dx per tau) at t0+ after the jump from ``speed`` to ``ratio`` times it.
 
-    The rates of the units are those of steady sliding, in which mu is constant; what the change
-    of velocity dv adds to the rates of the forces is dv (z' - mean z')/J_g over the touching
-    elements, and to those of their slopes -dv z''. z'' is that of the Fourier series.
+    p (n,) : forces. The rates of the units are those of steady sliding, in which mu is constant;
+    what the change of velocity dv adds to the rates of the forces is dv (z' - mean z')/J_g over the
+    touching elements, and to those of their slopes -dv z''. z'' is that of the Fourier series.
     Raises ValueError for a material with a dashpot, whose friction jumps.
     """
     if units.glass == 0.0:
         raise ValueError("material has a dashpot: mu jumps; ask for jump")
-    touching = elements.p > 0.0
+    touching = p > 0.0
     slope = line.slope[touching]
     stiffening = float(np.sum((slope - slope.mean()) ** 2)) / units.glass
-    turning = float(np.sum(elements.p * _derivative(line)))
-    return (ratio - 1.0) * speed * (stiffening - turning) / float(elements.p.sum())
+    turning = float(np.sum(p * _derivative(line)))
+    return (ratio - 1.0) * speed * (stiffening - turning) / float(p.sum())
 
 
 def _derivative(line: Line) -> np.ndarray:

@@ -46,9 +46,20 @@ COARSER, COARSEST = 16, 1000  # samples of the line for one of a guess, and how 
 class SteadyMemory(NamedTuple):
     """A steady state of sliding of elements with internal variables."""
 
-    elements: Elements  # at the samples of the line, after a step
+    p: np.ndarray  # forces at the samples of the line, after a step, shape (n,), in 4 G dx h
+    d: float  # indentation, in h
     work: int  # updates of an element or of a tangent that it took
     residual: float  # what is left of the equations, relative
+    form: Form
+    speed: float  # in samples per tau, signed
+    deepest: int  # sample
+    before: np.ndarray  # shape (M,): what is counted of an element that comes from there
+
+    @property
+    def elements(self) -> Elements:
+        """Return the elements: where forces alone are asked for no memory is filled."""
+        memory = _remembered(self.form, self.speed, self.before.copy(), self.p, self.deepest)
+        return Elements(memory, self.p, self.d)
 
 
 def steady_memory(form: Form, z: np.ndarray, speed: float, load: float) -> SteadyMemory:
@@ -70,18 +81,18 @@ def _found(form: Form, z: np.ndarray, speed: float, load: float, d: float) -> St
 
     Heights and d are counted from the deepest sample: what presses in is known to rounding then.
     """
-    elements, work, residual = _solved(form, z, speed, load, d, TURNS)
+    p, d, work, residual, deepest, before = _solved(form, z, speed, load, d, TURNS)
     if not residual <= SOUND + FINEST * law_of(form, 1.0 / abs(speed)).stiffness:
         raise ValueError(
             f"speed = {speed:g} samples per tau: no steady state was found, "
             f"its equations are off by {residual:.1e}"
         )
-    return SteadyMemory(elements, work, residual)
+    return SteadyMemory(p, d, work, residual, form, speed, deepest, before)
 
 
 @kernel
 def _solved(form, z, speed, load, d, most):
-    """Return (Elements, updates of an element or of a tangent, residual) that were found."""
+    """Return the first four fields of SteadyMemory, and the last two."""
     count, n = memories(form), z.size
     first, way = np.argmin(z), -1 if speed > 0.0 else 1
     apart = 1
@@ -102,7 +113,12 @@ def _solved(form, z, speed, load, d, most):
         turns, residual = _solve(law, line, here, EXACT if apart == 1 else GUESSED, most, x, forces)
         updates += turns * line.size * (count + 2)
         apart //= COARSER
-    return _as_found(law, z, first, way, x, forces), updates, residual
+    cut = first if way < 0 else n - 1 - first
+    if way < 0:
+        p = np.concatenate((forces[:cut][::-1], forces[cut:][::-1]))
+    else:
+        p = np.concatenate((forces[cut:], forces[:cut]))
+    return p, x[-1] + z[first], updates, residual, first, x[:-1].copy()
 
 
 @kernel
@@ -118,18 +134,16 @@ def _as_met(z, first, way, count):
 
 
 @kernel
-def _as_found(law, z, first, way, x, forces):
-    """Return the elements at the samples of the line, from x and the forces in turn."""
-    y, memory, p = x[:-1].copy(), np.empty((x.size - 1, z.size)), np.empty(z.size)
-    i, j = 0, first
-    while i < z.size:
-        j = (j + way) % z.size
-        some = min(TOGETHER, z.size - i, j + 1 if way < 0 else z.size - j)
-        for k in range(some):
-            p[j + way * k] = forces[i + k]
-        fill_memory(law, y, forces[i : i + some], memory, j, way)
+def _remembered(form, speed, y, p, first):
+    """Return what elements under the forces p remember, shape (M, n); y is changed."""
+    law, way = foreseen(law_of(form, 1.0 / abs(speed))), -1 if speed > 0.0 else 1
+    n, memory, i, j = p.size, np.empty((y.size, p.size)), 0, first
+    while i < n:
+        j = (j + way) % n
+        some = min(TOGETHER, n - i, j + 1 if way < 0 else n - j)
+        fill_memory(law, y, p, memory, j, way, some)
         i, j = i + some, j + way * (some - 1)
-    return Elements(memory, p, x[-1] + z[first])
+    return memory
 
 
 @kernel

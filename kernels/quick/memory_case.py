@@ -7,11 +7,10 @@ import numpy as np
 
 from ..branches.dissipation import friction_by_loss, step_friction
 from ..branches.jump import friction_jump, initial_rate
-from ..branches.steady_memory import steady_memory
+from ..branches.steady_memory import SteadyMemory, steady_memory
 from ..lines.line import Line
 from ..motion.legs import Slide
 from ..rheology.forms import form_of
-from ..rheology.law import Elements
 from ..rheology.retardation import Retardation
 from ..scene import Saved, SceneCase, run_scene
 from ..scene.samples import samples_per_contact
@@ -25,7 +24,8 @@ def run_memory_case(line: Line, case: Case, asked: Quantities) -> Outcome:
     a Kelvin element. Without a dashpot the jump is zero, and the rate of mu is what jumps.
     """
     clock = PhaseClocks()
-    one, mu_1, contact, work = _steady(line, case, case.speed)
+    one, mu_1, contact = _steady(line, case, case.speed)
+    work = one.work
     clock.lap_phase(STEADY)
     count = len(case.ratios)
     mu_2, jump, rate = np.full(count, np.nan), np.full(count, np.nan), np.full(count, np.nan)
@@ -36,17 +36,17 @@ def run_memory_case(line: Line, case: Case, asked: Quantities) -> Outcome:
             jump[k] = _jump(line, case, one, ratio)
         if asked.initial_rate:
             units = _units(case)
-            rate[k] = initial_rate(units, line, one, case.speed, ratio) if units.glass else np.nan
+            rate[k] = initial_rate(units, line, one.p, case.speed, ratio) if units.glass else np.nan
         clock.lap_phase(JUMP)
         if not (asked.steady or asked.relaxation):
             continue
-        two, mu_2[k], _, swept = _steady(line, case, speed)
-        work += swept
+        two, mu_2[k], _ = _steady(line, case, speed)
+        work += two.work
         clock.lap_phase(STEADY)
         if asked.relaxation:
             curve = _relaxation(line, case, one, speed, case.kept_steps[k])
             form = form_of(case.spectrum, case.scheme)
-            curves.append(mu_2[k] + (curve - step_friction(form, line, two, speed)))
+            curves.append(mu_2[k] + (curve - step_friction(form, line, two.p, speed)))
             work += line.z.size * int(case.kept_steps[k][-1])
             clock.lap_phase(MARCHING)
     depth = one.d + line.datum
@@ -54,13 +54,13 @@ def run_memory_case(line: Line, case: Case, asked: Quantities) -> Outcome:
     return Outcome(mu_1, depth, contact, samples, mu_2, jump, curves, work, clock.seconds(), rate)
 
 
-def _steady(line: Line, case: Case, speed: float) -> tuple[Elements, float, float, int]:
-    """Return the steady state at a speed, its mu, the share in contact and the updates it took."""
+def _steady(line: Line, case: Case, speed: float) -> tuple[SteadyMemory, float, float]:
+    """Return the steady state at a speed, its mu and the share in contact."""
     form = form_of(case.spectrum, case.scheme)
     load = case.load * line.z.size
     found = steady_memory(form, line.z, line.steps_per_spacing * speed, load)
-    mu, contact = friction_by_loss(_units(case), form, line, found.elements, speed)
-    return found.elements, mu, contact, found.work
+    mu, contact = friction_by_loss(_units(case), form, line, found.p, speed)
+    return found, mu, contact
 
 
 def _units(case: Case) -> Retardation:
@@ -70,16 +70,16 @@ def _units(case: Case) -> Retardation:
     return units
 
 
-def _jump(line: Line, case: Case, one: Elements, ratio: float) -> float:
+def _jump(line: Line, case: Case, one: SteadyMemory, ratio: float) -> float:
     """Return the jump of mu; zero without a dashpot."""
     if case.spectrum.viscosity == 0.0:
         return 0.0
     form = form_of(case.spectrum, case.scheme)
-    return friction_jump(form, line, one, case.speed, ratio)
+    return friction_jump(form, line, one.elements, case.speed, ratio)
 
 
 def _relaxation(
-    line: Line, case: Case, one: Elements, speed: float, kept: np.ndarray
+    line: Line, case: Case, one: SteadyMemory, speed: float, kept: np.ndarray
 ) -> np.ndarray:
     """Return mu at the kept steps after the speed has changed."""
     distance = int(kept[-1]) / line.steps_per_spacing
@@ -95,5 +95,5 @@ def _relaxation(
         edges=np.empty(0),
         frames=np.empty(0, np.int64),
     )
-    state = Saved(one.memory, one.p, one.d, 0.0, 0.0, case.speed)
+    state = Saved(*one.elements, 0.0, 0.0, case.speed)
     return run_scene(line, scene, state)["trace_mu"]

@@ -45,11 +45,11 @@ def slide_one(law, y, d, heights, forces):
 
 
 @by_type.borrowing
-def fill_memory(law, y, forces, memory, at, way):
-    """Fill what an element remembers at the samples at, at + way, ... of ``memory`` (M, n).
+def fill_memory(law, y, p, memory, at, way, count):
+    """Fill what an element remembers at samples at, at + way, ... of ``memory`` (M, n).
 
     law : as ``foreseen`` returns it. y (M,) : what it counts of the element before it comes to the
-    first of them, changed to that after the last. forces : at these samples.
+    first of them, changed to that after the last. p (n,) : forces. count : of these samples.
     """
 
 
@@ -165,19 +165,19 @@ def _slide_of_branches(law, y, d, heights, forces):
 
 
 @fill_memory.of(Foreseen)
-def _fill_memory(law, y, forces, memory, at, way):
+def _fill_memory(law, y, p, memory, at, way, count):
     for k in range(y.size):
         decay, due, fresh, v, j = law.decay[k], law.due[k], law.fresh[k], y[k], at
-        for i in range(forces.size):
-            memory[k, j] = v - fresh * forces[i]
-            v = decay * v - due * forces[i]
+        for _ in range(count):
+            memory[k, j] = v - fresh * p[j]
+            v = decay * v - due * p[j]
             j += way
         y[k] = v if abs(v) > NEGLIGIBLE else 0.0
 
 
 @fill_memory.of(Relaxed)
-def _fill_memory_of_branches(law, y, forces, memory, at, way):
-    for i in range(forces.size):
-        settle_one(law, y, predict_one(law, y), forces[i])
+def _fill_memory_of_branches(law, y, p, memory, at, way, count):
+    for j in range(at, at + way * count, way):
+        settle_one(law, y, predict_one(law, y), p[j])
         for k in range(y.size):
-            memory[k, at + way * i] = y[k]
+            memory[k, j] = y[k]

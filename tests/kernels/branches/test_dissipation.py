@@ -28,7 +28,7 @@ def friction(material, line, speed, load=0.1, scheme="exponential"):
     form = FORMS[scheme](material)
     m = line.steps_per_spacing
     found = steady_memory(form, line.z, speed * m, load * line.z.size)
-    return friction_by_loss(retardation(material), form, line, found.elements, speed)
+    return friction_by_loss(retardation(material), form, line, found.p, speed)
 
 
 def errors_in_full_contact(material, rate, refinements, scheme="exponential"):
@@ -104,7 +104,7 @@ def test_reversed_motion_of_the_mirrored_line(material):
 
 def test_nothing_touches():
     line, form = line_of(4), retardation(PRONY3)
-    elements = steady_at(form, line.z, 1.0, -1.0).elements
-    mu, contact = friction_by_loss(form, form, line, elements, 0.25)
+    found = steady_at(form, line.z, 1.0, -1.0)
+    mu, contact = friction_by_loss(form, form, line, found.p, 0.25)
     assert np.isnan(mu)
     assert contact == 0.0

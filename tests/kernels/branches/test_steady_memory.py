@@ -48,8 +48,8 @@ def test_a_march_stays_where_it_started(name, scheme, speed):
     way = int(np.sign(speed))
     for _ in range(2 * M):
         line.step(way, 1.0 / abs(speed), load=load)
-        assert line.d == pytest.approx(found.elements.d, rel=1e-10)
-    assert np.roll(line.p, -line.position) == pytest.approx(found.elements.p, abs=1e-9 * load)
+        assert line.d == pytest.approx(found.d, rel=1e-10)
+    assert np.roll(line.p, -line.position) == pytest.approx(found.p, abs=1e-9 * load)
 
 
 @pytest.mark.parametrize("name", ["Prony3", "dashpot"])
@@ -61,10 +61,10 @@ def test_marching_from_rest_ends_there(name):
     p = np.maximum(0.0, start - z)
     line = Foundation(form, z, Elements(rest(form, p), p, start))
     found = steady_memory(form, z, speed, load)
-    far = abs(start - found.elements.d)
+    far = abs(start - found.d)
     for _ in range(24 * z.size):
         line.step(1, 1.0 / speed, load=load)
-    assert line.d == pytest.approx(found.elements.d, abs=1e-4 * far)
+    assert line.d == pytest.approx(found.d, abs=1e-4 * far)
 
 
 @pytest.mark.skipif(PLAIN_PYTHON, reason="NUMBA_DISABLE_JIT=1: counts are the same, and slow")
@@ -77,10 +77,10 @@ def test_thirteen_branches_cost_a_hundredth_of_marching():
     start = sorted_root(z, load)
     p = np.maximum(0.0, start - z)
     line = Foundation(form, z, Elements(rest(form, p), p, start))
-    far = abs(start - found.elements.d)
+    far = abs(start - found.d)
     for _ in range(100 * found.work // z.size):
         line.step(1, 1.0 / speed, load=load)
-    assert abs(line.d - found.elements.d) > 1e-3 * far
+    assert abs(line.d - found.d) > 1e-3 * far
 
 
 @pytest.mark.parametrize("speed", [0.1, 3.0, 80.0])
@@ -98,8 +98,8 @@ def test_one_unit_is_the_kelvin_element(speed):
 def test_mirrored_line_under_reversed_motion(name):
     z, _ = random_line(N, 0.7, M, 5)
     form = retardation(MATERIALS[name])
-    one = steady_memory(form, z, 5.0, LOAD * z.size).elements
-    two = steady_memory(form, z[::-1].copy(), -5.0, LOAD * z.size).elements
+    one = steady_memory(form, z, 5.0, LOAD * z.size)
+    two = steady_memory(form, z[::-1].copy(), -5.0, LOAD * z.size)
     assert two.d == pytest.approx(one.d, rel=1e-13)
     assert two.p[::-1] == pytest.approx(one.p, abs=1e-10)
 
@@ -108,8 +108,8 @@ def test_mirrored_line_under_reversed_motion(name):
 def test_given_indentation_carries_the_load_that_leads_to_it(name):
     z, _ = random_line(N, 0.7, M, 5)
     form = retardation(MATERIALS[name])
-    under_load = steady_memory(form, z, 5.0, LOAD * z.size).elements
-    held = steady_at(form, z, 5.0, under_load.d).elements
+    under_load = steady_memory(form, z, 5.0, LOAD * z.size)
+    held = steady_at(form, z, 5.0, under_load.d)
     assert held.p.sum() == pytest.approx(LOAD * z.size, rel=1e-10)
     above = steady_at(form, z, 5.0, -1.0).elements
     assert not above.p.any()
@@ -127,7 +127,7 @@ def test_both_schemes_converge_to_one_steady_state(name):
                 steady_memory(form(MATERIALS[name]), three_modes(k, offset), 1.0 * k, 0.3 * k)
                 for form in FORMS.values()
             ]
-            gap.append(d[0].elements.d - d[1].elements.d)
+            gap.append(d[0].d - d[1].d)
         gaps.append(gap)
     # The fastest branch is resolved at the end.
     assert observed_order(refinements, gaps) > size(1.4, 1.2)
@@ -138,10 +138,10 @@ def test_a_glassy_modulus_that_grows_leads_to_the_kelvin_element():
     """One branch with g t = 1 and g -> inf: the difference falls as G / G_g."""
     z = three_modes(size(256, 64))
     speed, load = 1.0 * z.size, 0.3 * z.size
-    kelvin = steady_memory(retardation(KELVIN), z, speed, load).elements.d
+    kelvin = steady_memory(retardation(KELVIN), z, speed, load).d
     glass = np.array([3e5, 1e6, 3e6])
     gaps = [
-        [steady_memory(retardation(Spectrum((g,), (1.0 / g,), 0.0)), z, speed, load).elements.d]
+        [steady_memory(retardation(Spectrum((g,), (1.0 / g,), 0.0)), z, speed, load).d]
         for g in glass
     ]
     assert observed_order(glass, np.array(gaps) - kelvin) == pytest.approx(1.0, abs=0.1)
@@ -166,11 +166,11 @@ def test_lines_without_a_slope(name, scheme):
             form = FORMS[scheme](material)
             found = steady_memory(form, z, speed, load * z.size)
             assert found.residual < 1e-7
-            assert found.elements.p.sum() == pytest.approx(load * z.size, rel=1e-6)
-            assert found.elements.p.min() >= 0.0
+            assert found.p.sum() == pytest.approx(load * z.size, rel=1e-6)
+            assert found.p.min() >= 0.0
             assert found.elements.memory.shape == (memories(form), z.size)
     if name in ("flat", "one sample"):
-        assert found.elements.d == pytest.approx(load, rel=1e-6)
+        assert found.d == pytest.approx(load, rel=1e-6)
 
 
 @settings(max_examples=size(150, 10))
@@ -191,8 +191,8 @@ def test_any_line_and_material(z, branches, speed, load, way, scheme):
     spectrum = Spectrum(tuple(10.0**g for g, _ in branches), tuple(10.0**t for _, t in branches), 0)
     found = steady_memory(FORMS[scheme](spectrum), z, way * 10.0**speed, 10.0**load * z.size)
     assert found.residual < 1e-7
-    assert found.elements.p.sum() == pytest.approx(10.0**load * z.size, rel=1e-6)
-    assert found.elements.p.min() >= 0.0
+    assert found.p.sum() == pytest.approx(10.0**load * z.size, rel=1e-6)
+    assert found.p.min() >= 0.0
 
 
 @pytest.mark.parametrize("speed", [1e-9, 1.0, 1e9])
@@ -202,7 +202,7 @@ def test_thirty_branches_over_fourteen_decades(scheme, speed):
     z, _ = random_line(12, 0.5, M, 5)
     found = steady_memory(FORMS[scheme](material), z, speed, LOAD * z.size)
     assert found.residual < 1e-9
-    assert found.elements.p.sum() == pytest.approx(LOAD * z.size, rel=1e-9)
+    assert found.p.sum() == pytest.approx(LOAD * z.size, rel=1e-9)
 
 
 def test_what_is_not_found_is_said(monkeypatch):
@@ -238,7 +238,7 @@ def test_tangents_are_what_a_turn_makes_of_a_small_change(scheme, speed):
     for j in range(size):
         for change in (1e-7, -1e-7):
             x, forces = np.zeros(size + 1), np.empty(z.size)
-            x[-2] = found.elements.d
+            x[-2] = found.d
             x[j] += change
             _turn(law, line, x, powers, forces)
             ends.append(x)

@@ -251,7 +251,7 @@ def test_an_element_that_meets_many_samples_is_stepped_like_one(scheme, name, co
     began, forces = y.copy(), np.empty(count)
     total = slide_one(ahead, y, d, heights, forces)
     filled = np.empty((memory.size, count))
-    fill_memory(ahead, began, forces, filled, count - 1, -1)
+    fill_memory(ahead, began, forces[::-1].copy(), filled, count - 1, -1, count)
     assert total == pytest.approx(forces.sum(), rel=1e-12)
     np.testing.assert_allclose(began, y, rtol=1e-11, atol=1e-13)
     for i in range(count):
