@@ -9,6 +9,7 @@ import psutil
 import pytest
 
 from tests.cluster.processes import workers_of
+from tests.support.python import PATIENCE
 
 
 def facts():
@@ -19,7 +20,7 @@ def facts():
 
 def started_again(client, killed):
     """Return the facts of the worker that takes the place of a killed one."""
-    for _ in range(600):
+    for _ in range(int(10 * PATIENCE)):
         with contextlib.suppress(OSError):  # the killed one is still known
             for pid, *rest in client.run(facts).values():
                 if pid != killed:
@@ -30,7 +31,7 @@ def started_again(client, killed):
 
 def starting(known):
     """Return a worker process of ours that has just been started, as it is not known."""
-    for _ in range(600):
+    for _ in range(int(20 * PATIENCE)):
         for pid in set(workers_of(psutil.Process())) - known:
             return pid
         time.sleep(0.05)

@@ -45,7 +45,9 @@ def one_load(line, speed, scheme, load, others=()):
     )
 
 
-FORCES = hnp.arrays(float, st.integers(1, 40), elements=st.floats(-1.0, 1.0))
+# Whole numbers, whose sums are exact: where half of the load ends with a width, as it does in the
+# example, rounding would else say which width is the median, otherwise for each order of the sums.
+FORCES = hnp.arrays(float, st.integers(1, 40), elements=st.integers(-9, 9))
 
 
 @pytest.mark.parametrize(
@@ -62,6 +64,7 @@ def test_the_median_over_the_load(force, samples):
     assert samples_per_contact(np.array(force)) == samples
 
 
+@example(np.array([-1.0, 0.75, 0.75, 0.75, 0.0, 0.75, 0.0, 0.75, 0.0, 0.75]), 26, 4)
 @given(FORCES, st.integers(0, 39), st.integers(1, 4))
 def test_finer_samples_are_so_many_times_as_many_wherever_the_line_begins(force, shift, fold):
     finer = samples_per_contact(np.roll(np.repeat(force, fold), shift))
