@@ -97,7 +97,7 @@ def _over_cost(ax: Axes, groups: Groups) -> None:
         aside, end = ((0, 14), high) if half else ((0, -14), low)
         ax.annotate(f"foundation,\n{kind}", (seconds[line], end), aside, **said)
         ax.annotate(f"half-space,\n{kind}", (seconds[half], bias), aside, **said)
-    ax.set(xscale="log", yscale="log", xlabel="predicted CPU s of a map or line", ylim=(0.01, 3.0))
+    ax.set(xscale="log", yscale="log", xlabel="predicted CPU s of a map or line", ylim=(0.006, 3.0))
     ax.set(ylabel="relative error of $\\mu_1$", title="(d) error against cost")
     ax.margins(x=0.25)
 
