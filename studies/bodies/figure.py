@@ -93,12 +93,11 @@ def _over_cost(ax: Axes, groups: Groups) -> None:
         bias = float(groups[half].mu_1_bias.mean())
         ax.plot(seconds[half], bias, "s", **style)
         kind = "one time" if half == "" else "five times"
-        for body, at in (
-            ("foundation", (seconds[line], middle)),
-            ("half-space", (seconds[half], bias)),
-        ):
-            ax.annotate(f"{body},\n{kind}", at, (6, 0), textcoords="offset points", va="center")
-    ax.set(xscale="log", yscale="log", xlabel="CPU time of one map or line (s)", ylim=(0.01, 1.0))
+        said = {"textcoords": "offset points", "va": "center", "ha": "center", "fontsize": 7.0}
+        aside, end = ((0, 14), high) if half else ((0, -14), low)
+        ax.annotate(f"foundation,\n{kind}", (seconds[line], end), aside, **said)
+        ax.annotate(f"half-space,\n{kind}", (seconds[half], bias), aside, **said)
+    ax.set(xscale="log", yscale="log", xlabel="predicted CPU s of a map or line", ylim=(0.006, 3.0))
     ax.set(ylabel="relative error of $\\mu_1$", title="(d) error against cost")
     ax.margins(x=0.25)
 
