@@ -46,7 +46,8 @@ from tests.tools.rivals.limits import NUMBER, Limits, of_steady
 
 M, SPEED, LOAD = 4, 5.0, 0.05
 ELEMENTS, BRANCHES = (50, 500, 5000), (0, 1, 5, 13)
-LOADS, SPEEDS = (0.001, 0.05, 1.0, 3.0), (0.1, 1.0, 10.0, 100.0, 1000.0)  # of steady states
+LOADS = (0.001, 0.05, 0.3, 1.0, 3.0, 40.0)  # of steady states
+SPEEDS = (0.1, 1.0, 10.0, 100.0, 1000.0)
 TURNS = 5
 AGREEMENT = 1e-11  # of the largest value
 SCENES: dict[str, tuple[tuple, dict]] = {
@@ -174,7 +175,7 @@ def steady_costs() -> None:
         ]
         print(f"| {load:g} | " + " | ".join(f"{1e9 * t / samples:.0f}" for t in taken) + " |")
     with contextlib.suppress(FileNotFoundError):
-        least = Limits(Compiled()).seconds(of_steady(13), samples, NUMBER * 14 * samples)
+        least = Limits(Compiled()).seconds(of_steady(13), samples, NUMBER * 2 * samples)
         print(f"| limit | {1e9 * least / samples:.1f} |")
 
 
