@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+import xarray as xr
 
 from elastomer_friction.kernels.half_space.surface import ring_amplitudes
 from elastomer_friction.studies.bodies.figure import ratios
@@ -74,7 +75,8 @@ def _bodies(groups):
     assert full.any()
     assert whole.mu_persson.values[full] == pytest.approx(whole.mu_1.values[full], rel=0.05)
     share = whole.area_persson / whole.contact_fraction
-    assert np.all((share > 0.6) & (share < 1.1))
+    # Where contacts hold few samples their area is that of coarse maps.
+    assert np.all((share > 0.6) & (share < xr.where(whole.samples_per_contact > 20.0, 1.1, 1.7)))
 
 
 def _fig7_half_space(groups):

@@ -45,7 +45,8 @@ from tests.tools.rivals.problem import a_line
 
 HURST, M, SPEED, LOAD = 0.7, 4, 5.0, 0.05
 ELEMENTS, BRANCHES = (50, 500, 5000), (0, 1, 5, 13)
-LOADS, SPEEDS = (0.001, 0.05, 1.0, 3.0), (0.1, 1.0, 10.0, 100.0, 1000.0)  # of steady states
+LOADS = (0.001, 0.05, 0.3, 1.0, 3.0, 40.0)  # of steady states
+SPEEDS = (0.1, 1.0, 10.0, 100.0, 1000.0)
 TURNS = 5
 AGREEMENT = 1e-11  # of the largest value
 SCENES: dict[str, tuple[tuple, dict]] = {
@@ -155,7 +156,7 @@ def steady_costs() -> None:
     line = a_line(HURST, max(ELEMENTS), M)
     form, n, least = form_of(branches(13), "exponential"), line.z.size, math.nan
     with contextlib.suppress(FileNotFoundError):
-        least = machine()[1].seconds(of_steady(13), n, NUMBER * 14 * n)
+        least = machine()[1].seconds(of_steady(13), n, NUMBER * 2 * n)
     print(
         f"\nSteady states, the load given: ns a sample (N = {max(ELEMENTS)}, m = {M}, K = 13), and"
     )
