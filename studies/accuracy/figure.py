@@ -139,8 +139,5 @@ def draw_ladder(ax: Axes, data: xr.Dataset, label: str, form: str, colour: str) 
     if form == "o-":
         for m in set(NUMBERED) & set(data.steps.values.tolist()):
             at = float(time.sel(steps=m)), float(middle.sel(steps=m))
-            style = {
-                "fontsize": 6.5,
-                "bbox": {"fc": "white", "ec": "none", "alpha": 0.7, "pad": 0.3},
-            }
-            ax.annotate(f"{m}", at, (3, 4), textcoords="offset points", **style)
+            box = {"fc": "white", "ec": "none", "alpha": 0.7, "pad": 0.3}
+            ax.annotate(f"{m}", at, (3, 4), textcoords="offset points", fontsize=6.5, bbox=box)

@@ -93,7 +93,12 @@ def _over_cost(ax: Axes, groups: Groups) -> None:
         bias = float(groups[half].mu_1_bias.mean())
         ax.plot(seconds[half], bias, "s", **style)
         kind = "one time" if half == "" else "five times"
-        said = {"textcoords": "offset points", "va": "center", "ha": "center", "fontsize": 7.0}
+        said: dict[str, Any] = {
+            "textcoords": "offset points",
+            "va": "center",
+            "ha": "center",
+            "fontsize": 7.0,
+        }
         aside, end = ((0, 14), high) if half else ((0, -14), low)
         ax.annotate(f"foundation,\n{kind}", (seconds[line], end), aside, **said)
         ax.annotate(f"half-space,\n{kind}", (seconds[half], bias), aside, **said)
