@@ -50,7 +50,7 @@ def draw(groups: Groups) -> Figure:
                 row[2].plot(one.speed_ratio, share, "-", label=label, **SCHEMES[scheme])
         row[2].set(xscale="log", yscale="log")
         row[0].set_ylabel(f"relaxation rate $b$, $H = {hurst:g}$")
-    axes[0, 0].set_title("(a) implicit Euler; dotted: free elements")
+    axes[0, 0].set_title("(a) implicit Euler; dotted: free")
     axes[0, 1].set_title("(b) exponential")
     axes[0, 2].set_title("(c) what is left to relax, $|\\mu^*| / \\Delta\\mu_0$")
     for ax in axes[1]:
