@@ -3,11 +3,10 @@
 At constant indentation the line carries its field of states along. One turn of an element round
 the period, from the deepest sample, is a piecewise linear map of its state there and of d. It
 must come back to where it began, and the forces on the way must carry the load (eq. 4): Newton's
-method on both with exact tangents, which follow the same law. While an element touches, or does
-not, a step does the same to all tangents: many at once are a power of it. Where the line lies above
-d no element touches, as none is ever pulled up, and the element takes such a power of a step as
-well. The first guess is the state of every sixteenth sample in steps that are as long, and its own
-that of still fewer.
+method on both with exact tangents, which follow the same law (tangents.py). Where the line lies
+above d no element touches, as none is ever pulled up, and the element takes many steps at once.
+The first guess is the state of every sixteenth sample in steps that are as long, and its own that
+of still fewer.
 Eq. 4 alone is solved in model/contact.py, and in model/steady.py where u is all that is remembered.
 
 The state of an element at given d contracts in its own energy norm and the force grows with d,
@@ -22,15 +21,9 @@ import numpy as np
 from ..compile.jit import borrowing, kernel
 from ..model.contact import solve_indentation
 from ..rheology.forms import Form
-from ..rheology.law import (
-    Elements,
-    law_of,
-    memories,
-    predict,
-    rest,
-    settle,
-)
+from ..rheology.law import Elements, law_of, memories, rest
 from ..rheology.next_step import BLOCK, fill_memory, foreseen, from_memory, slide_one
+from .tangents import carry_rows, powers_of_steps, tangents_of
 
 TURNS = 60  # at most; a few are enough
 EXACT = 1e-13  # residual that is as good as none
@@ -39,7 +32,6 @@ SOUND = 1e-6  # residual that is taken
 FINEST = 1e-13  # and beside it, times the stiffness of a step: what rounding leaves
 TOGETHER = 16  # samples at which the memory of a unit is filled before that of the next
 APART = 64  # samples that are taken one by one before it is asked again whether many can be passed
-RADIX = 8  # of the powers of a step that are kept
 COARSER, COARSEST = 16, 1000  # samples of the line for one of a guess, and how many it has at least
 
 
@@ -157,7 +149,7 @@ def _solve(law, line, load, enough, most, x, forces):
     """
     size, least, before, turns, exact = x.size, np.inf, 0.0, 0, False
     sound = SOUND + FINEST * law.stiffness
-    powers, tangents = _powers_of(law, size + 1, line.size), np.empty((size, size + 1))
+    powers, tangents = powers_of_steps(law, size + 1, line.size), np.empty((size, size + 1))
     now, step, tried = x.copy(), np.zeros(size), np.empty(line.size)
     while turns < most:
         y = np.append(now, 0.0)
@@ -180,7 +172,7 @@ def _solve(law, line, load, enough, most, x, forces):
         exact = not left < 0.1 * before
         before = left
         if exact:
-            tangents = _tangents(powers, tried)
+            tangents = tangents_of(powers, tried)
         else:
             tangents += np.outer(step / (step**2).sum(), y)
         step = _step(tangents, y)
@@ -197,41 +189,6 @@ def _residual(excess, x, load):
     return state if np.isnan(load) else max(state, abs(excess[-1]) / load)
 
 
-class Powers(NamedTuple):
-    """What steps do to tangents: of an element that is free (0) and of one that touches (1).
-
-    Of 1 to RADIX - 1 steps, then of RADIX times as many, and so on. Rows and columns are as those
-    of ``_tangents``, and of the sum of forces.
-    """
-
-    of: np.ndarray  # shape (2, RADIX - 1 for every digit of the most steps, M + 2, M + 2)
-    known: np.ndarray  # shape (2,): how many of them are known
-    product: np.ndarray  # shape (M + 2, M + 2): overwritten
-
-
-@kernel
-def _powers_of(law, size, most):
-    """Return Powers of the law, the first of them known, for at most so many steps.
-
-    size : M + 2.
-    """
-    digits = 1
-    while most >= RADIX:
-        most //= RADIX
-        digits += 1
-    of = np.empty((2, digits * (RADIX - 1), size, size))
-    for kind in range(2):
-        memory, d, w, new = np.eye(size - 2, size), np.zeros(size), np.empty(size), np.zeros(size)
-        d[-2] = 1.0
-        predict(law, memory, new, w)
-        if kind == 1:
-            new = law.stiffness * (w + d)
-        settle(law, memory, w, new, new)
-        of[kind, 0, :, :-2], of[kind, 0, :, -2], of[kind, 0, :, -1] = memory.T, d, new
-        of[kind, 0, -1, -1] += 1.0
-    return Powers(of, np.ones(2, np.int64), np.empty((size, size)))
-
-
 @borrowing
 def _turn(law, line, x, powers, forces):
     """Take an element round the line, from before the first of the heights (n,) to after the last.
@@ -246,85 +203,12 @@ def _turn(law, line, x, powers, forces):
             forces[stop] = 0.0
             stop += 1
         if stop - i >= BLOCK:
-            _carry(powers, False, stop - i, x.reshape(1, -1))
+            carry_rows(powers, False, stop - i, x.reshape(1, -1))
         else:
             stop = min(i + APART, line.size)
             total += slide_one(law, x[:-2], d, line[i:stop], forces[i:stop])
         i = stop
     x[-1] = total
-
-
-@kernel
-def _tangents(powers, forces):
-    """Return the derivatives of what _turn has made of x, shape (M + 1, M + 2).
-
-    A row is with respect to one of what is counted of the element at first, the last one to d.
-    forces (n,) : as _turn left them. What the element has forgotten is not carried further.
-    """
-    size = powers.product.shape[0]
-    tangents, first, i = np.eye(size - 1, size), 0, 0
-    while i < forces.size:
-        touches, begun = forces[i] > 0.0, i
-        while i < forces.size and (forces[i] > 0.0) == touches:
-            i += 1
-        _carry(powers, touches, i - begun, tangents[first:])
-        if first == 0 and _forgotten(tangents[:-1, :-2]):
-            tangents[:-1, :-2] = 0.0
-            first = size - 2
-    return tangents
-
-
-@borrowing
-def _forgotten(tangents):
-    """Return whether none of them matters any more."""
-    for row in tangents:
-        for value in row:
-            if abs(value) > EXACT:
-                return False
-    return True
-
-
-@borrowing
-def _carry(powers, touching, length, tangents):
-    """Take rows of tangents (c, M + 2) over so many steps in which an element touches, or not."""
-    kind, place = 1 if touching else 0, -1
-    of, product = powers.of[kind], powers.product[: tangents.shape[0]]
-    while length > 0:
-        power = place + length % RADIX
-        for k in range(powers.known[kind], power + 1):
-            _multiply(of[k - 1], of[(k - 1) // (RADIX - 1) * (RADIX - 1)], of[k])
-            powers.known[kind] = k + 1
-        if power > place:
-            _multiply(tangents, of[power], product)
-            for r in range(product.shape[0]):
-                for c in range(product.shape[1]):
-                    tangents[r, c] = product[r, c]
-        place += RADIX - 1
-        length //= RADIX
-
-
-@borrowing
-def _multiply(rows, by, product):
-    """Fill in the product of rows (c, M + 2) with a matrix."""
-    count, size = rows.shape
-    for r in range(count):
-        for c in range(size):
-            product[r, c] = 0.0
-    fours = size // 4 * 4  # a sum would wait for itself, and row after row for it
-    for j in range(0, fours, 4):
-        some = by[j : j + 4]
-        for r in range(count):
-            row, first, second = product[r], rows[r, j], rows[r, j + 1]
-            third, fourth = rows[r, j + 2], rows[r, j + 3]
-            for c in range(size):
-                row[c] += (first * some[0, c] + second * some[1, c]) + (
-                    third * some[2, c] + fourth * some[3, c]
-                )
-    for j in range(fours, size):
-        for r in range(count):
-            row, value = product[r], rows[r, j]
-            for c in range(size):
-                row[c] += value * by[j, c]
 
 
 @kernel

@@ -7,14 +7,16 @@ from hypothesis import strategies as st
 
 from elastomer_friction.kernels import SCHEMES, steady_sliding
 from elastomer_friction.kernels.branches.steady_memory import (
-    RADIX,
     _as_met,
-    _carry,
-    _powers_of,
-    _tangents,
     _turn,
     steady_at,
     steady_memory,
+)
+from elastomer_friction.kernels.branches.tangents import (
+    RADIX,
+    carry_rows,
+    powers_of_steps,
+    tangents_of,
 )
 from elastomer_friction.kernels.rheology.forms import FORMS
 from elastomer_friction.kernels.rheology.law import Elements, law_of, memories, rest
@@ -217,10 +219,10 @@ def test_many_steps_do_to_tangents_what_one_after_the_other_does(scheme, touchin
     form, length = FORMS[scheme](PRONY3), 700
     law, size = foreseen(law_of(form, 0.01)), memories(form) + 2
     start = np.random.default_rng(2).normal(size=(size, size))
-    one_by_one, at_once, powers = start.copy(), start.copy(), _powers_of(law, size, length)
+    one_by_one, at_once, powers = start.copy(), start.copy(), powers_of_steps(law, size, length)
     for _ in range(length):
         one_by_one = one_by_one @ powers.of[int(touching), 0]
-    _carry(powers, touching, length, at_once)
+    carry_rows(powers, touching, length, at_once)
     assert powers.known[int(touching)] > 3 * (RADIX - 1)
     np.testing.assert_allclose(at_once, one_by_one, rtol=1e-10, atol=1e-12)
 
@@ -233,7 +235,7 @@ def test_tangents_are_what_a_turn_makes_of_a_small_change(scheme, speed):
     form = FORMS[scheme](PRONY3)
     found = steady_memory(form, z, speed, LOAD * z.size)
     law, size = foreseen(law_of(form, 1.0 / speed)), memories(form) + 1
-    line, powers = _as_met(z, np.argmin(z), -1, z.size), _powers_of(law, size + 1, z.size)
+    line, powers = _as_met(z, np.argmin(z), -1, z.size), powers_of_steps(law, size + 1, z.size)
     ends = []
     for j in range(size):
         for change in (1e-7, -1e-7):
@@ -243,4 +245,4 @@ def test_tangents_are_what_a_turn_makes_of_a_small_change(scheme, speed):
             _turn(law, line, x, powers, forces)
             ends.append(x)
     measured = (np.array(ends[::2]) - ends[1::2]) / 2e-7
-    np.testing.assert_allclose(_tangents(powers, forces), measured, rtol=0, atol=1e-6)
+    np.testing.assert_allclose(tangents_of(powers, forces), measured, rtol=0, atol=1e-6)
