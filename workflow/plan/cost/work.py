@@ -167,13 +167,15 @@ def _kelvin(asked: Quantities, work: Work) -> dict[str, Numbers]:
 def _march(work: Work, share: Numbers, width: Numbers) -> Numbers:
     """Return the time of a march of Kelvin elements, of which little is listed under heavy loads.
 
-    share : of the line, that is partly in contact. Of 130 batches of figure 7 and grid6d at paper
-    scale, up to 3e6 steps, drawn by their cost, two cases in three are within a factor of two;
-    long marches of the same problem on two lines may differ by ten.
+    share : of the line, that is partly in contact. The more the speed changes the farther d moves,
+    and the longer lists are. Of 220 batches of figure 7 and grid6d at paper scale, up to 3e6 steps,
+    drawn by their cost, two cases in three are within a factor of two; long marches of the same
+    problem on two lines may differ by ten.
     """
     problem, width = work.problem, np.maximum(width, 1.0)
-    listed = np.exp(-2.4 * problem.hurst**2) / (1.0 + 0.1 * problem.load) / (width + 10.0)
-    steps = begun_anew(problem) * work.march_steps
+    moved = np.clip(5.0 * np.abs(problem.ratio - 1.0), 0.25, 1.2)
+    listed = moved * np.exp(-2.4 * problem.hurst**2) / (1.0 + 0.1 * problem.load) / (width + 10.0)
+    steps = gone_back(problem) * work.march_steps
     marched = 7.4e-10 + share * (3.1e-7 / width + 6.8e-8 * listed * steps)
     return 1.5e-4 + work.samples * marched
 
@@ -219,8 +221,8 @@ def partial_contact(load: Numbers, viscous_pressure: Numbers) -> Numbers:
     return 1.0 / (1.0 + (load / (1.0 + viscous_pressure)) ** 2)
 
 
-def begun_anew(problem: Problem) -> Numbers:
-    """Return how much longer marches take that begin anew, with wider bounds (kernels/quick/march).
+def gone_back(problem: Problem) -> Numbers:
+    """Return how much longer marches take that go back to longer lists (kernels/quick/march).
 
     Near H = 1 and above x = 1e4 most do.
     """

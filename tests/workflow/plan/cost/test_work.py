@@ -29,9 +29,9 @@ from elastomer_friction.workflow.plan.cost.work import (
     DRAWING,
     PARTS,
     Work,
-    begun_anew,
     drawing_seconds,
     followed_patches,
+    gone_back,
     kind_of,
     touchable_share,
     typical_seconds,
@@ -189,8 +189,8 @@ def test_shares_are_those_of_the_kernels():
 
 
 def test_marches_begin_anew_near_h_of_one_at_high_speed():
-    often, seldom = (begun_anew(Problem(h, 1e4, 1.0, 1e6, 1.2)) for h in (1.0, 0.5))
-    assert often > 2.4 > 1.01 > max(seldom, begun_anew(Problem(1.0, 1e4, 1.0, 9.0, 1.2)))
+    often, seldom = (gone_back(Problem(h, 1e4, 1.0, 1e6, 1.2)) for h in (1.0, 0.5))
+    assert often > 2.4 > 1.01 > max(seldom, gone_back(Problem(1.0, 1e4, 1.0, 9.0, 1.2)))
 
 
 def test_lines_are_drawn_at_no_less_for_more_samples():
