@@ -173,7 +173,7 @@ def _march(work: Work, share: Numbers, width: Numbers) -> Numbers:
     problem on two lines may differ by ten.
     """
     problem, width = work.problem, np.maximum(width, 1.0)
-    moved = np.clip(5.0 * np.abs(problem.ratio - 1.0), 0.25, 1.2)
+    moved = np.clip(5.0 * np.abs(problem.ratio - 1.0), 0.25, 1.0)
     listed = moved * np.exp(-2.4 * problem.hurst**2) / (1.0 + 0.1 * problem.load) / (width + 10.0)
     steps = gone_back(problem) * work.march_steps
     marched = 7.4e-10 + share * (3.1e-7 / width + 6.8e-8 * listed * steps)
