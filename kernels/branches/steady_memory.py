@@ -14,7 +14,8 @@ so that there is one solution. A step that leaves no element touching is halved;
 bounded, and what is left of the equations is the residual.
 """
 
-from typing import NamedTuple
+from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 
@@ -35,7 +36,8 @@ APART = 64  # samples that are taken one by one before it is asked again whether
 COARSER, COARSEST = 16, 1000  # samples of the line for one of a guess, and how many it has at least
 
 
-class SteadyMemory(NamedTuple):
+@dataclass(frozen=True)
+class SteadyMemory:
     """A steady state of sliding of elements with internal variables."""
 
     p: np.ndarray  # forces at the samples of the line, after a step, shape (n,), in 4 G dx h
@@ -47,9 +49,9 @@ class SteadyMemory(NamedTuple):
     deepest: int  # sample
     before: np.ndarray  # shape (M,): what is counted of an element that comes from there
 
-    @property
+    @cached_property
     def elements(self) -> Elements:
-        """Return the elements: where forces alone are asked for no memory is filled."""
+        """The elements: where forces alone are asked for no memory is filled, else once."""
         memory = _remembered(self.form, self.speed, self.before.copy(), self.p, self.deepest)
         return Elements(memory, self.p, self.d)
 
