@@ -52,9 +52,10 @@ def powers_of_steps(law, size, most):
 
 @kernel
 def tangents_of(powers, forces):
-    """Return the derivatives of what a turn has made of x, shape (M + 1, M + 2).
+    """Return the derivatives of what a turn round the line has made of x, shape (M + 1, M + 2).
 
-    A row is with respect to one of what is counted of the element at first, the last one to d.
+    x : what is counted of the element, d, and the sum of the forces on it (steady_memory.py). A row
+    is with respect to one of what is counted of the element at first, the last one to d.
     forces (n,) : on the way.
     """
     size = powers.product.shape[0]

@@ -37,10 +37,10 @@ def from_memory(law, memory, p):
 
 @by_type.borrowing
 def slide_one(law, y, d, heights, forces):
-    """Take an element over samples of these heights (n,) at the indentation d; return its force.
+    """Take an element over samples of these heights (n,) at the indentation d.
 
     law : as ``foreseen`` returns it. y (M,) : what it counts of the element, changed. forces (n,) :
-    filled; their sum is returned.
+    filled. Return the sum of the forces.
     """
 
 

@@ -19,7 +19,7 @@ NEEDED = ("mu_1", "rms_slope", "tau", "q_max", "shear_modulus", "length", "speed
 USUAL = Wlf(8.86, 101.6, 0.0)  # about T_s, some 50 K above the glass transition
 AROUND = range(-40, 101)  # degrees about the temperature of the result
 MOST_MOMENTS = 500_000  # of the motions of a rubber, about 16 MB
-STEEPEST = 0.3  # rms slope: the model neglects its square, then a tenth
+STEEPEST = 0.3  # largest rms slope that is called small: its square, here a tenth, is neglected
 ONE_TIME = "eqs. 12 to 16 are those of one relaxation time"
 
 

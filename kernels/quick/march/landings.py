@@ -71,7 +71,7 @@ def landed(landings):
 
 @kernel
 def copied(landings):
-    """Return the Landings to put back: the sums over crossings are those of ``distances`` alone."""
+    """Return a copy for put_back, whose ``crossing`` has columns for its ``distances`` alone."""
     reference, tally, crossing, distances, past = landings
     sums = np.empty((2, distances.size))
     for i in range(distances.size):

@@ -22,7 +22,9 @@ from .runs import LISTED, SHORT, UNKNOWN, Runs, class_of
 from .span_kinds import ALWAYS, FREE
 from .stepping import march_on
 
-CLOSER = 0.6  # margin of bounds that follow d towards its end, of the spread: at first
+# Margin of bounds that follow d towards its end, of its spread: at first, then twice as much each
+# time that it was too little.
+CLOSER = 0.6
 LEAST_SAVED = 0.25  # of the spread of D
 FIRST_DUE = 6  # step after which lists may be shortened; then after half as many again
 SUMMED = 5  # a class: it always touches, and elements always land there
@@ -41,8 +43,8 @@ class Reach(NamedTuple):
 def march_shortening(march, control, where, bounds, stand, last, into, worth):
     """March on as march_on does. Shorter lists are made where what they save exceeds what it costs.
 
-    Where d leaves their bounds, the march goes back to where lists were made shorter of which the
-    bounds hold, and on with these; the next shorter ones leave more room.
+    Where d leaves their bounds, the march goes back to the last step at which it left longer lists
+    whose bounds hold, and goes on with those; the next shorter ones leave more room.
     where : runs, lists, sums and arrivals. worth : by which what they save is multiplied.
     """
     law, margin = march.law, CLOSER
@@ -93,7 +95,10 @@ def gain(bounds, closer, lists, crossings, steps):
 
 @kernel
 def closer_bounds(law, bounds, seen, end, margin):
-    """Return Bounds, none beyond ``bounds``, for d between what was seen of it and ``end``."""
+    """Return Bounds, none beyond ``bounds``, for d between what was seen of it and ``end``.
+
+    margin : by which they are farther out, relative to the spread of d and of D.
+    """
     lowest, highest = min(seen.low, end), max(seen.high, end)
     new = bounds_of(law, lowest, highest, seen.least, seen.most, margin)
     low, high = max(new.low, bounds.low), min(new.high, bounds.high)

@@ -30,7 +30,8 @@ from ...system import ROOT, THREADS, make_folder, processor, saying_what_compile
 from . import timing, work
 from .work import PARTS, PLAIN
 
-# Of runs that a measurement is worth: of the same kind of work, from many problems, and of others.
+# Seconds of runs that count as much as the measurement does: runs of the work that was measured,
+# on many problems, and runs of any other work.
 MEASURED_SECONDS, TOLD_SECONDS = 60.0, 3.0
 MOST_SECONDS = 3600.0  # of runs that are remembered: what is longer ago fades
 LEAST_SECONDS = 0.2  # of a part of a run, below which it teaches nothing

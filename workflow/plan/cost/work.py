@@ -43,7 +43,9 @@ DENSE, UNIT = 0.75, 0.32  # of a step in which all elements are moved, and for e
 LEFT, MOVED, MOVED_UNIT = 0.04, 0.8, 0.115  # of one in which those are that can touch
 EDGES = 20.0  # samples of blocks beyond what can touch, for each of (samples of the line)**0.37
 ONE_STEP = 1e-6  # s, of any such step
-PULLED = 2.0  # steps, of one by a drive: 0.9 to 2.6, up to 3.7 where 13 branches slip
+# Steps, of one by a drive: 0.9 to 2.6, up to 3.7 where 13 branches slip, and up to 150 where the
+# slider goes to and fro on its spring, which no law here foresees.
+PULLED = 2.0
 SHIFT = 12.0  # steps, to shift the line to between its samples
 NEWTON = 11.0  # sweeps of a steady state at rest
 TANGENT = 1.2  # sweeps, for each internal variable
