@@ -64,13 +64,13 @@ def test_a_snapshot_tells_who_is_there_who_takes_up_work_and_what_has_begun(clie
         begun, waiting = (*pool.submit([1], [second]), *pool.submit([2], [first]))
         while not (found := pool.ask().result(PATIENCE)).begun:
             time.sleep(0.01)
+        assert {*found.begun} == {begun}
+        assert pool.pending(begun)
+        assert pool.pending(waiting)
+        pool.drop([begun, waiting])
     finally:
         SEEN.set()
         client.run_on_scheduler(change, "running", first)
-    assert {*found.begun} == {begun}
-    assert pool.pending(begun)
-    assert pool.pending(waiting)
-    pool.drop([begun, waiting])
 
 
 def test_a_result_that_does_not_come_is_lost(client, monkeypatch):
