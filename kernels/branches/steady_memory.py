@@ -154,8 +154,10 @@ def _solve(law, line, load, enough, most, x, forces):
     powers, tangents = powers_of_steps(law, size + 1, line.size), np.empty((size, size + 1))
     now, step, tried = x.copy(), np.zeros(size), np.empty(line.size)
     while turns < most:
-        y = np.append(now, 0.0)
+        y = np.zeros(powers.product.shape[0])
+        y[:size] = now
         _turn(law, line, y, powers, tried)
+        y = y[: size + 1]
         turns += 1
         if y[-1] <= 0.0 and not np.isnan(load):
             step *= 0.5
@@ -195,10 +197,11 @@ def _residual(excess, x, load):
 def _turn(law, line, x, powers, forces):
     """Take an element round the line, from before the first of the heights (n,) to after the last.
 
-    x : shape (M + 2,), what is counted of it, d, and the sum of the forces on it, changed.
+    x : shape (W,), what is counted of it, d, and the sum of the forces on it, changed.
     forces (n,) is filled.
     """
-    d, total, i = x[-2], 0.0, 0
+    count, total, i = powers.size - 2, 0.0, 0
+    d = x[count]
     while i < line.size:
         stop = i
         while stop < line.size and line[stop] >= d:
@@ -208,9 +211,9 @@ def _turn(law, line, x, powers, forces):
             carry_rows(powers, False, stop - i, x.reshape(1, -1))
         else:
             stop = min(i + APART, line.size)
-            total += slide_one(law, x[:-2], d, line[i:stop], forces[i:stop])
+            total += slide_one(law, x[:count], d, line[i:stop], forces[i:stop])
         i = stop
-    x[-1] = total
+    x[count + 1] = total
 
 
 @kernel

@@ -11,7 +11,8 @@ import numpy as np
 from ..compile.jit import borrowing, kernel
 from ..rheology.law import predict, settle
 
-RADIX = 8  # of the powers of a step that are kept
+RADIX = 32  # of the powers of a step that are kept
+WIDE = 8  # what a loop over columns takes at once; they are filled up with zeros to a multiple
 FORGOTTEN = 1e-13  # of what was remembered at first
 
 
@@ -19,12 +20,14 @@ class Powers(NamedTuple):
     """What steps do to tangents: of an element that is free (0) and of one that touches (1).
 
     Of 1 to RADIX - 1 steps, then of RADIX times as many, and so on. Rows and columns are as those
-    of ``tangents_of``, and of the sum of forces.
+    of ``tangents_of``, of the sum of forces, and of nothing: W, a multiple of WIDE.
     """
 
-    of: np.ndarray  # shape (2, RADIX - 1 for every digit of the most steps, M + 2, M + 2)
-    known: np.ndarray  # shape (2,): how many of them are known
-    product: np.ndarray  # shape (M + 2, M + 2): overwritten
+    of: np.ndarray  # shape (2, RADIX - 1 for every digit of the most steps, W, W)
+    alone: np.ndarray  # shape (2,): whether columns stay apart; every row is the diagonal then
+    known: np.ndarray  # shape (2, so many): whether they are known
+    product: np.ndarray  # shape (W, W): overwritten
+    size: int  # M + 2
 
 
 @kernel
@@ -33,11 +36,13 @@ def powers_of_steps(law, size, most):
 
     size : M + 2.
     """
-    digits = 1
+    digits, wide = 1, -(-size // WIDE) * WIDE
     while most >= RADIX:
         most //= RADIX
         digits += 1
-    of = np.empty((2, digits * (RADIX - 1), size, size))
+    of, alone = np.empty((2, digits * (RADIX - 1), wide, wide)), np.zeros(2, np.bool_)
+    known = np.zeros(of.shape[:2], np.bool_)
+    known[:, 0] = True
     for kind in range(2):
         memory, d, w, new = np.eye(size - 2, size), np.zeros(size), np.empty(size), np.zeros(size)
         d[-2] = 1.0
@@ -45,9 +50,26 @@ def powers_of_steps(law, size, most):
         if kind == 1:
             new = law.stiffness * (w + d)
         settle(law, memory, w, new, new)
-        of[kind, 0, :, :-2], of[kind, 0, :, -2], of[kind, 0, :, -1] = memory.T, d, new
-        of[kind, 0, -1, -1] += 1.0
-    return Powers(of, np.ones(2, np.int64), np.empty((size, size)))
+        step = of[kind, 0]
+        step[:] = 0.0
+        for r in range(size):
+            step[r, : size - 2], step[r, size - 2], step[r, size - 1] = memory[:, r], d[r], new[r]
+        step[size - 1, size - 1] += 1.0
+        alone[kind] = _spread(step)
+    return Powers(of, alone, known, np.empty((wide, wide)), size)
+
+
+@borrowing
+def _spread(step):
+    """Return whether a matrix is a diagonal, of which all its rows are then made."""
+    for r in range(step.shape[0]):
+        for c in range(step.shape[1]):
+            if r != c and step[r, c] != 0.0:
+                return False
+    for r in range(step.shape[0]):
+        for c in range(step.shape[1]):
+            step[r, c] = step[c, c]
+    return True
 
 
 @kernel
@@ -58,17 +80,17 @@ def tangents_of(powers, forces):
     is with respect to one of what is counted of the element at first, the last one to d.
     forces (n,) : on the way.
     """
-    size = powers.product.shape[0]
-    tangents, first, i = np.eye(size - 1, size), 0, 0
+    size, first, i = powers.size, 0, 0
+    tangents = np.eye(size - 1, powers.product.shape[0])
     while i < forces.size:
         touches, begun = forces[i] > 0.0, i
         while i < forces.size and (forces[i] > 0.0) == touches:
             i += 1
         carry_rows(powers, touches, i - begun, tangents[first:])
-        if first == 0 and _forgotten(tangents[:-1, :-2]):
-            tangents[:-1, :-2] = 0.0
+        if first == 0 and _forgotten(tangents[:-1, : size - 2]):
+            tangents[:-1, : size - 2] = 0.0
             first = size - 2
-    return tangents
+    return tangents[:, :size].copy()
 
 
 @borrowing
@@ -83,16 +105,15 @@ def _forgotten(tangents):
 
 @borrowing
 def carry_rows(powers, touching, length, tangents):
-    """Take rows of tangents (c, M + 2) over so many steps in which an element touches, or not."""
+    """Take rows of tangents (c, W) over so many steps in which an element touches, or not."""
     kind, place = 1 if touching else 0, -1
-    of, product = powers.of[kind], powers.product[: tangents.shape[0]]
+    of, alone, product = powers.of[kind], powers.alone[kind], powers.product[: tangents.shape[0]]
     while length > 0:
         power = place + length % RADIX
-        for k in range(powers.known[kind], power + 1):
-            _multiply(of[k - 1], of[(k - 1) // (RADIX - 1) * (RADIX - 1)], of[k])
-            powers.known[kind] = k + 1
         if power > place:
-            _multiply(tangents, of[power], product)
+            while not powers.known[kind, power]:
+                _next_power(of, alone, powers.known[kind], power)
+            _multiply(tangents, of[power], alone, product)
             for r in range(product.shape[0]):
                 for c in range(product.shape[1]):
                     tangents[r, c] = product[r, c]
@@ -101,24 +122,35 @@ def carry_rows(powers, touching, length, tangents):
 
 
 @borrowing
-def _multiply(rows, by, product):
-    """Fill in the product of rows (c, M + 2) with a matrix."""
-    count, size = rows.shape
+def _next_power(of, alone, known, power):
+    """Fill in the first of the powers that lead to one: of half as many steps, or of one less."""
+    before = other = power
+    while not known[before]:
+        power, times = before, before % (RADIX - 1) + 1
+        before -= RADIX // 2 if times == 1 else times // 2 if times % 2 == 0 else 1
+        other = before if times == 1 or times % 2 == 0 else power - times + 1
+    _multiply(of[before], of[other], alone, of[power])
+    known[power] = True
+
+
+@borrowing
+def _multiply(rows, by, alone, product):
+    """Fill in the product of rows (c, W) with a matrix, or a diagonal that all rows are."""
+    count, wide = rows.shape
+    if alone:
+        for r in range(count):
+            for c in range(wide):
+                product[r, c] = rows[r, c] * by[r, c]
+        return
     for r in range(count):
-        for c in range(size):
+        for c in range(wide):
             product[r, c] = 0.0
-    fours = size // 4 * 4  # a sum would wait for itself, and row after row for it
-    for j in range(0, fours, 4):
-        some = by[j : j + 4]
+    for j in range(0, wide, WIDE):
+        some = by[j : j + WIDE]
         for r in range(count):
-            row, first, second = product[r], rows[r, j], rows[r, j + 1]
-            third, fourth = rows[r, j + 2], rows[r, j + 3]
-            for c in range(size):
-                row[c] += (first * some[0, c] + second * some[1, c]) + (
-                    third * some[2, c] + fourth * some[3, c]
-                )
-    for j in range(fours, size):
-        for r in range(count):
-            row, value = product[r], rows[r, j]
-            for c in range(size):
-                row[c] += value * by[j, c]
+            row, factors = product[r], rows[r, j : j + WIDE]
+            for c in range(wide):
+                value = row[c]
+                for i in range(WIDE):
+                    value += factors[i] * some[i, c]
+                row[c] = value

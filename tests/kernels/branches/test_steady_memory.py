@@ -216,15 +216,21 @@ def test_what_is_not_found_is_said(monkeypatch):
 @pytest.mark.parametrize("touching", [True, False])
 @pytest.mark.parametrize("scheme", FORMS)
 def test_many_steps_do_to_tangents_what_one_after_the_other_does(scheme, touching):
-    form, length = FORMS[scheme](PRONY3), 700
+    form = FORMS[scheme](PRONY3)
     law, size = foreseen(law_of(form, 0.01)), memories(form) + 2
-    start = np.random.default_rng(2).normal(size=(size, size))
-    one_by_one, at_once, powers = start.copy(), start.copy(), powers_of_steps(law, size, length)
-    for _ in range(length):
-        one_by_one = one_by_one @ powers.of[int(touching), 0]
-    carry_rows(powers, touching, length, at_once)
-    assert powers.known[int(touching)] > 3 * (RADIX - 1)
+    powers = powers_of_steps(law, size, 20000)
+    start = np.zeros(powers.product.shape)
+    start[:size, :size] = np.random.default_rng(2).normal(size=(size, size))
+    one_by_one, at_once = start.copy(), start.copy()
+    lengths = (1, 2, 3, RADIX - 1, RADIX, 700, RADIX**2 + RADIX - 1, 5)
+    for length in lengths:
+        for _ in range(length):
+            carry_rows(powers, touching, 1, one_by_one)
+    for length in lengths:
+        carry_rows(powers, touching, length, at_once)
+    assert np.count_nonzero(powers.known[int(touching)]) > 12
     np.testing.assert_allclose(at_once, one_by_one, rtol=1e-10, atol=1e-12)
+    assert not at_once[:, size:].any()
 
 
 @pytest.mark.parametrize("scheme", FORMS)
@@ -239,10 +245,10 @@ def test_tangents_are_what_a_turn_makes_of_a_small_change(scheme, speed):
     ends = []
     for j in range(size):
         for change in (1e-7, -1e-7):
-            x, forces = np.zeros(size + 1), np.empty(z.size)
-            x[-2] = found.d
+            x, forces = np.zeros(powers.product.shape[0]), np.empty(z.size)
+            x[size - 1] = found.d
             x[j] += change
             _turn(law, line, x, powers, forces)
-            ends.append(x)
+            ends.append(x[: size + 1])
     measured = (np.array(ends[::2]) - ends[1::2]) / 2e-7
     np.testing.assert_allclose(tangents_of(powers, forces), measured, rtol=0, atol=1e-6)
