@@ -17,7 +17,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ..compile.jit import by_type
+from ..compile.jit import by_type, inlined
 from .law import NEGLIGIBLE, predict, settle
 from .prony import Prony
 from .relaxed import Relaxed, predict_one, settle_one
@@ -119,9 +119,7 @@ def _slide_one(law, y, d, heights, forces):
         block = forces[i : i + BLOCK]
         for m in range(BLOCK):
             block[m] = law.stiffness * (d - heights[i + m])
-        for k in range(y.size):
-            for m in range(BLOCK):
-                block[m] += law.ahead[k, m] * y[k]
+        _foretell(law.ahead, y, block)
         before = total
         for m in range(BLOCK):
             force = block[m]
@@ -151,6 +149,22 @@ def _slide_one(law, y, d, heights, forces):
             v = law.decay[k] * y[k] - law.due[k] * forces[i]
             y[k] = v if abs(v) > NEGLIGIBLE else 0.0
     return total
+
+
+@inlined
+def _foretell(ahead, y, block):
+    """Add the forces that units y (K,) would be, ahead (K, BLOCK) of each, to those of a block."""
+    fours = y.size // 4 * 4
+    for k in range(0, fours, 4):
+        first, second, third, fourth = y[k], y[k + 1], y[k + 2], y[k + 3]
+        some = ahead[k : k + 4]
+        for m in range(BLOCK):
+            block[m] += (some[0, m] * first + some[1, m] * second) + (
+                some[2, m] * third + some[3, m] * fourth
+            )
+    for k in range(fours, y.size):
+        for m in range(BLOCK):
+            block[m] += ahead[k, m] * y[k]
 
 
 @slide_one.of(Relaxed)
