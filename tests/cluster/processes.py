@@ -1,6 +1,8 @@
 """The processes of a cluster: a scheduler, workers, drivers; started, found, ended."""
 
+import contextlib
 import os
+import random
 import re
 import signal
 import socket
@@ -20,10 +22,11 @@ STUDY = ("workflow", "run", "fig7", "--scale", "smoke")
 
 
 def free_port() -> int:
-    """Return a port that is free now."""
-    with socket.socket() as probe:
-        probe.bind(("127.0.0.1", 0))
-        return probe.getsockname()[1]
+    """Return a port that is free now, and below those that systems give to who asks for any."""
+    while True:
+        with contextlib.suppress(OSError), socket.socket() as probe:
+            probe.bind(("127.0.0.1", port := random.randrange(10_000, 32_768)))
+            return port
 
 
 def start(
@@ -92,9 +95,11 @@ def workers_of(process: psutil.Process) -> list[int]:
 
 def ports_of(pids: list[int]) -> set[int]:
     """Return the TCP ports at which processes, and those that they started, listen."""
-    family = [psutil.Process(pid) for pid in pids]
+    family, connections = [psutil.Process(pid) for pid in pids], []
     family += [child for process in family for child in process.children(recursive=True)]
-    connections = [c for process in family for c in process.net_connections("tcp")]
+    for process in family:
+        with contextlib.suppress(psutil.NoSuchProcess):  # it ended just now
+            connections += process.net_connections("tcp")
     return {c.laddr.port for c in connections if c.status == psutil.CONN_LISTEN}
 
 
