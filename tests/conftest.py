@@ -10,6 +10,7 @@ from hypothesis import HealthCheck, settings
 
 from tests.last_bit import perturb
 from tests.support import skips
+from tests.support.python import PATIENCE
 
 perturb()
 # No test depends on the speed of the machine.
@@ -66,6 +67,8 @@ def local() -> Iterator[LocalCluster]:
 
 
 @pytest.fixture(scope="session")
-def scheduler(local: LocalCluster) -> str:
-    """Return the address of a scheduler with two workers."""
-    return str(local.scheduler_address)
+def scheduler(local: LocalCluster) -> Iterator[str]:
+    """Return the address of a scheduler with two workers, which has longer to answer than usual."""
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr("elastomer_friction.workflow.cluster.client.CONNECT_SECONDS", PATIENCE)
+        yield str(local.scheduler_address)
