@@ -6,13 +6,15 @@ from collections.abc import Iterator
 import dask
 import pytest
 from distributed import LocalCluster
-from hypothesis import settings
+from hypothesis import HealthCheck, settings
 
 from tests.last_bit import perturb
 from tests.support import skips
+from tests.support.python import PATIENCE
 
 perturb()
-settings.register_profile("usual", deadline=None)  # no test depends on the speed of the machine
+# No test depends on the speed of the machine.
+settings.register_profile("usual", deadline=None, suppress_health_check=[HealthCheck.too_slow])
 settings.register_profile("exhaustive", settings.get_profile("usual"), max_examples=1000)
 settings.load_profile("usual")
 
@@ -53,9 +55,10 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item
 def local() -> Iterator[LocalCluster]:
     """Return a scheduler with two workers, threads that need no start of their own.
 
-    They talk as processes do; what processes alone can show, starts its own.
+    They talk as processes do; what processes alone can show, starts its own. The memory of the
+    tests is not theirs: they would pause for it where there is little.
     """
-    threads = {"processes": False, "protocol": "tcp", "dashboard_address": ":0"}
+    threads = {"processes": False, "protocol": "tcp", "dashboard_address": ":0", "memory_limit": 0}
     with (
         dask.config.set({"distributed.scheduler.worker-ttl": None}),  # some tests stop the clock
         LocalCluster(n_workers=2, threads_per_worker=1, **threads) as local,
@@ -64,6 +67,8 @@ def local() -> Iterator[LocalCluster]:
 
 
 @pytest.fixture(scope="session")
-def scheduler(local: LocalCluster) -> str:
-    """Return the address of a scheduler with two workers."""
-    return str(local.scheduler_address)
+def scheduler(local: LocalCluster) -> Iterator[str]:
+    """Return the address of a scheduler with two workers, which has longer to answer than usual."""
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr("elastomer_friction.workflow.cluster.client.CONNECT_SECONDS", PATIENCE)
+        yield str(local.scheduler_address)

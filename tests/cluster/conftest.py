@@ -29,8 +29,8 @@ def tried() -> Iterator[Callable[..., Trial]]:
     """Return what starts a trial, which is ended with the test."""
     with contextlib.ExitStack() as ends:
 
-        def begin(*words: Any, **environment: str) -> Trial:
-            trial = Trial(*words, **environment)
+        def begin(*words: Any, **how: Any) -> Trial:
+            trial = Trial(*words, **how)
             ends.callback(lambda: end(trial.driver))
             return trial
 

@@ -1,6 +1,8 @@
 """The processes of a cluster: a scheduler, workers, drivers; started, found, ended."""
 
+import contextlib
 import os
+import random
 import re
 import signal
 import socket
@@ -20,10 +22,11 @@ STUDY = ("workflow", "run", "fig7", "--scale", "smoke")
 
 
 def free_port() -> int:
-    """Return a port that is free now."""
-    with socket.socket() as probe:
-        probe.bind(("127.0.0.1", 0))
-        return probe.getsockname()[1]
+    """Return a port that is free now, and below those that systems give to who asks for any."""
+    while True:
+        with contextlib.suppress(OSError), socket.socket() as probe:
+            probe.bind(("127.0.0.1", port := random.randrange(10_000, 32_768)))
+            return port
 
 
 def start(
@@ -92,9 +95,11 @@ def workers_of(process: psutil.Process) -> list[int]:
 
 def ports_of(pids: list[int]) -> set[int]:
     """Return the TCP ports at which processes, and those that they started, listen."""
-    family = [psutil.Process(pid) for pid in pids]
+    family, connections = [psutil.Process(pid) for pid in pids], []
     family += [child for process in family for child in process.children(recursive=True)]
-    connections = [c for process in family for c in process.net_connections("tcp")]
+    for process in family:
+        with contextlib.suppress(psutil.NoSuchProcess):  # it ended just now
+            connections += process.net_connections("tcp")
     return {c.laddr.port for c in connections if c.status == psutil.CONN_LISTEN}
 
 
@@ -115,24 +120,32 @@ def shards(folder: Path) -> set[str]:
 class Trial:
     """A run of the small study in many batches, in a process that something is to happen to."""
 
-    def __init__(self, folder: Path, *options: str, **environment: str) -> None:
+    def __init__(
+        self, folder: Path, *options: str, stopping: bool = False, **environment: str
+    ) -> None:
+        """``stopping`` : whether it stops itself once it has stored something, see stopping.py."""
         folder.mkdir(exist_ok=True)
         self.folder, self.log = folder, folder / "log"
         many = ("--set", "study.realizations=240", "--batch-seconds", "1e-9")
         self.words = (write_study(folder), "--out", str(folder), *many, *options)
-        self.again(**environment)
+        self.again(module="tests.cluster.stopping" if stopping else "workflow", **environment)
 
-    def again(self, *more: str, **environment: str) -> None:
+    def again(self, *more: str, module: str = "workflow", **environment: str) -> None:
         """Start the run, or start it once more."""
-        self.driver = start(self.log, "workflow", "run", *self.words, *more, **environment)
+        self.driver = start(self.log, module, "run", *self.words, *more, **environment)
 
     def lines(self) -> list[str]:
         """Return what was said."""
         return self.log.read_text().splitlines()
 
-    def wait_for_a_shard(self) -> None:
-        """Wait until a shard is stored: the rest of a small study is not long in coming."""
-        wait_while(lambda: not shards(self.folder), self.driver, self.log)
+    def wait_for_its_stop(self) -> None:
+        """Wait until the run has stopped itself: the rest of it would not be long in coming."""
+        driver = psutil.Process(self.driver.pid)
+        wait_while(lambda: driver.status() != psutil.STATUS_STOPPED, self.driver, self.log)
+
+    def go_on(self) -> None:
+        """Let the run go on."""
+        self.driver.send_signal(signal.SIGCONT)
 
     def wait_for(self, pattern: str) -> None:
         """Wait until a line of a pattern was said."""

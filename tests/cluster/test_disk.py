@@ -41,9 +41,10 @@ def assert_whole(run, expected):
 def test_a_run_waits_for_the_disk_and_ends_with_the_same_bytes(
     disk, begun, tmp_path, undisturbed, fault
 ):
-    run = begun(**disk.environment(f"{fault} {tmp_path / 'store'}/"))
-    run.wait_for_a_shard()
+    run = begun(stopping=True, **disk.environment(f"{fault} {tmp_path / 'store'}/"))
+    run.wait_for_its_stop()
     with disk.failing():
+        run.go_on()
         run.wait_for(r".*cannot be (written|read): .*; tried again for 10\.0 min at most")
         time.sleep(3.0)
     assert_whole(run, undisturbed)
@@ -51,9 +52,10 @@ def test_a_run_waits_for_the_disk_and_ends_with_the_same_bytes(
 
 def test_a_full_disk_ends_a_run_in_one_line_and_it_is_resumed(disk, begun, tmp_path, undisturbed):
     rules = disk.environment(f"write ENOSPC {tmp_path}/store")
-    run = begun("--set", "cluster.patience=2", **rules)
-    run.wait_for_a_shard()
+    run = begun("--set", "cluster.patience=2", stopping=True, **rules)
+    run.wait_for_its_stop()
     with disk.failing():
+        run.go_on()
         status, lines = run.ended()
     assert status == 2
     last = r"error: .*cannot be written: No space left on device; given.*"
@@ -98,9 +100,10 @@ def test_a_status_that_cannot_be_written_ends_nothing(disk, begun, tmp_path, und
 
 @pytest.mark.parametrize("number", [signal.SIGTERM, signal.SIGHUP], ids=str)
 def test_signals_of_batch_systems_and_terminals_keep_what_is_finished(begun, undisturbed, number):
-    run = begun("--set", "study.realizations=4800")  # it cannot end before the signal
-    run.wait_for_a_shard()
+    run = begun(stopping=True)
+    run.wait_for_its_stop()
     os.kill(run.driver.pid, number)
+    run.go_on()
     status, lines = run.ended()
     assert status == 130
     assert said(".*to resume run again.*", lines)
@@ -117,14 +120,18 @@ while True:
 
 
 def test_status_beside_a_starting_run_never_makes_it_fail(tmp_path, capsys):
-    """The lock is looked at without a pause, by two processes, while it is taken 300 times."""
+    """The lock is looked at without a pause, by two processes, while it is taken 300 times.
+
+    One of them may be held up while it looks, for which a run would not wait.
+    """
     store = tmp_path / "store"
     store.mkdir()
     (store / "lock").touch()
     command = [sys.executable, "-c", LOOK, str(store)]
     lookers = [subprocess.Popen(command, cwd=ROOT) for _ in range(2)]
-    hold = "from pathlib import Path; from elastomer_friction.workflow.system import hold\n"
-    hold += f"for _ in range(300):\n    with hold(Path({str(store)!r})): pass"
+    hold = "from pathlib import Path; from elastomer_friction.workflow.system import lock\n"
+    hold += f"lock.GLANCE_SECONDS = {PATIENCE}\n"
+    hold += f"for _ in range(300):\n    with lock.hold(Path({str(store)!r})): pass"
     try:
         time.sleep(2.0)
         done = subprocess.run([sys.executable, "-c", hold], cwd=ROOT, check=False)

@@ -55,9 +55,13 @@ def small_group(pids):
 
 
 def hungry(batch):
-    """Run a batch, but take more memory than there is where there is little."""
+    """Run a batch, but take more memory than there is where there is little; elsewhere, later."""
+    marker = Path(os.environ[MARKER])
     if "SMALL" in os.environ:
+        marker.touch()
         assert len(bytearray(os.urandom(1)) * (2 * LIMIT)) == 2 * LIMIT
+    while not marker.exists():
+        time.sleep(0.05)
     return block_means(batch)
 
 
@@ -67,7 +71,10 @@ def kills(file):
     return int(dict(rows)["oom_kill"])
 
 
-def test_what_runs_out_of_memory_on_one_node_is_computed_on_another(tmp_path, expected):
+def test_what_runs_out_of_memory_on_one_node_is_computed_on_another(
+    tmp_path, monkeypatch, expected
+):
+    monkeypatch.setenv(MARKER, str(tmp_path / "first"))
     cluster = Standing(tmp_path / "standing", worker_1={"SMALL": "yes"})
     nanny = psutil.Process(cluster.processes["worker-1"].pid)
     try:

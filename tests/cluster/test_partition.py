@@ -58,9 +58,10 @@ def test_a_worker_is_cut_off_during_a_run(host, tried, tmp_path, undisturbed, se
     processes.append(start_worker(tmp_path / "here.log", address))
     processes.append(start_worker(tmp_path / "there.log", address, before=there))
     try:
-        trial = tried(tmp_path / "trial", "--scheduler", address)
-        trial.wait_for_a_shard()
+        trial = tried(tmp_path / "trial", "--scheduler", address, stopping=True)
+        trial.wait_for_its_stop()
         host.cable("down")
+        trial.go_on()
         if seconds is not None:
             time.sleep(seconds)
             host.cable("up")

@@ -16,6 +16,7 @@ from tests.cluster.processes import (
     said,
     shards,
     start_scheduler,
+    wait_while,
     workers_of,
 )
 
@@ -34,16 +35,17 @@ def cluster(standing):
 
 @pytest.fixture
 def trial(tried, tmp_path, cluster):
-    """Return a run on the cluster that has stored a shard."""
-    trial = tried(tmp_path, "--scheduler", cluster.address)
-    trial.wait_for_a_shard()
+    """Return a run on the cluster that has stored something, and goes on when it is told to."""
+    trial = tried(tmp_path, "--scheduler", cluster.address, stopping=True)
+    trial.wait_for_its_stop()
     return trial
 
 
 def interrupted(trial):
     """Press Ctrl-C; return how often batches were left behind, and how long it took (s)."""
-    began = time.monotonic()
     os.killpg(trial.driver.pid, signal.SIGINT)
+    began = time.monotonic()
+    trial.go_on()
     status, lines = trial.ended()
     assert status == 130
     assert said(r"interrupted; what is finished is kept, to resume run again: .*", lines) == 1
@@ -54,6 +56,7 @@ def interrupted(trial):
 def test_what_a_stopped_worker_has_is_computed_elsewhere(trial, cluster, undisturbed):
     """Its nanny is stopped with it, as where a node hangs."""
     os.killpg(cluster.processes["worker-1"].pid, signal.SIGSTOP)
+    trial.go_on()
     assert trial.whole() == undisturbed
 
 
@@ -62,6 +65,7 @@ def test_a_scheduler_that_is_stopped_during_a_run_is_said_to_be_and_waited_for(
 ):
     scheduler = cluster.processes["scheduler"]
     scheduler.send_signal(signal.SIGSTOP)
+    trial.go_on()
     trial.wait_for(r"no answer of the scheduler for 3\d s: waiting, at most 10.0 min")
     scheduler.send_signal(signal.SIGCONT)
     assert trial.whole() == undisturbed
@@ -73,6 +77,7 @@ def test_a_scheduler_that_is_started_anew_during_a_run_ends_it_and_the_next_resu
 ):
     """The work of a scheduler is lost with it: one line says so, and stored batches are kept."""
     end(cluster.processes["scheduler"])
+    trial.go_on()
     time.sleep(away)
     cluster.heal()
     status, lines = trial.ended()
@@ -92,6 +97,7 @@ def test_where_all_workers_are_stopped_others_take_their_place(trial, cluster, u
     stopped, began = cluster.workers(), time.monotonic()
     for pid in stopped:
         os.kill(pid, signal.SIGSTOP)
+    trial.go_on()
     while {*cluster.workers()} & {*stopped}:
         assert time.monotonic() - began < 60.0 + PATIENCE
         time.sleep(0.5)
@@ -105,16 +111,20 @@ def test_ctrl_c_does_not_wait_for_a_scheduler_that_is_stopped(trial, cluster):
 
 
 def test_ctrl_c_does_not_wait_for_a_worker_of_our_own_that_is_stopped(tried, tmp_path):
-    """Compared with a run where none is stopped: the machine may be slow."""
-    taken = {}
-    for stopped in (0, 1):
-        trial = tried(tmp_path / str(stopped), "--workers", "2")
-        trial.wait_for_a_shard()
-        for pid in workers_of(psutil.Process(trial.driver.pid))[:stopped]:
-            os.kill(pid, signal.SIGSTOP)
-        left, taken[stopped] = interrupted(trial)
-        assert left <= stopped
-    assert taken[1] < 16.0 + 3.0 * taken[0]  # 10 s for what runs, and some to end it
+    """Compared with a run where none is stopped: the machine may be slow, or held up for once."""
+    for attempt in range(3):
+        taken = {}
+        for stopped in (0, 1):
+            long = ("--set", "study.realizations=4800")  # it cannot end before the signal
+            trial = tried(tmp_path / f"{attempt}{stopped}", "--workers", "2", *long)
+            wait_while(lambda trial=trial: not shards(trial.folder), trial.driver, trial.log)
+            for pid in workers_of(psutil.Process(trial.driver.pid))[:stopped]:
+                os.kill(pid, signal.SIGSTOP)
+            left, taken[stopped] = interrupted(trial)
+            assert left <= stopped
+        if taken[1] < 16.0 + 3.0 * taken[0]:  # 10 s for what runs, and some to end it
+            return
+    pytest.fail(f"{taken[1]:.0f} s, and {taken[0]:.0f} s where none is stopped")
 
 
 def test_a_scheduler_that_is_stopped_before_a_run_is_given_up(tried, tmp_path):

@@ -32,9 +32,9 @@ from distributed.security import Security
 
 async def probe(address, **arguments):
     '''Ask who is there, as a client of dask would before it sends any code.'''
-    comm = await connect(address, timeout=3, **arguments)
+    comm = await connect(address, timeout=60, **arguments)
     await comm.write({"op": "identity", "reply": True})
-    return await asyncio.wait_for(comm.read(), 3)
+    return await asyncio.wait_for(comm.read(), 60)
 
 forged = Security.temporary().get_connection_args("client")
 os.setgroups([])
@@ -94,11 +94,17 @@ def test_a_stranger_reaches_no_process_of_a_run_on_this_machine(tmp_path):
         assert_refused(ports_of([driver.pid]), 5 + 3)
 
 
+def ports_with_jobs(driver, slurm):
+    """Return the ports at which a run and its jobs listen."""
+    return ports_of([driver.pid, *(nanny.pid for nanny in slurm.nannies())])
+
+
 def test_a_stranger_reaches_no_process_of_jobs(slurm, tmp_path):
     with underway(tmp_path, *slurm.options(), **slurm.environment) as driver:
-        nannies = [nanny.pid for nanny in slurm.nannies()]
-        ports = ports_of([driver.pid, *nannies])
-        assert_refused(ports, 1 + 2 * len(nannies) + 1 + len(nannies))
+        # Of both jobs, of which one may have stored something before the other began.
+        count = 1 + 2 * 2 + 1 + 2
+        wait_while(lambda: len(ports_with_jobs(driver, slurm)) < count, driver, tmp_path / "log")
+        assert_refused(ports_with_jobs(driver, slurm), count)
         keys = [path for path in (slurm.folder / "jobs").glob(".tls-*/*") if path.is_file()]
         assert len(keys) == 1
         assert {path.stat().st_mode & 0o777 for path in (*keys, keys[0].parent)} == {0o600, 0o700}

@@ -70,7 +70,7 @@ def test_a_worker_that_joins_later_with_other_sources_is_refused(tmp_path):
     with (edited / "kernels" / "model" / "steady.py").open("a") as file:
         file.write("# edited\n")
     options = ("--out", str(tmp_path), "--scheduler", cluster.address, "--batch-seconds", "0.2")
-    options += ("--set", "study.realizations=800")
+    options += ("--set", "study.realizations=40000")  # it cannot end before that worker joins
     processes = [start(log, *STUDY, *options)]
     try:
         wait_while(lambda: not shards(tmp_path), processes[0], log)

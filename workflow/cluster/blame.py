@@ -41,11 +41,13 @@ class Blame:
         return self._elsewhere(self.now.ready, failed)
 
     def awaited(self, failed: Iterable[str] = ()) -> bool:
-        """Return whether ``fit`` has nobody, but a worker that would be in it was lost just now.
+        """Return whether ``fit`` has nobody, but may soon have somebody.
 
-        It may come again: a nanny starts a worker anew within seconds.
+        Nobody is known as yet, or a worker that would be in it was lost just now: a nanny starts
+        one anew within seconds.
         """
-        return not self.fit(failed) and bool(self._elsewhere(self.lost, failed))
+        lost = self._elsewhere(self.lost, failed)
+        return not self.now.threads or (not self.fit(failed) and bool(lost))
 
     def to_be_given_up(self, failed: list[str]) -> bool:
         """Return whether an item failed at two places, or twice at the only one.

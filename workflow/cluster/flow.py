@@ -40,11 +40,11 @@ def stream(
 ) -> Iterator[tuple[Any, Any]]:
     """Yield (item, result) as they come from a pool; once watch() is true, only what is running.
 
-    At most a few items per worker thread are in flight, so memory does not grow with the
-    study. An item that raises is tried on another worker, for which it waits where one was lost a
-    moment ago; ``retry`` returns what to do instead of one that failed on two, or twice on the
-    only one. What follows a killed worker is done last, one item at a time, so that the item to
-    blame is certain. What runs when a stop is asked for is awaited for STOP_SECONDS at most.
+    At most a few items per worker thread are in flight, so memory does not grow with the study. An
+    item that raises is tried on another worker, for which it waits where none is known yet or one
+    was lost a moment ago; ``retry`` returns what to do instead of one that failed on two, or twice
+    on the only one. What follows a killed worker is done last, one item at a time, so that the item
+    to blame is certain. What runs when a stop is asked for is awaited for STOP_SECONDS at most.
     Raises UserError when the scheduler is lost, or patience ends.
 
     pool : a Pool, or what stands in for one in a simulation.

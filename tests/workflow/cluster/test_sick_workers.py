@@ -1,5 +1,7 @@
 """Simulated: one sick worker among sound ones fails nothing, whatever becomes of the sound ones."""
 
+from concurrent.futures import Future
+
 from distributed.scheduler import KilledWorker
 
 from elastomer_friction.workflow.system import Watch
@@ -22,6 +24,22 @@ def test_while_the_sound_worker_is_busy_for_long_nothing_is_tried_twice_by_the_s
     assert set(tries(cluster, "a").values()) == {1}
     assert cluster.now < 1000.0 + 100.0 + 31.0
     assert capsys.readouterr().err.count("3 batches in a row failed there") == 1
+
+
+def test_what_fails_before_the_scheduler_has_said_who_is_there_waits_for_that():
+    cluster, given = Cluster(a=sick, b=first(10.0)), Given()
+    ask = cluster.ask
+
+    def late():
+        """Answer in three seconds."""
+        answer = Future()
+        cluster.after(3.0, lambda: answer.set_result(ask().result()))
+        return answer
+
+    cluster.ask = late
+    assert sorted(streamed(cluster, range(10), retry=given)) == [(i, i) for i in range(10)]
+    assert given == []
+    assert set(tries(cluster, "a").values()) == {1}
 
 
 def test_who_is_left_out_is_given_nothing_any_more():

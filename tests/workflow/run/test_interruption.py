@@ -7,7 +7,7 @@ import pytest
 
 from elastomer_friction.workflow.cli import main
 from elastomer_friction.workflow.store.store import Store, store_folder
-from tests.cluster.processes import Trial, end, wait_while
+from tests.cluster.processes import Trial, end
 from tests.support.runs import run, shards
 from tests.support.shards import held, reopened
 
@@ -16,10 +16,11 @@ LONG, RECORDS = "study.realizations=40", 160  # a batch each
 
 def ended(folder, number, *options):
     """Return the exit status of a long run whose process group got a signal early, and its log."""
-    trial = Trial(folder, "--set", LONG, *options)
+    trial = Trial(folder, "--set", LONG, *options, stopping=True)
     try:
-        wait_while(lambda: len(shards(folder)) < 2, trial.driver, trial.log)
+        trial.wait_for_its_stop()
         os.killpg(trial.driver.pid, number)
+        trial.go_on()
         status, lines = trial.ended()
     finally:
         end(trial.driver)
