@@ -49,6 +49,7 @@ class How(NamedTuple):
     steps: float  # samples per spacing
     share: float  # of the elastic part that is corrected
     smooth: bool  # whether the line is a function without modes above q = pi/dx
+    followed: bool  # whether partial contacts will be, between the samples: d alone is found here
 
 
 @kernel
@@ -73,15 +74,17 @@ def slide(decay, z, slope, spans, speeds, loads, how, into):
         listed = first(contacts, pieces)
         for b in range(contacts.entered.size):
             entered[i, b] = contacts.entered[b]
+        table[i, INDENTATION], table[i, SWEEPS], table[i, FULL] = d, sweeps, full
+        if how.followed and not full:
+            continue
         at = MovingLine(z, slope, spans, speeds.own, own.press)
         mu, contact = _weigh(at, speeds, listed, load, d, full, how, rooms, jumps[i], rates[i])
         if how.smooth and mu <= 0.0:
             # That it takes work is sure: what the forces do while the line rises.
             mu = how.steps * mean_rise(z, d, decay, listed)
-        table[i, INDENTATION], table[i, MU] = d, mu
+        table[i, MU] = mu
         table[i, CONTACT] = min(contact / n, 1.0)  # edges of two contacts can overlap
         table[i, SAMPLES] = median_width(z, d, decay, listed)
-        table[i, SWEEPS], table[i, FULL] = sweeps, full
 
 
 @kernel

@@ -10,7 +10,7 @@ from typing import NamedTuple
 import numpy as np
 
 from ....kernels import KELVIN, Quantities
-from ....kernels.quick.contacts.between_samples import LEAST_STEPS, NARROW
+from ....kernels.quick.contacts.between_samples import LEAST_STEPS
 from ...simulate import (
     EXACT,
     PHASES,
@@ -241,9 +241,7 @@ def followed_patches(problem: Problem, steps: Numbers, width: Numbers) -> Number
     """
     odds = (steps >= LEAST_STEPS) & (speed_ratio(problem) >= 1.0)
     cover = np.minimum(problem.load / viscous_pressure(problem), 1.0)
-    return (
-        odds * 4.3 * problem.samples(steps) * cover / width / (1.0 + (width / (1.05 * NARROW)) ** 6)
-    )
+    return odds * 4.3 * problem.samples(steps) * cover / width
 
 
 # Seconds of one core of the machine of the measurements, busy as it was, for so many samples.

@@ -20,7 +20,7 @@ from elastomer_friction.kernels.motion.stretches import touchable
 from elastomer_friction.kernels.quick.contacts.steady_friction import (
     AtSpeed,
     Grounds,
-    follow_narrow,
+    follow_contacts,
     steady_friction,
 )
 from elastomer_friction.kernels.rheology.kelvin import SCHEMES
@@ -163,7 +163,7 @@ def test_patches_that_are_followed_are_those_of_the_kernels():
         phases = draw_phases(np.random.default_rng(1), 3000)
         grounds = Grounds.of([Line.self_affine(amplitudes(hurst, 3000), phases, 3000, 4)])
         pace = AtSpeed.of("exponential", 4, speed)
-        found = follow_narrow(steady_friction(grounds, pace, np.array([load * 12_000])))
+        found = follow_contacts(steady_friction(grounds, pace, np.array([load * 12_000]), True))
         ratio.append(found[0] / followed_patches(problem, 4, 4.0 * contact_width(problem)))
     assert 0.5 < min(ratio) <= max(ratio) < 2.0
 
