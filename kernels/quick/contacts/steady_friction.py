@@ -14,7 +14,7 @@ from ..steady.carry import Decay, carry
 from ..steady.spans import Spans, add_rises
 from ..steady.stack import Stack, alone, spans_of_line, stack_of, stacked
 from .between_samples import LEAST_STEPS, Columns, slide_between
-from .loads import CONTACT, FULL, INDENTATION, MU, SAMPLES, SWEEPS, Found, How
+from .loads import CONTACT, FULL, INDENTATION, MU, PRESSED, SAMPLES, SWEEPS, Found, How
 from .on_lines import slide_on
 from .smooth_line import SmoothLine, smooth_line
 
@@ -162,7 +162,7 @@ def _how(grounds: Grounds, at_speed: AtSpeed, follow: bool) -> How:
 
 
 def follow_contacts(sliding: Sliding, before: Sliding | None = None) -> np.ndarray:
-    """Find friction and jumps where part of a line touches, from contacts between its samples.
+    """Find friction and jumps from contacts between the samples, where a line is not all pressed.
 
     Return how many patches of contact were come to under every load, on all lines. Lines that are
     not known between their samples stay as they are; what rounding hides is read from the samples.
@@ -173,9 +173,10 @@ def follow_contacts(sliding: Sliding, before: Sliding | None = None) -> np.ndarr
         return events
     speeds = at_speed.speed, at_speed.others
     for j, ground in enumerate(grounds.each):
-        partial, smooth = np.flatnonzero(~sliding.full[j]), ground.smooth
+        partial = np.flatnonzero(sliding.found.table[j, :, PRESSED] == 0.0)
         if partial.size == 0:
             continue
+        smooth = ground.smooth
         d = sliding.d[j, partial]
         if before is not None:
             deepest = smooth.deepest[2]

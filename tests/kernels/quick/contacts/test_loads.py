@@ -31,7 +31,7 @@ def slid(line, speed, several, criterion=True):
     press = np.append(there.press, there.press_all)[None]
     speeds = Speeds(speed, own, np.array([1.2 * speed]), press)
     total, how = several * line.z.size, How(float(line.steps_per_spacing), 0.0, True, False)
-    shapes = 6, 1, 1, line.z.size // SPAN + 1
+    shapes = 7, 1, 1, line.z.size // SPAN + 1
     into = Found(*(np.full((several.size, width), np.nan) for width in shapes))
     slide(decay_of(law), line.z, line.slope, spans, speeds, total, how, into)
     return into
