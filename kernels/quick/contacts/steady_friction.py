@@ -198,9 +198,8 @@ def follow_contacts(sliding: Sliding, before: Sliding | None = None) -> np.ndarr
         sliding.updates[at] += found.events[some]
         events[partial] += found.events
         if rest.size:
-            how = _how(grounds, at_speed, False)
-            own = alone(grounds.stack, j)
-            *_, found = slide_on(at_speed.law, own, speeds, sliding.loads[rest], how)
-            for whole, part in zip(sliding.found, found, strict=True):
+            how, stack = _how(grounds, at_speed, False), alone(grounds.stack, j)
+            *_, sampled = slide_on(at_speed.law, stack, speeds, sliding.loads[rest], how)
+            for whole, part in zip(sliding.found, sampled, strict=True):
                 whole[j, rest] = part[0]
     return events
