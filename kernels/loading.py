@@ -60,7 +60,7 @@ def load(scheme: str, asked: Quantities) -> None:
     with compiling(), nothing_collected():  # a sixth of a compiler's time went there
         with _helped(scheme, asked):
             at_speed, nobody = AtSpeed.of(scheme, STEPS, WIDE[1], (1.2,)), np.empty(0)
-            how = How(float(STEPS), at_speed.share, True)
+            how = How(float(STEPS), at_speed.share, True, True)
             speeds = at_speed.speed, at_speed.others
             slide_on(at_speed.law, _stack(line), speeds, nobody, how)
             smooth = smooth_line(line.z, line.slope, 1.0 / STEPS)

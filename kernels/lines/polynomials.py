@@ -62,21 +62,18 @@ def septic(z, slope, bend, h, j):
 def bernstein(c):
     """Return eight numbers between whose extremes the polynomial stays from t = 0 to 1."""
     c0, c1, c2, c3, c4, c5, c6, c7 = c
+    # Each power of t over the binomial coefficient that it has: numbers of which sums are left.
+    c1, c2, c3, c4 = c1 * (1.0 / 7.0), c2 * (1.0 / 21.0), c3 * (1.0 / 35.0), c4 * (1.0 / 35.0)
+    c5, c6 = c5 * (1.0 / 21.0), c6 * (1.0 / 7.0)
     return (
         c0,
-        c0 + c1 / 7.0,
-        c0 + 2.0 * c1 / 7.0 + c2 / 21.0,
-        c0 + 3.0 * c1 / 7.0 + c2 / 7.0 + c3 / 35.0,
-        c0 + 4.0 * c1 / 7.0 + 2.0 * c2 / 7.0 + 4.0 * c3 / 35.0 + c4 / 35.0,
-        c0 + 5.0 * c1 / 7.0 + 10.0 * c2 / 21.0 + 2.0 * c3 / 7.0 + c4 / 7.0 + c5 / 21.0,
-        c0
-        + 6.0 * c1 / 7.0
-        + 5.0 * c2 / 7.0
-        + 4.0 * c3 / 7.0
-        + 3.0 * c4 / 7.0
-        + 2.0 * c5 / 7.0
-        + c6 / 7.0,
-        c0 + c1 + c2 + c3 + c4 + c5 + c6 + c7,
+        c0 + c1,
+        c0 + 2.0 * c1 + c2,
+        c0 + 3.0 * (c1 + c2) + c3,
+        c0 + 4.0 * (c1 + c3) + 6.0 * c2 + c4,
+        c0 + 5.0 * (c1 + c4) + 10.0 * (c2 + c3) + c5,
+        c0 + 6.0 * (c1 + c5) + 15.0 * (c2 + c4) + 20.0 * c3 + c6,
+        c0 + 7.0 * (c1 + c6) + 21.0 * (c2 + c5) + 35.0 * (c3 + c4) + c7,
     )
 
 

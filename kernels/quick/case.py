@@ -32,7 +32,7 @@ class Case(NamedTuple):
     kept_steps: tuple[np.ndarray, ...]  # per ratio: the steps at which the relaxation is kept
     scheme: str
     spectrum: Spectrum = KELVIN
-    refine: bool = True  # follow narrow contacts between the samples of the line
+    refine: bool = True  # follow contacts of steady sliding between the samples of the line
 
     @property
     def plain(self) -> bool:

@@ -12,7 +12,7 @@ from ..control.printed_eq3 import PrintedForce
 from ..lines.line import Line
 from ..model.force import ConstantForce
 from .case import MARCHING, Case, Outcome, PhaseClocks, Quantities, Seconds
-from .contacts.steady_friction import Grounds, Sliding, follow_narrow, steady_friction
+from .contacts.steady_friction import Grounds, Sliding, follow_contacts, steady_friction
 from .march.active import active_march
 from .march.given import March, SteadyState
 from .memory_case import run_memory_case
@@ -68,21 +68,21 @@ def _run_loads(grounds: Grounds, some: Together, asked: Quantities) -> list[list
     """
     lines, n = grounds.stack.z.shape
     loads, clocks = some.loads * n, PhaseClocks(len(some.cases))
-    one = steady_friction(grounds, some.at_speed, loads)
+    refine = some.cases[0].refine
+    one = steady_friction(grounds, some.at_speed, loads, refine)
     jumping = len(some.at_speed.others)
     clocks.lap(_work(one), jump=jumping * n * lines)
-    refine = some.cases[0].refine
     if refine:
-        events = follow_narrow(one)
+        events = follow_contacts(one)
         clocks.lap(events, 0.3 * jumping * events)  # as measured
     twos = []
     for later in some.following:
         two = one
         if later.speed != some.at_speed.speed:
-            two = steady_friction(grounds, later, loads)
+            two = steady_friction(grounds, later, loads, refine)
             clocks.lap(_work(two))
             if refine:
-                clocks.lap(follow_narrow(two, one))
+                clocks.lap(follow_contacts(two, one))
         twos.append(two)
     return [_under_load(one, twos, i, some, asked, clocks) for i in range(len(some.cases))]
 

@@ -146,7 +146,7 @@ def climb(
 ) -> xr.Dataset:
     """Return what a scheme gives over m; errors are those on the lines of the reference.
 
-    refine : whether narrow contacts are followed between samples, as "auto" does. run : what runs
+    refine : whether contacts are followed between samples, as "auto" does. run : what runs
     the scheme on lines; NaN where it is not installed or fails. The deviation of one realization is
     that at a middle m, on all lines.
     """
@@ -188,7 +188,7 @@ def discretisations(
 ) -> tuple[xr.Dataset, xr.Dataset]:
     """Return errors, times, orders and what follows from them for all points.
 
-    The first dataset is of both schemes with narrow contacts followed between the samples, as
+    The first dataset is of both schemes with contacts followed between the samples, as
     "auto" does. The second is of the exponential scheme as sampled, as where m is given. Errors
     are relative, those of curves to the jump; missing at m that a point does not need.
     """

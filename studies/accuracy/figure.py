@@ -52,7 +52,7 @@ def _discretisation(groups: Groups) -> Figure:
         "marker is one m = 1, 2, 4, …, of which some are written; errors are rms over lines, times "
         "those of a process. References are Richardson extrapolations, whose error of µ₁ is at "
         f"most {with_unit(worst, digits=1)}; the error of a curve is relative to the jump. "
-        "Narrow contacts are followed between the samples, but for what is called as sampled.",
+        "Contacts are followed between the samples, but for what is called as sampled.",
     )
     return figure
 

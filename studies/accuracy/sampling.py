@@ -23,7 +23,7 @@ class Method(NamedTuple):
 
     scheme: str
     steps: int  # m, samples and time steps per dx
-    refine: bool = True  # follow narrow contacts between samples, as "auto" does
+    refine: bool = True  # follow contacts between samples, as "auto" does
 
 
 class LineRuns(NamedTuple):

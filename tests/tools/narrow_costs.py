@@ -18,7 +18,7 @@ from elastomer_friction.kernels.quick.contacts.between_samples import Columns, s
 from elastomer_friction.kernels.quick.contacts.steady_friction import (
     AtSpeed,
     Grounds,
-    follow_narrow,
+    follow_contacts,
     steady_friction,
 )
 from elastomer_friction.kernels.rheology.kelvin import SCHEMES
@@ -69,11 +69,11 @@ def patches(line: Line, speed: float) -> float:
     """Return how many patches of contact there are between the samples, under all loads."""
     (ground,) = (grounds := Grounds.of([line])).each
     loads = np.array(LOADS) * line.z.size
-    sliding = steady_friction(grounds, AtSpeed.of("exponential", M, speed), loads)
-    follow_narrow(sliding)
+    sliding = steady_friction(grounds, AtSpeed.of("exponential", M, speed), loads, True)
+    follow_contacts(sliding)
     d = sliding.indentation[0] - line.datum
     # From the indentation that is found, one turn is enough.
-    table, _ = slide_between(ground.smooth, speed, np.empty(0), loads, d)
+    table, *_ = slide_between(ground.smooth, speed, np.empty(0), loads / ground.every, d)
     return Columns(*table.T).events.sum()
 
 

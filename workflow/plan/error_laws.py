@@ -8,7 +8,7 @@ of lines, which come in quartets; 290 problems, Fbar 1e-3 ... 25, x 0.25 ... 600
 over 16 quartets; right within 1.7 for two in three.
 
 They take a problem, or many of them together (problems.py), and steps for each. refine : whether
-narrow contacts are followed between the samples.
+contacts of steady sliding are followed between the samples.
 """
 
 from collections.abc import Callable
@@ -43,26 +43,22 @@ class Coarseness(NamedTuple):
     sliding: float  # exponent of 1 + 1/vbar
     elements: float  # the number of elements is counted in so many
     rough: float  # exponent of that number, times H
-    slow: tuple[float, float]  # error below x = 1 where contacts are followed: times m, and at most
-    fast: float  # error from x = 1 on where contacts are followed, times m
     whole: float  # error that every contact has besides, times m^2
 
 
-STEADY = Coarseness(0.060, -0.32, 0.41, 0.92, 88.0, -1.22, (0.10, 0.005), 0.010, 0.03)
-JUMP = Coarseness(0.158, -0.26, 0.61, 0.68, 94.0, -1.36, (0.20, 0.010), 0.034, 0.06)
+STEADY = Coarseness(0.060, -0.32, 0.41, 0.92, 88.0, -1.22, 0.03)
+JUMP = Coarseness(0.158, -0.26, 0.61, 0.68, 94.0, -1.36, 0.06)
+FOLLOWED = 1e-5  # error of both where contacts are followed, beyond it in 3 of 1000 jumps of a line
 
 
 def coarse_error(law: Coarseness, problem: Problem, steps: Numbers, refine: bool = True) -> Numbers:
-    """Return the error of an estimate: second order, but for contacts that are followed."""
+    """Return the error of an estimate: second order, or of followed contacts."""
     _, elements, load, speed, _ = problem[:5]
     contacts = load**law.load * (1.0 + viscous_pressure(problem) / load) ** law.pressed
     line = (elements / law.elements) ** (law.rough * problem.hurst)
-    coarse = law.size * contacts * (1.0 + 1.0 / speed) ** law.sliding * line / steps**2
-    if refine:
-        slow = np.minimum(law.slow[0] / steps, law.slow[1])
-        finer = np.where(_slides(problem), law.fast / steps, slow)
-        coarse = np.where(steps >= LEAST_STEPS, np.minimum(coarse, finer), coarse)
-    return np.hypot(coarse, law.whole / steps**2)
+    coarse = law.size * contacts * (1.0 + 1.0 / speed) ** law.sliding * line
+    sampled = np.hypot(coarse, law.whole) / np.square(steps)
+    return np.where(refine & (np.asarray(steps) >= LEAST_STEPS), FOLLOWED, sampled)
 
 
 def _slides(problem: Problem) -> Numbers:

@@ -113,7 +113,7 @@ class Batch:
     blocks: int
     realizations_per_block: int
     seconds: float  # predicted
-    refine: bool = True  # follow narrow contacts between samples (kernels/quick/contacts)
+    refine: bool = True  # follow contacts between samples (kernels/quick/contacts)
     # Measured lines, a row for each realization of the batch, or the amplitudes of the modes of
     # random ones like them, both in h. None: random lines of H alone.
     heights: np.ndarray | None = field(default=None, compare=False)

@@ -32,7 +32,7 @@ class Numerics(NamedTuple):
 
     @property
     def refines(self) -> bool:
-        """Return whether narrow contacts are followed between the samples.
+        """Return whether contacts of steady sliding are followed between the samples.
 
         Where "auto" chooses the steps. Steps that are given are taken as they are, everywhere, and
         what they do not resolve is marked in the result.
@@ -58,8 +58,8 @@ NUMERICS = {
         _steps,
         "The number m of time steps, and of samples of the line with an element each, per spacing "
         'Δx. With `"auto"` each point takes the least m that keeps the discretisation error of '
-        "what is asked for below 2 %, where that can be, and reads steady friction and jump of "
-        "narrow contacts from between the samples. It takes 4 for measured lines and 8 for "
+        "what is asked for below 2 %, where that can be, and reads steady friction and jump from "
+        "between the samples, to 10⁻⁵. It takes 4 for measured lines and 8 for "
         "branches and programmes, whose errors follow no known law. A number is taken as it is at "
         "every point, "
         "and `resolution_status` marks contacts that it does not resolve.",

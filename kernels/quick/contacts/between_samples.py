@@ -1,8 +1,9 @@
-"""Steady sliding where contacts are narrow, and jumps from it, between the samples of a line.
+"""Steady sliding where part of a line touches, and jumps from it, between its samples.
 
 At light load and high speed an element stays behind the line and only the front of the highest
-peaks touches, over less than a sample. The line is a smooth function known by its heights and
-slopes, so that its contacts are followed between the samples (events.py).
+peaks touches, over less than a sample; and the edges of wide contacts lie between samples too. The
+line is a smooth function known by its heights and slopes, so that its contacts are followed between
+the samples (events.py).
 """
 
 from typing import NamedTuple
@@ -12,12 +13,12 @@ import numpy as np
 from ...compile.jit import borrowing, kernel
 from ...lines.polynomials import height, septic, steepness
 from ..steady.sliding import power_step
+from ..steady.spans import SPAN
 from .events import AREA, BOTTOM, GROWTH, MOST_EVENTS, RISE, TOP, WIDTH, room_for_patches, turn
-from .smooth_line import first_zero, pressure, products, squared
+from .smooth_line import first_zero, pressure, products, span_of, squared
 
-LEAST_STEPS = 4  # samples per spacing, eight in the shortest wave: mu in narrow contacts to 1e-6
-NARROW = 24.0  # samples per contact; in wider ones quadrature keeps 2 % of the jump
-CLOSE = 5e-4  # of the load: an excess whose square is as good as none
+LEAST_STEPS = 4  # samples per spacing, eight in the shortest wave: mu to 1e-6
+CLOSE = 2e-4  # of the load: an excess whose square is as good as none
 JUMP_CLOSE = 5e-3  # the same of the pressures that a jump adds
 MOST_TURNS = 40
 LEAST_DEPTH = 1e-9  # of what the line rises beside its deepest point: a depth that is no rounding
@@ -43,13 +44,14 @@ class Integrals(NamedTuple):
 
 @kernel
 def slide_between(line, speed, others, loads, guesses):
-    """Return (table, jumps) of steady sliding of a SmoothLine at a speed, a row for each load.
+    """Return (table, jumps, rates) of steady sliding of a SmoothLine at a speed, a row a load.
 
     others : speeds that are jumped to, vbar. loads : n Fbar. guesses : of d. The table has the
-    Columns; of jumps, shape (loads, others), each is a change of mu.
+    Columns; of jumps, shape (loads, others), each is a change of mu, of rates each is d' after it.
     """
     h, patches = line.spacing, room_for_patches(line.z.size)
-    table, jumps = np.zeros((loads.size, 5)), np.zeros((loads.size, others.size))
+    table, shape = np.zeros((loads.size, 5)), (loads.size, others.size)
+    jumps, rates = np.zeros(shape), np.zeros(shape)
     for i in range(loads.size):
         load = h * loads[i]
         contact, turns = _balanced(line, speed, load, guesses[i], patches)
@@ -64,9 +66,9 @@ def slide_between(line, speed, others, loads, guesses):
         table[i, 3] = _median_width(contact, speed, patches)
         table[i, 4] = turns * contact.patches
         for k in range(others.size):
-            after = _after_jump(line, (speed, others[k]), contact, sums, change, patches)
-            jumps[i, k] = (work + after) / load - table[i, 1]
-    return table, jumps
+            jump = _after_jump(line, (speed, others[k]), contact, sums, change, patches)
+            jumps[i, k], rates[i, k] = (work + jump[0]) / load - table[i, 1], jump[1]
+    return table, jumps, rates
 
 
 @borrowing
@@ -101,25 +103,30 @@ def _interval(first, i, n):
 @borrowing
 def _sums(line, contact, patches):
     """Return the Integrals over the patches of a contact."""
-    z, slope, bend, h, _, _, _, _, _, squares, (first, _, _) = line
+    z, slope, bend, h, each, spans, (first, _, _) = line
     after, at = patches
     length = rise = square = 0.0
     for k in range(contact.patches):
         length, rise = length + at[k, WIDTH], rise + at[k, RISE]
-        for i in range(after[k, TOP], after[k, BOTTOM] + 1):
+        i, last = after[k, TOP], after[k, BOTTOM]
+        while i <= last:
             j = _interval(first, i, z.size)
+            b = span_of(j, last - i) if i > after[k, TOP] else -1
             start = at[k, TOP] if i == after[k, TOP] else 0.0
-            stop = at[k, BOTTOM] if i == after[k, BOTTOM] else 1.0
-            if stop - start == 1.0:
-                square += squares[j]
+            stop = at[k, BOTTOM] if i == last else 1.0
+            if b >= 0:
+                square += spans.square[b]
+            elif stop - start == 1.0:
+                square += each.square[j]
             else:
                 square += squared(septic(z, slope, bend, h, j), start, stop) / h
+            i += SPAN if b >= 0 else 1
     return Integrals(length, rise, square)
 
 
 @borrowing
 def _after_jump(line, speeds, contact, sums, left, patches):
-    """Return by how much the integral of p z' changes as one speed jumps to another.
+    """Return by how much the integral of p z' changes as one speed jumps to another, and d'.
 
     What touches stays, and p changes by d' + (v2 - v1) z' where it stays positive (friction.py).
     Were all of it pressed, eq. 4 would give d', which falls where some is not.
@@ -137,7 +144,8 @@ def _after_jump(line, speeds, contact, sums, left, patches):
         rate -= change
     force, work = _grown(line, other, contact.d + rate, left, patches, contact.patches)
     change += (force - contact.rate * left) / (sums.length - lost[2])
-    return rate * sums.rise + more * sums.square - lost[1] - change * (sums.rise - lost[3]) + work
+    grown = work - change * (sums.rise - lost[3])
+    return rate * sums.rise + more * sums.square - lost[1] + grown, rate - change - left
 
 
 @borrowing
@@ -146,7 +154,7 @@ def _grown(line, speed, deep, left, patches, count):
 
     deep : as of _unpressed.
     """
-    z, slope, bend, h, _, _, _, _, _, _, (first, _, _) = line
+    z, slope, bend, h, _, _, (first, _, _) = line
     after, at = patches
     force = work = 0.0
     for k in range(count):
@@ -165,13 +173,20 @@ def _unpressed(line, speed, deep, patches, count):
 
     deep : d + d', with p = d + d' - z + vbar z'.
     """
-    z, slope, bend, h, _, high, flat, _, _, _, (first, _, _) = line
+    z, slope, bend, h, each, spans, (first, _, _) = line
     after, at = patches
     force = work = length = rise = 0.0
     for k in range(count):
-        for i in range(after[k, TOP], after[k, BOTTOM] + 1):
+        following = after[k, TOP]
+        while following <= after[k, BOTTOM]:
+            i = following
             j = _interval(first, i, z.size)
-            if deep + speed * flat[j] > high[j]:
+            b = span_of(j, after[k, BOTTOM] - i + 1)
+            if b >= 0 and deep + speed * spans.flat[b] > spans.high[b]:
+                following = i + SPAN
+                continue
+            following = i + 1
+            if deep + speed * each.flat[j] > each.high[j]:
                 continue
             t = at[k, TOP] if i == after[k, TOP] else 0.0
             stop = at[k, BOTTOM] if i == after[k, BOTTOM] else 1.0

@@ -17,7 +17,7 @@ from ...compile.jit import borrowing, kernel
 from ...lines.polynomials import height, septic, steepness
 from ...rheology.law import NEGLIGIBLE
 from ..steady.spans import SPAN
-from .smooth_line import first_zero, integral, pressure
+from .smooth_line import first_zero, integral, pressure, span_of
 
 MOST_EVENTS = 4  # in an interval: more are rounding
 LEAST = 1e-9  # of h: pressures so small count as this, or an end would move without bounds
@@ -59,7 +59,7 @@ def turn(line, speed, d, patches):
     d lies over the deepest point, where the turn begins, in contact, and ends. An interval has
     events only where bounds of its heights and slopes leave room for them.
     """
-    z, slope, bend, h, low, high, flat, lowest, areas, _, (start, begin, deepest) = line
+    z, slope, bend, h, each, spans, (start, begin, deepest) = line
     after, at = patches
     n, a, i, j, t, count = z.size, h / speed, 0, start, begin, 0
     once, span = math.exp(-a), math.exp(-a * SPAN)
@@ -68,16 +68,23 @@ def turn(line, speed, d, patches):
     after[0, TOP], at[0, TOP], at[0, GROWTH + TOP] = 0, begin, 0.0
     while i <= n:
         if t == 0.0 and held:
-            while i < n and d + speed * flat[j] > high[j]:
-                area, width = area + (h * d - areas[j]), width + h
-                i, j = i + 1, j - 1 if j > 0 else n - 1
+            while i < n:
+                b = span_of(j, n - i)
+                if b >= 0 and d + speed * spans.flat[b] > spans.high[b]:
+                    area, width = area + (SPAN * h * d - spans.area[b]), width + SPAN * h
+                    i, j = i + SPAN, b * SPAN - 1 if b > 0 else n - 1
+                elif d + speed * each.flat[j] > each.high[j]:
+                    area, width = area + (h * d - each.area[j]), width + h
+                    i, j = i + 1, j - 1 if j > 0 else n - 1
+                else:
+                    break
         elif t == 0.0:
             while i < n:
-                b = j // SPAN
-                if j == b * SPAN + SPAN - 1 and i + SPAN <= n and lowest[b] - d >= span * u:
+                b = span_of(j, n - i)
+                if b >= 0 and spans.low[b] - d >= span * u:
                     u = span * u if u < -NEGLIGIBLE else 0.0
                     i, j = i + SPAN, b * SPAN - 1 if b > 0 else n - 1
-                elif low[j] - d >= once * u:
+                elif each.low[j] - d >= once * u:
                     u = once * u if u < -NEGLIGIBLE else 0.0
                     i, j = i + 1, j - 1 if j > 0 else n - 1
                 else:

@@ -21,8 +21,8 @@ from .pressure import elastic_part, friction, friction_everywhere
 from .touching import list_touching, mean_rise, median_width, room_for_all, steepest
 
 # What is found of every load: d over the deepest sample, mu, the share in contact, samples per
-# contact, sweeps, and whether the whole line touches.
-INDENTATION, MU, CONTACT, SAMPLES, SWEEPS, FULL = range(6)
+# contact, sweeps, whether the whole line touches, and whether it is pressed after all jumps too.
+INDENTATION, MU, CONTACT, SAMPLES, SWEEPS, FULL, PRESSED = range(7)
 
 
 class Speeds(NamedTuple):
@@ -37,7 +37,7 @@ class Speeds(NamedTuple):
 class Found(NamedTuple):
     """What is found, of as many rows as there are loads; of several lines one above the other."""
 
-    table: np.ndarray  # shape (..., loads, 6): INDENTATION to FULL
+    table: np.ndarray  # shape (..., loads, 7): INDENTATION to PRESSED
     jumps: np.ndarray  # shape (..., loads, others): change of mu at the jumps to other speeds
     rates: np.ndarray  # of the same shape: d' after them
     entered: np.ndarray  # shape (..., loads, spans + 1), as of Contacts
@@ -49,6 +49,7 @@ class How(NamedTuple):
     steps: float  # samples per spacing
     share: float  # of the elastic part that is corrected
     smooth: bool  # whether the line is a function without modes above q = pi/dx
+    followed: bool  # whether partial contacts will be, between the samples: d alone is found here
 
 
 @kernel
@@ -73,34 +74,42 @@ def slide(decay, z, slope, spans, speeds, loads, how, into):
         listed = first(contacts, pieces)
         for b in range(contacts.entered.size):
             entered[i, b] = contacts.entered[b]
+        table[i, INDENTATION], table[i, SWEEPS], table[i, FULL] = d, sweeps, full
+        table[i, PRESSED] = False
+        if how.followed and not full:
+            continue
         at = MovingLine(z, slope, spans, speeds.own, own.press)
-        mu, contact = _weigh(at, speeds, listed, load, d, full, how, rooms, jumps[i], rates[i])
+        mu, contact, least = _weigh(
+            at, speeds, listed, load, d, full, how, rooms, jumps[i], rates[i]
+        )
         if how.smooth and mu <= 0.0:
             # That it takes work is sure: what the forces do while the line rises.
             mu = how.steps * mean_rise(z, d, decay, listed)
-        table[i, INDENTATION], table[i, MU] = d, mu
+        table[i, MU] = mu
         table[i, CONTACT] = min(contact / n, 1.0)  # edges of two contacts can overlap
         table[i, SAMPLES] = median_width(z, d, decay, listed)
-        table[i, SWEEPS], table[i, FULL] = sweeps, full
+        table[i, PRESSED] = full and least == n
 
 
 @kernel
 def _weigh(at, speeds, contacts, load, d, full, how, rooms, jumps, rates):
-    """Return (mu, samples under pressure) of steady sliding at d; fill in jumps and rates."""
+    """Return (mu, samples under pressure, and least so after a jump); fill in jumps and rates."""
     touching = list_touching(at.z, at.slope, contacts, rooms[0])
     part = pressed(at, touching, d, rooms[1])
     mu, contact, own = _friction(part, full, speeds.thresholds.press_all, load, d)
+    least = contact
     missing = elastic_part(part, contacts, own, how.steps) if how.share > 0.0 else 0.0
     for k in range(speeds.others.size):
         line = MovingLine(at.z, at.slope, at.spans, speeds.others[k], speeds.press[k])
         there = pressed(line, touching, own, rooms[1])
-        after, _, deep = _friction(there, full, speeds.press[k, -1], load, own)
+        after, count, deep = _friction(there, full, speeds.press[k, -1], load, own)
+        least = min(least, count)
         jumps[k], rates[k] = after - mu, deep - own  # errors of the elastic part cancel
     if how.share > 0.0:
         # Where a contact is narrower than a sample this alone is sure: mu is a mean of slopes.
         limit = steepest(at.spans, touching)
         mu = min(max(mu + how.share / load * missing, -limit), limit)
-    return mu, contact
+    return mu, contact, least
 
 
 @borrowing

@@ -37,7 +37,7 @@ def _room(lines, samples, loads, others):
     """Return Found of so many lines, empty."""
     shape = lines, loads.size, others.size
     return Found(
-        np.empty((lines, loads.size, 6)),
+        np.empty((lines, loads.size, 7)),
         np.empty(shape),
         np.empty(shape),
         np.empty((lines, loads.size, samples // SPAN + 1)),

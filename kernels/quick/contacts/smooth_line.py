@@ -20,6 +20,16 @@ GAUSS = tuple(
 )
 
 
+class Pieces(NamedTuple):
+    """What is known of intervals of a line, or of spans of SPAN of them: arrays of one shape."""
+
+    low: np.ndarray  # not above any height in it
+    high: np.ndarray  # not below any
+    flat: np.ndarray  # not above any slope
+    area: np.ndarray  # integral of z over it
+    square: np.ndarray  # integral of z'^2
+
+
 class SmoothLine(NamedTuple):
     """A line between its samples, and what is shared by all loads and speeds; n intervals."""
 
@@ -27,12 +37,8 @@ class SmoothLine(NamedTuple):
     slope: np.ndarray  # in h/dx
     bend: np.ndarray  # second and third derivative, in h/dx^2 and h/dx^3, shape (n, 2)
     spacing: float  # of the samples, in dx
-    low: np.ndarray  # shape (n,): not above any height in the interval
-    high: np.ndarray  # shape (n,): not below any
-    flat: np.ndarray  # shape (n,): not above any slope
-    lowest: np.ndarray  # shape (n // SPAN,): the same of so many intervals
-    area: np.ndarray  # shape (n,): integral of z over the interval
-    square: np.ndarray  # shape (n,): integral of z'^2
+    each: Pieces  # its intervals, shape (n,)
+    spans: Pieces  # shape (n // SPAN,)
     deepest: tuple[int, float, float]  # interval, t and height of the deepest point
 
 
@@ -41,8 +47,8 @@ def smooth_line(z, slope, spacing):
     """Return the SmoothLine of samples. z (in h), slope (in h/dx) : shape (n,)."""
     n = z.size
     bend = bends(z, slope, spacing)
-    low, high, flat, area, square = np.empty(n), np.empty(n), np.empty(n), np.empty(n), np.empty(n)
-    lowest = np.full(n // SPAN, np.inf)
+    each, spans = _room(n), _room(n // SPAN)
+    low, high, flat, area, square = each
     for j in range(n):
         c = septic(z, slope, bend, spacing, j)
         b = bernstein(c)
@@ -51,12 +57,31 @@ def smooth_line(z, slope, spacing):
             low[j], high[j] = min(low[j], b[k]), max(high[j], b[k])
             rise = max(rise, b[k] - b[k - 1])
         flat[j] = -7.0 / spacing * rise
-        if j // SPAN < lowest.size:
-            lowest[j // SPAN] = min(lowest[j // SPAN], low[j])
         area[j] = spacing * sum(b) / 8.0
         square[j] = squared(c, 0.0, 1.0) / spacing
+    for b in range(n // SPAN):
+        spans.low[b], spans.high[b], spans.flat[b] = np.inf, -np.inf, np.inf
+        spans.area[b] = spans.square[b] = 0.0
+        for j in range(b * SPAN, (b + 1) * SPAN):
+            spans.low[b], spans.high[b] = min(spans.low[b], low[j]), max(spans.high[b], high[j])
+            spans.flat[b] = min(spans.flat[b], flat[j])
+            spans.area[b], spans.square[b] = spans.area[b] + area[j], spans.square[b] + square[j]
     deepest = _deepest_point(z, slope, bend, spacing, low)
-    return SmoothLine(z, slope, bend, spacing, low, high, flat, lowest, area, square, deepest)
+    return SmoothLine(z, slope, bend, spacing, each, spans, deepest)
+
+
+@kernel
+def _room(n):
+    return Pieces(np.empty(n), np.empty(n), np.empty(n), np.empty(n), np.empty(n))
+
+
+@kernel
+def span_of(j, left):
+    """Return which span begins with interval j where elements come to it; -1 if none does.
+
+    Elements come to intervals from high numbers to low ones. left : how many there are to come to.
+    """
+    return j // SPAN if j % SPAN == SPAN - 1 and left >= SPAN else -1
 
 
 @kernel

@@ -1,4 +1,4 @@
-"""Friction of steady sliding and of the jumps from it, between the samples where that is needed."""
+"""Friction of steady sliding and of the jumps from it, between the samples where that is known."""
 
 from collections.abc import Sequence
 from functools import cached_property
@@ -12,11 +12,13 @@ from ...rheology.kelvin import SCHEMES, Kelvin
 from ...rheology.law import State
 from ..steady.carry import Decay, carry
 from ..steady.spans import Spans, add_rises
-from ..steady.stack import Stack, spans_of_line, stack_of, stacked
-from .between_samples import LEAST_STEPS, NARROW, Columns, slide_between
-from .loads import CONTACT, FULL, INDENTATION, MU, SAMPLES, SWEEPS, Found, How
+from ..steady.stack import Stack, alone, spans_of_line, stack_of, stacked
+from .between_samples import LEAST_STEPS, Columns, slide_between
+from .loads import CONTACT, FULL, INDENTATION, MU, PRESSED, SAMPLES, SWEEPS, Found, How
 from .on_lines import slide_on
 from .smooth_line import SmoothLine, smooth_line
+
+AS_GOOD = 24.0  # samples per contact: contacts that are followed are better than so wide ones
 
 
 class Ground:
@@ -31,13 +33,23 @@ class Ground:
         """What is known of spans of the line."""
         return spans_of_line(self.stack, self.row)
 
+    @property
+    def known_between(self) -> bool:
+        """Whether the line is known between its samples."""
+        return self.line.band_limited and self.line.steps_per_spacing >= LEAST_STEPS
+
     @cached_property
-    def smooth(self) -> SmoothLine | None:
-        """The line between its samples, where it is known there."""
-        line, steps = self.line, self.line.steps_per_spacing
-        if not line.band_limited or steps < LEAST_STEPS:
-            return None
-        return smooth_line(line.z, line.slope, 1.0 / steps)
+    def smooth(self) -> SmoothLine:
+        """The line between its samples: of every so many of them, as LEAST_STEPS are enough."""
+        line, every = self.line, self.every
+        z, slope = (np.ascontiguousarray(one[::every]) for one in (line.z, line.slope))
+        return smooth_line(z, slope, every / line.steps_per_spacing)
+
+    @property
+    def every(self) -> int:
+        """Of how many samples one is taken for it."""
+        steps = self.line.steps_per_spacing
+        return max(k for k in range(1, steps // LEAST_STEPS + 1) if steps % k == 0)
 
 
 class Grounds(NamedTuple):
@@ -86,7 +98,7 @@ class Sliding(NamedTuple):
     stay: np.ndarray  # shape (lines, spans): thresholds above which contact lasts (Thresholds)
     decay: Decay
     loads: np.ndarray  # n Fbar, shape (loads,)
-    found: Found  # its jumps are those of narrow contacts, once these are followed
+    found: Found  # its jumps and rates are those of contacts that are followed, once they are
     d: np.ndarray  # indentation over the deepest sample, from which a march starts, in h
     full: np.ndarray  # whether the whole line touches
     mu: np.ndarray  # in h/dx
@@ -99,10 +111,10 @@ class Sliding(NamedTuple):
     def samples_seen(self, j: int, i: int) -> float:
         """Return the samples per contact that the friction on line j under load i rests on.
 
-        Contacts that are followed between the samples are as good as those wide enough not to be.
+        Contacts that are followed between the samples are as good as wide ones.
         """
         samples = float(self.samples[j, i])
-        return max(samples, NARROW) if self.followed[j, i] else samples
+        return max(samples, AS_GOOD) if self.followed[j, i] else samples
 
     def state(self, j: int, i: int) -> State:
         """Return the state on line j under load i, on its samples."""
@@ -112,14 +124,15 @@ class Sliding(NamedTuple):
         return State(w, d)
 
 
-def steady_friction(grounds: Grounds, at_speed: AtSpeed, loads: np.ndarray) -> Sliding:
+def steady_friction(
+    grounds: Grounds, at_speed: AtSpeed, loads: np.ndarray, follow: bool = False
+) -> Sliding:
     """Return steady sliding on every line, its friction and its jumps to other speeds.
 
-    loads : n Fbar. What is found under a load depends on no other load or line. Narrow contacts are
-    to be followed after it.
+    loads : n Fbar. What is found under a load depends on no other load or line.
+    follow : friction and jumps are not read from samples but are to be, by follow_contacts.
     """
-    one = grounds.each[0].line
-    how = How(float(one.steps_per_spacing), at_speed.share, one.band_limited)
+    how = _how(grounds, at_speed, follow)
     speeds = at_speed.speed, at_speed.others
     stay, decay, found = slide_on(at_speed.law, grounds.stack, speeds, loads, how)
     table = found.table
@@ -137,39 +150,56 @@ def steady_friction(grounds: Grounds, at_speed: AtSpeed, loads: np.ndarray) -> S
         table[..., CONTACT],
         table[..., INDENTATION] + datum,
         table[..., SAMPLES],
-        table[..., SWEEPS] * one.z.size,
+        table[..., SWEEPS] * grounds.stack.z.shape[1],
         np.zeros(table.shape[:2], bool),
     )
 
 
-def follow_narrow(sliding: Sliding, before: Sliding | None = None) -> np.ndarray:
-    """Read friction and jumps from contacts that are followed between the samples, where narrow.
+def _how(grounds: Grounds, at_speed: AtSpeed, follow: bool) -> How:
+    ground = grounds.each[0]
+    steps, smooth = ground.line.steps_per_spacing, ground.line.band_limited
+    return How(float(steps), at_speed.share, smooth, follow and ground.known_between)
+
+
+def follow_contacts(sliding: Sliding, before: Sliding | None = None) -> np.ndarray:
+    """Find friction and jumps from contacts between the samples, where a line is not all pressed.
 
     Return how many patches of contact were come to under every load, on all lines. Lines that are
-    not known between their samples stay as they are, and so does what rounding hides.
+    not known between their samples stay as they are; what rounding hides is read from the samples.
     before : sliding at another speed, which tells by how much samples miss the depth.
     """
-    at_speed, events = sliding.at_speed, np.zeros(sliding.loads.size)
-    for j, ground in enumerate(sliding.grounds.each):
-        narrow = np.flatnonzero(sliding.samples[j] < NARROW)
-        if narrow.size == 0 or ground.smooth is None:
+    grounds, at_speed, events = sliding.grounds, sliding.at_speed, np.zeros(sliding.loads.size)
+    if not grounds.each[0].known_between:
+        return events
+    speeds = at_speed.speed, at_speed.others
+    for j, ground in enumerate(grounds.each):
+        partial = np.flatnonzero(sliding.found.table[j, :, PRESSED] == 0.0)
+        if partial.size == 0:
             continue
-        speeds, d = (at_speed.speed, at_speed.others), sliding.d[j, narrow]
+        smooth = ground.smooth
+        d = sliding.d[j, partial]
         if before is not None:
-            deepest = ground.smooth.deepest[2]
-            depth = before.indentation[j, narrow] - ground.line.datum - deepest
-            missed = depth / (before.d[j, narrow] - deepest)
-            d = deepest + (d - deepest) * np.where(before.followed[j, narrow], missed, 1.0)
-        table, jumps = slide_between(ground.smooth, *speeds, sliding.loads[narrow], d)
+            deepest = smooth.deepest[2]
+            depth = before.indentation[j, partial] - ground.line.datum - deepest
+            missed = depth / (before.d[j, partial] - deepest)
+            d = deepest + (d - deepest) * np.where(before.followed[j, partial], missed, 1.0)
+        table, *changes = slide_between(smooth, *speeds, sliding.loads[partial] / ground.every, d)
         found = Columns(*table.T)
         some = found.events > 0.0
-        at = j, narrow[some]
+        at, rest = (j, partial[some]), partial[~some]
         n, steps = ground.line.z.size, ground.line.steps_per_spacing
         sliding.followed[at] = True
-        sliding.mu[at], sliding.found.jumps[at] = found.mu[some], jumps[some]
+        for own, change in zip((sliding.found.jumps, sliding.found.rates), changes, strict=True):
+            own[at] = change[some]
+        sliding.mu[at] = found.mu[some]
         sliding.contact[at] = np.minimum(found.length[some] * steps / n, 1.0)
         sliding.indentation[at] = found.d[some] + ground.line.datum
         sliding.samples[at] = found.median[some] * steps
         sliding.updates[at] += found.events[some]
-        events[narrow] += found.events
+        events[partial] += found.events
+        if rest.size:
+            how, stack = _how(grounds, at_speed, False), alone(grounds.stack, j)
+            *_, sampled = slide_on(at_speed.law, stack, speeds, sliding.loads[rest], how)
+            for whole, part in zip(sliding.found, sampled, strict=True):
+                whole[j, rest] = part[0]
     return events

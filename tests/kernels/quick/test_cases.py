@@ -5,8 +5,8 @@ import pytest
 
 from elastomer_friction.kernels import SCHEMES, Case, Quantities, run_case, run_cases
 from elastomer_friction.kernels.quick import cases
-from elastomer_friction.kernels.quick.contacts.between_samples import NARROW
 from elastomer_friction.kernels.quick.contacts.steady_friction import (
+    AS_GOOD,
     AtSpeed,
     Grounds,
     steady_friction,
@@ -41,8 +41,8 @@ def test_samples_are_refined_only_where_that_is_wanted():
     pace = AtSpeed.of(given.scheme, line.steps_per_spacing, 100.0)
     alone = steady_friction(Grounds.of([line]), pace, np.array([1e-3 * line.z.size]))
     assert as_sampled.mu_1 == alone.mu[0, 0] > 0.0
-    assert as_sampled.samples_per_contact == alone.samples[0, 0] < 0.5 * NARROW
-    assert refined.samples_per_contact >= NARROW
+    assert as_sampled.samples_per_contact == alone.samples[0, 0] < 0.5 * AS_GOOD
+    assert refined.samples_per_contact >= AS_GOOD
     together = run_cases(line, [given, finer], asked)
     assert [one.mu_1 for one in together] == [as_sampled.mu_1, refined.mu_1]
 

@@ -23,7 +23,8 @@ ASKED = Quantities(initial_rate=True)
 
 
 def test_a_kelvin_element_has_the_march_of_the_quick_path():
-    quick, general = run_case(LINE, CASE, ASKED), run_memory_case(LINE, CASE, ASKED)
+    sampled = CASE._replace(refine=False)  # the general path knows no line between the samples
+    quick, general = run_case(LINE, sampled, ASKED), run_memory_case(LINE, sampled, ASKED)
     relaxed = [found.curves[0] - found.mu_2[0] for found in (quick, general)]
     assert relaxed[1] == pytest.approx(relaxed[0], abs=1e-11)
     assert general.indentation == pytest.approx(quick.indentation, rel=1e-12)

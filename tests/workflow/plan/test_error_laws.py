@@ -6,7 +6,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from elastomer_friction.kernels import Quantities
-from elastomer_friction.workflow.plan.error_laws import LAWS, contact_width, rate_error
+from elastomer_friction.kernels.quick.contacts.between_samples import LEAST_STEPS
+from elastomer_friction.workflow.plan.error_laws import FOLLOWED, LAWS, contact_width, rate_error
 from elastomer_friction.workflow.plan.problems import expected_rate
 from elastomer_friction.workflow.simulate.realizations import block_means
 from elastomer_friction.workflow.simulate.tasks import SCALARS, Batch, Problem, Recording, Task
@@ -23,7 +24,7 @@ OUTER = [  # where the bound was once ten times too small
     Problem(0.7, 1580, 19.0, 870.0, 1.2),
 ]
 LINES = 24
-FINE = 64
+FINE = 61  # a prime number, all samples of which are taken
 
 
 def scalars(problem, steps):
@@ -70,9 +71,12 @@ PROBLEMS = st.tuples(
 
 @given(PROBLEMS, st.sampled_from(sorted(LAWS)))
 def test_an_error_falls_with_the_steps(problem, name):
-    errors = [LAWS[name].error(problem, steps) for steps in (1, 2, 4, 6, 8, 16, 64)]
-    assert np.all(np.diff(errors) < 0.0)
-    assert errors[-1] > 0.0
+    steps = np.array([1, 2, 4, 6, 8, 16, 64])
+    followed = (steps >= LEAST_STEPS) & (name != "relaxation_rate")
+    errors = np.array([LAWS[name].error(problem, m) for m in steps])
+    assert np.all(np.diff(errors[~followed]) < 0.0)
+    assert np.all(errors[followed] == FOLLOWED)
+    assert not followed.any() or errors[~followed][-1] > FOLLOWED
 
 
 @given(PROBLEMS, st.integers(1, 64), st.floats(0.1, 100.0), st.floats(1.1, 10.0))

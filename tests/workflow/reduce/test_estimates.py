@@ -149,7 +149,9 @@ def test_biases_follow_the_laws_and_fall_with_finer_steps():
     for name in JUDGED[:2]:
         assert coarse[f"{name}_bias"] == LAWS[name].error(PROBLEM, 8)
     for name in JUDGED:
-        assert 0.0 < fine[f"{name}_bias"] < coarse[f"{name}_bias"]
+        finer = name == "relaxation_rate"  # steady friction and jumps are followed at both
+        assert 0.0 < fine[f"{name}_bias"] <= coarse[f"{name}_bias"]
+        assert (fine[f"{name}_bias"] < coarse[f"{name}_bias"]) == finer
         assert coarse["bias_bound"] >= coarse[f"{name}_bias"]
 
 

@@ -19,12 +19,13 @@ from elastomer_friction.kernels import (
     steady_sliding,
 )
 from elastomer_friction.kernels.lines.polynomials import bends, height, septic, steepness
-from elastomer_friction.kernels.quick.contacts.between_samples import NARROW, slide_between
+from elastomer_friction.kernels.quick.contacts.between_samples import slide_between
 from elastomer_friction.kernels.quick.contacts.smooth_line import smooth_line
 from elastomer_friction.kernels.quick.contacts.steady_friction import (
+    AS_GOOD,
     AtSpeed,
     Grounds,
-    follow_narrow,
+    follow_contacts,
     steady_friction,
 )
 from elastomer_friction.kernels.scene.samples import samples_per_contact
@@ -35,8 +36,8 @@ from tests.sizes import size
 def one_load(line, speed, scheme, load, others=()):
     """Return what is found under a load."""
     pace = AtSpeed.of(scheme, line.steps_per_spacing, speed, others)
-    found = steady_friction(Grounds.of([line]), pace, np.array([load]))
-    follow_narrow(found)
+    found = steady_friction(Grounds.of([line]), pace, np.array([load]), True)
+    follow_contacts(found)
     names = ("followed", "d", "mu", "contact", "indentation", "updates", "full", "samples")
     return SimpleNamespace(
         **{name: getattr(found, name)[0, 0] for name in names},
@@ -120,20 +121,23 @@ def test_contacts_are_those_of_the_model_on_fine_samples_of_the_line(hurst, load
     line, v = line_of(4, index, hurst, 30), x / np.pi
     smooth = smooth_line(line.z, line.slope, 0.25)
     guess = np.array([steady_sliding(SCHEMES["exponential"](0.25 / v), line.z, 120.0 * load)[0].d])
-    table, jumps = slide_between(smooth, v, np.array([ratio * v]), np.array([120.0 * load]), guess)
+    table, jumps, rates = slide_between(
+        smooth, v, np.array([ratio * v]), np.array([120.0 * load]), guess
+    )
     d, mu, length, median, events = table[0]
     fold = int(np.clip(64.0 / median, 16, size(4096, 1024)))
     z, slope, lowest = fine(line, smooth, fold)
     total, law = load * z.size, SCHEMES["exponential"](0.25 / (fold * v))
     w, near = steady_sliding(law, z, total)[0]
     one, _, share = quadrature(z, slope, w, near, v, v, total)
-    other, _, _ = quadrature(z, slope, w, near, v, ratio * v, total)
+    other, rate, _ = quadrature(z, slope, w, near, v, ratio * v, total)
     patch = samples_per_contact(near - (z - w))
     close = 0.02 + 60.0 / patch**2  # of slopes: what quadrature of so many samples keeps
     assert events > 0.0
     assert d == pytest.approx(near + lowest, abs=1e-3 * (near + 1e-3))
     assert mu == pytest.approx(one, rel=close)
     assert jumps[0, 0] == pytest.approx(other - one, rel=3.0 * close, abs=1e-9)
+    assert rates[0, 0] == pytest.approx(rate, abs=3.0 * close * abs(ratio - 1.0) * v * one)
     assert length == pytest.approx(30.0 * share, rel=0.05 + 20.0 / patch**2)
 
 
@@ -172,18 +176,22 @@ def slide_with_jumps(speed, load, steps=8, scheme="exponential"):
     return line, one_load(line, speed, scheme, load * line.z.size, others)
 
 
-def test_wide_contacts_are_seen_on_the_line_itself():
-    _, found = slide_with_jumps(0.1, 3.0)
-    assert found.samples == found.samples_seen >= NARROW
+def test_a_line_that_touches_all_over_is_known_by_its_samples():
+    line, found = slide_with_jumps(0.1, 10.0)
+    assert found.full
     assert not found.followed
+    assert found.samples == found.samples_seen == line.z.size
 
 
-def test_narrow_contacts_are_seen_between_the_samples():
-    line, found = slide_with_jumps(100.0, 1e-3)
+@pytest.mark.parametrize(
+    ("speed", "load", "least", "most"), [(100.0, 1e-3, 0.0, 0.01), (0.1, 1.0, 0.5, 1.0)]
+)
+def test_partial_contacts_are_seen_between_the_samples(speed, load, least, most):
+    line, found = slide_with_jumps(speed, load)
     assert found.followed
-    assert found.samples < found.samples_seen == NARROW
+    assert found.samples_seen == max(found.samples, AS_GOOD)
     assert found.updates > line.z.size
-    assert 0.0 < found.contact < 0.01
+    assert least < found.contact < most
 
 
 @pytest.mark.parametrize(("speed", "load"), [(0.1, 3.0), (100.0, 1e-3)])

@@ -30,8 +30,8 @@ def slid(line, speed, several, criterion=True):
         own, there = (at._replace(stay_all=np.inf, press_all=np.inf) for at in (own, there))
     press = np.append(there.press, there.press_all)[None]
     speeds = Speeds(speed, own, np.array([1.2 * speed]), press)
-    total, how = several * line.z.size, How(float(line.steps_per_spacing), 0.0, True)
-    shapes = 6, 1, 1, line.z.size // SPAN + 1
+    total, how = several * line.z.size, How(float(line.steps_per_spacing), 0.0, True, False)
+    shapes = 7, 1, 1, line.z.size // SPAN + 1
     into = Found(*(np.full((several.size, width), np.nan) for width in shapes))
     slide(decay_of(law), line.z, line.slope, spans, speeds, total, how, into)
     return into

@@ -20,7 +20,7 @@ from elastomer_friction.kernels.motion.stretches import touchable
 from elastomer_friction.kernels.quick.contacts.steady_friction import (
     AtSpeed,
     Grounds,
-    follow_narrow,
+    follow_contacts,
     steady_friction,
 )
 from elastomer_friction.kernels.rheology.kelvin import SCHEMES
@@ -36,7 +36,6 @@ from elastomer_friction.workflow.plan.cost.work import (
     touchable_share,
     typical_seconds,
 )
-from elastomer_friction.workflow.plan.error_laws import contact_width
 from elastomer_friction.workflow.simulate.tasks import LineShape, Problem, Recording
 
 # H, N, Fbar, vbar, r = v2/v1
@@ -163,8 +162,8 @@ def test_patches_that_are_followed_are_those_of_the_kernels():
         phases = draw_phases(np.random.default_rng(1), 3000)
         grounds = Grounds.of([Line.self_affine(amplitudes(hurst, 3000), phases, 3000, 4)])
         pace = AtSpeed.of("exponential", 4, speed)
-        found = follow_narrow(steady_friction(grounds, pace, np.array([load * 12_000])))
-        ratio.append(found[0] / followed_patches(problem, 4, 4.0 * contact_width(problem)))
+        found = follow_contacts(steady_friction(grounds, pace, np.array([load * 12_000]), True))
+        ratio.append(found[0] / followed_patches(problem, 4))
     assert 0.5 < min(ratio) <= max(ratio) < 2.0
 
 
