@@ -17,7 +17,7 @@ from tests.cluster.processes import PATIENCE, STUDY, Standing, end, kill, start,
 from tests.cluster.slurm import NODES, Slurm
 from tests.cluster.stops import Stops
 
-ENDINGS = {0, 2, 130, -signal.SIGKILL, -signal.SIGTERM, -signal.SIGINT}  # Ctrl-C: too early
+ENDINGS = {0, 2, 130, -signal.SIGKILL, -signal.SIGTERM, -signal.SIGINT}  # Ctrl-C: early
 BATCH_SECONDS = "0.15"  # short, so that much can happen in a small study
 STOPPABLE = ("worker", "nanny", "scheduler", "worker of a job", "nanny of a job", "local worker")
 Weapon = Callable[[], bool]  # returns whether it found something to kill
@@ -41,6 +41,7 @@ class Chaos:
         self.folder, self.study, self.random = folder, study, random.Random(seed)
         self.stops = Stops(self.random)
         self.store, self.log = folder / "store", folder / "driver.log"
+        self.silent = 0  # bytes of the log before the driver has said anything
         self.strikes: Counter[str] = Counter()
         self.endings: Counter[int] = Counter()  # of drivers, by exit status
         self.driver: subprocess.Popen | None = None
@@ -133,6 +134,7 @@ class Chaos:
             command = [*STUDY, *self.study, "--out", str(self.folder), *self.options]
             command += ["--batch-seconds", BATCH_SECONDS]
             self.driver = start(self.log, *command, **self.environment)
+            self.silent = self.log.stat().st_size
 
     def _wait_for_progress(self, heal: Callable[[], None]) -> None:
         """Heal the cluster until the store has got more, or the driver has ended."""
@@ -157,6 +159,10 @@ class Chaos:
 
     def _at_driver(self, number: int) -> bool:
         """Signal the driver, as Ctrl-C does its whole group; wait for its end."""
+        while number == signal.SIGINT and self.log.stat().st_size == self.silent:
+            if self.driver.poll() is not None:  # until it says a line Python itself may be starting
+                return False
+            time.sleep(0.05)
         if self.driver.poll() is not None:
             return False
         (os.killpg if number == signal.SIGINT else os.kill)(self.driver.pid, number)
