@@ -113,10 +113,12 @@ def carry_rows(powers, touching, length, tangents):
         if power > place:
             while not powers.known[kind, power]:
                 _next_power(of, alone, powers.known[kind], power)
-            _multiply(tangents, of[power], alone, product)
+            by = of[power]
+            if not alone:
+                _multiply(tangents, by, alone, product)
             for r in range(product.shape[0]):
                 for c in range(product.shape[1]):
-                    tangents[r, c] = product[r, c]
+                    tangents[r, c] = tangents[r, c] * by[r, c] if alone else product[r, c]
         place += RADIX - 1
         length //= RADIX
 
