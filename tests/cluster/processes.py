@@ -13,6 +13,7 @@ from collections.abc import Callable
 from pathlib import Path
 
 import psutil
+from distributed import Client
 
 from tests.support.python import ROOT
 from tests.support.small import write_study
@@ -187,6 +188,14 @@ class Standing:
             process = self.processes.get(name)
             if process is None or process.poll() is not None:
                 self.processes[name] = self._start(name)
+
+    def complete(self) -> None:
+        """Start whatever is not running, until the scheduler knows both workers."""
+        self.heal()
+        with Client(self.address, timeout=PATIENCE, set_as_default=False) as client:
+            while len(client.nthreads()) < 2:
+                time.sleep(0.1)
+                self.heal()
 
     def stop(self) -> None:
         """End all."""
