@@ -142,7 +142,11 @@ class Trial:
     def wait_for_its_stop(self) -> None:
         """Wait until the run has stopped itself: the rest of it would not be long in coming."""
         driver = psutil.Process(self.driver.pid)
-        wait_while(lambda: driver.status() != psutil.STATUS_STOPPED, self.driver, self.log)
+
+        def runs() -> bool:
+            return driver.status() != psutil.STATUS_STOPPED or len(shards(self.folder)) < 2
+
+        wait_while(runs, self.driver, self.log)
 
     def go_on(self) -> None:
         """Let the run go on."""
