@@ -1,4 +1,4 @@
-"""How tests are spread over processes, and one local cluster for all that compute in one."""
+"""How tests are spread over processes, what all hide, one cluster for all that compute in one."""
 
 import os
 from collections.abc import Iterator
@@ -49,6 +49,14 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item
         return next((i for i, name in enumerate(ORDER) if path.startswith(name)), len(ORDER))
 
     items.sort(key=place)
+
+
+@pytest.fixture(scope="session", autouse=True)
+def no_commit() -> Iterator[None]:
+    """Hide git: files are compared byte for byte, and someone may commit during the tests."""
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setenv("GIT_DIR", "/nowhere")
+        yield
 
 
 @pytest.fixture(scope="session")

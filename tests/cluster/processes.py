@@ -13,6 +13,7 @@ from collections.abc import Callable
 from pathlib import Path
 
 import psutil
+from distributed import Client
 
 from tests.support.python import ROOT
 from tests.support.small import write_study
@@ -141,7 +142,11 @@ class Trial:
     def wait_for_its_stop(self) -> None:
         """Wait until the run has stopped itself: the rest of it would not be long in coming."""
         driver = psutil.Process(self.driver.pid)
-        wait_while(lambda: driver.status() != psutil.STATUS_STOPPED, self.driver, self.log)
+
+        def runs() -> bool:
+            return driver.status() != psutil.STATUS_STOPPED or len(shards(self.folder)) < 2
+
+        wait_while(runs, self.driver, self.log)
 
     def go_on(self) -> None:
         """Let the run go on."""
@@ -187,6 +192,14 @@ class Standing:
             process = self.processes.get(name)
             if process is None or process.poll() is not None:
                 self.processes[name] = self._start(name)
+
+    def complete(self) -> None:
+        """Start whatever is not running, until the scheduler knows both workers."""
+        self.heal()
+        with Client(self.address, timeout=PATIENCE, set_as_default=False) as client:
+            while len(client.nthreads()) < 2:
+                time.sleep(0.1)
+                self.heal()
 
     def stop(self) -> None:
         """End all."""

@@ -9,17 +9,25 @@ from elastomer_friction.workflow.study.cluster import Cluster
 from elastomer_friction.workflow.study.read import read_study
 from elastomer_friction.workflow.system import peak_bytes
 from tests.cluster.many_points import pretended
+from tests.support.runs import run
 
 pytestmark = pytest.mark.cluster
 
 
+@pytest.fixture(scope="module")
+def warm(standing, tmp_path_factory):
+    """Return the cluster after a run, by which all is imported that a driver needs."""
+    run(tmp_path_factory.mktemp("warm"), scheduler=standing.address)
+    return standing
+
+
 @pytest.mark.parametrize("realizations", [200, 20_000])
 def test_memory_of_the_driver_is_as_predicted_whatever_the_realizations(
-    standing, tmp_path, realizations
+    warm, tmp_path, realizations
 ):
     settings = [f"study.realizations={realizations}", "study.realizations_per_block=100"]
     plan = make_plan(read_study("fig4", "smoke", settings))
     before = peak_bytes()
-    how = RunOptions(Cluster(standing.address), work=pretended, batch_seconds=1e9)
+    how = RunOptions(Cluster(warm.address), work=pretended, batch_seconds=1e9)
     run_plan(plan, tmp_path / "fig4.nc", how)
-    assert peak_bytes() - before < 0.3 * plan.predicted_driver_bytes()
+    assert peak_bytes() - before < 0.1 * plan.predicted_driver_bytes()

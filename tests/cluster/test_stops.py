@@ -26,7 +26,7 @@ pytestmark = pytest.mark.cluster
 @pytest.fixture
 def cluster(standing):
     """Return a scheduler and two workers, which go on in the end."""
-    standing.heal()
+    standing.complete()
     yield standing
     for process in standing.processes.values():
         with contextlib.suppress(ProcessLookupError):  # given up meanwhile, it may have ended

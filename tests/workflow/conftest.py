@@ -18,14 +18,6 @@ from tests.support.small import write_study
 
 
 @pytest.fixture(scope="session", autouse=True)
-def no_commit() -> Iterator[None]:
-    """Hide git: files are compared byte for byte, and someone may commit during the tests."""
-    with pytest.MonkeyPatch.context() as patch:
-        patch.setenv("GIT_DIR", "/nowhere")
-        yield
-
-
-@pytest.fixture(scope="session", autouse=True)
 def typical_machine(tmp_path_factory) -> Iterator[None]:
     """Predict with the pace of a typical machine: nothing is measured."""
     file = tmp_path_factory.mktemp("machine") / "pace.json"
