@@ -5,7 +5,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ...compile.jit import borrowing, kernel
+from ...compile.jit import borrowing, inlined, kernel
 from ...lines.polynomials import bending, bends, bernstein, height, septic, steepness
 from ..steady.spans import SPAN
 
@@ -212,7 +212,7 @@ def first_zero(c, u, a, start, stop, fresh):
     return t
 
 
-@kernel
+@inlined
 def three_at(c, u, a, start, t):
     """Return c(t) - u e^(-a (t - start)), its derivative and the second one."""
     if u == 0.0:
