@@ -52,7 +52,7 @@ def test_a_run_waits_for_the_disk_and_ends_with_the_same_bytes(
 
 def test_a_full_disk_ends_a_run_in_one_line_and_it_is_resumed(disk, begun, tmp_path, undisturbed):
     rules = disk.environment(f"write ENOSPC {tmp_path}/store")
-    run = begun("--set", "cluster.patience=2", stopping=True, **rules)
+    run = begun("--set", "cluster.patience=6", stopping=True, **rules)  # s; a look may count 5
     run.wait_for_its_stop()
     with disk.failing():
         run.go_on()

@@ -22,6 +22,9 @@ from tests.cluster.processes import (
 
 pytestmark = pytest.mark.cluster
 
+LONG = ("--set", "study.realizations=4800")  # a run that cannot end before something happens to it
+USUAL = ("--set", "study.realizations=240")
+
 
 @pytest.fixture
 def cluster(standing):
@@ -73,18 +76,19 @@ def test_a_scheduler_that_is_stopped_during_a_run_is_said_to_be_and_waited_for(
 
 @pytest.mark.parametrize("away", [0.0, 5.0])
 def test_a_scheduler_that_is_started_anew_during_a_run_ends_it_and_the_next_resumes(
-    trial, cluster, undisturbed, away
+    tried, tmp_path, cluster, undisturbed, away
 ):
     """The work of a scheduler is lost with it: one line says so, and stored batches are kept."""
+    trial = tried(tmp_path, "--scheduler", cluster.address, *LONG)
+    wait_while(lambda: not shards(trial.folder), trial.driver, trial.log)
     end(cluster.processes["scheduler"])
-    trial.go_on()
     time.sleep(away)
     cluster.heal()
     status, lines = trial.ended()
     assert (status, lines[-1]) == (2, "error: the scheduler was lost; run again to resume")
     assert "Traceback" not in "".join(lines)
     kept = shards(trial.folder)
-    trial.again()
+    trial.again(*USUAL)
     while trial.driver.poll() is None:
         cluster.heal()  # workers end with the scheduler that they had
         time.sleep(0.1)
@@ -115,8 +119,7 @@ def test_ctrl_c_does_not_wait_for_a_worker_of_our_own_that_is_stopped(tried, tmp
     for attempt in range(3):
         taken = {}
         for stopped in (0, 1):
-            long = ("--set", "study.realizations=4800")  # it cannot end before the signal
-            trial = tried(tmp_path / f"{attempt}{stopped}", "--workers", "2", *long)
+            trial = tried(tmp_path / f"{attempt}{stopped}", "--workers", "2", *LONG)
             wait_while(lambda trial=trial: not shards(trial.folder), trial.driver, trial.log)
             for pid in workers_of(psutil.Process(trial.driver.pid))[:stopped]:
                 os.kill(pid, signal.SIGSTOP)
