@@ -68,20 +68,20 @@ def _run_loads(grounds: Grounds, some: Together, asked: Quantities) -> list[list
     """
     lines, n = grounds.stack.z.shape
     loads, clocks = some.loads * n, PhaseClocks(len(some.cases))
-    refine = some.cases[0].refine
-    one = steady_friction(grounds, some.at_speed, loads, refine)
+    follow = some.cases[0].refine and grounds.known_between
+    one = steady_friction(grounds, some.at_speed, loads, follow)
     jumping = len(some.at_speed.others)
-    clocks.lap(_work(one), jump=jumping * n * lines)
-    if refine:
+    clocks.lap(_work(one), 0.0 if follow else jumping * n * lines)
+    if follow:
         events = follow_contacts(one)
         clocks.lap(events, 0.3 * jumping * events)  # as measured
     twos = []
     for later in some.following:
         two = one
         if later.speed != some.at_speed.speed:
-            two = steady_friction(grounds, later, loads, refine)
+            two = steady_friction(grounds, later, loads, follow)
             clocks.lap(_work(two))
-            if refine:
+            if follow:
                 clocks.lap(follow_contacts(two, one))
         twos.append(two)
     return [_under_load(one, twos, i, some, asked, clocks) for i in range(len(some.cases))]

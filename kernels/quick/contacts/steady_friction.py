@@ -33,11 +33,6 @@ class Ground:
         """What is known of spans of the line."""
         return spans_of_line(self.stack, self.row)
 
-    @property
-    def known_between(self) -> bool:
-        """Whether the line is known between its samples."""
-        return self.line.band_limited and self.line.steps_per_spacing >= LEAST_STEPS
-
     @cached_property
     def smooth(self) -> SmoothLine:
         """The line between its samples: of every so many of them, as LEAST_STEPS are enough."""
@@ -57,6 +52,12 @@ class Grounds(NamedTuple):
 
     stack: Stack
     each: list[Ground]
+
+    @property
+    def known_between(self) -> bool:
+        """Whether the lines are known between their samples."""
+        line = self.each[0].line
+        return line.band_limited and line.steps_per_spacing >= LEAST_STEPS
 
     @classmethod
     def of(cls, lines: Sequence[Line], marched: bool = False) -> "Grounds":
@@ -132,7 +133,8 @@ def steady_friction(
     loads : n Fbar. What is found under a load depends on no other load or line.
     follow : friction and jumps are not read from samples but are to be, by follow_contacts.
     """
-    how = _how(grounds, at_speed, follow)
+    line = grounds.each[0].line
+    how = How(float(line.steps_per_spacing), at_speed.share, line.band_limited, follow)
     speeds = at_speed.speed, at_speed.others
     stay, decay, found = slide_on(at_speed.law, grounds.stack, speeds, loads, how)
     table = found.table
@@ -155,22 +157,14 @@ def steady_friction(
     )
 
 
-def _how(grounds: Grounds, at_speed: AtSpeed, follow: bool) -> How:
-    ground = grounds.each[0]
-    steps, smooth = ground.line.steps_per_spacing, ground.line.band_limited
-    return How(float(steps), at_speed.share, smooth, follow and ground.known_between)
-
-
 def follow_contacts(sliding: Sliding, before: Sliding | None = None) -> np.ndarray:
     """Find friction and jumps from contacts between the samples, where a line is not all pressed.
 
-    Return how many patches of contact were come to under every load, on all lines. Lines that are
-    not known between their samples stay as they are; what rounding hides is read from the samples.
+    Return how many patches of contact were come to under every load, on all lines, which are to be
+    known between their samples. What rounding hides is read from the samples.
     before : sliding at another speed, which tells by how much samples miss the depth.
     """
     grounds, at_speed, events = sliding.grounds, sliding.at_speed, np.zeros(sliding.loads.size)
-    if not grounds.each[0].known_between:
-        return events
     speeds = at_speed.speed, at_speed.others
     for j, ground in enumerate(grounds.each):
         partial = np.flatnonzero(sliding.found.table[j, :, PRESSED] == 0.0)
@@ -198,8 +192,8 @@ def follow_contacts(sliding: Sliding, before: Sliding | None = None) -> np.ndarr
         sliding.updates[at] += found.events[some]
         events[partial] += found.events
         if rest.size:
-            how, stack = _how(grounds, at_speed, False), alone(grounds.stack, j)
-            *_, sampled = slide_on(at_speed.law, stack, speeds, sliding.loads[rest], how)
-            for whole, part in zip(sliding.found, sampled, strict=True):
+            own = Grounds(alone(grounds.stack, j), [ground])
+            sampled = steady_friction(own, at_speed, sliding.loads[rest])
+            for whole, part in zip(sliding.found, sampled.found, strict=True):
                 whole[j, rest] = part[0]
     return events

@@ -36,8 +36,10 @@ from tests.sizes import size
 def one_load(line, speed, scheme, load, others=()):
     """Return what is found under a load."""
     pace = AtSpeed.of(scheme, line.steps_per_spacing, speed, others)
-    found = steady_friction(Grounds.of([line]), pace, np.array([load]), True)
-    follow_contacts(found)
+    grounds = Grounds.of([line])
+    found = steady_friction(grounds, pace, np.array([load]), grounds.known_between)
+    if grounds.known_between:
+        follow_contacts(found)
     names = ("followed", "d", "mu", "contact", "indentation", "updates", "full", "samples")
     return SimpleNamespace(
         **{name: getattr(found, name)[0, 0] for name in names},

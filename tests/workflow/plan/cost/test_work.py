@@ -163,7 +163,7 @@ def test_patches_that_are_followed_are_those_of_the_kernels():
         grounds = Grounds.of([Line.self_affine(amplitudes(hurst, 3000), phases, 3000, 4)])
         pace = AtSpeed.of("exponential", 4, speed)
         found = follow_contacts(steady_friction(grounds, pace, np.array([load * 12_000]), True))
-        ratio.append(found[0] / followed_patches(problem, 4))
+        ratio.append(found[0] / followed_patches(problem))
     assert 0.5 < min(ratio) <= max(ratio) < 2.0
 
 
