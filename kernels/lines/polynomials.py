@@ -8,29 +8,38 @@ its height. It is gone through as elements go, against the motion: t runs from 0
 
 import numpy as np
 
-from ..compile.jit import borrowing, kernel
+from ..compile.jit import borrowing, inlined, kernel
 
 
 @kernel
 def bends(z, slope, spacing):
-    """Return the second and the third derivative (in h/dx^2 and h/dx^3), shape (n, 2).
+    """Return the second and the third derivative (in h/dx^2 and h/dx^3), shape (2, n).
 
     Both are found to eighth order from five heights and slopes.
     """
     n = z.size
-    found = np.empty((n, 2))
-    for j in range(n):  # below zero an index counts from the end, as the period does
-        one, two = j + 1 - n, j + 2 - n
-        rise = 64.0 / 27.0 * ((z[one] - z[j]) - (z[j] - z[j - 1]))
-        rise += 7.0 / 54.0 * ((z[two] - z[j]) - (z[j] - z[j - 2]))
-        turn = 8.0 / 9.0 * (slope[one] - slope[j - 1])
-        turn += 1.0 / 36.0 * (slope[two] - slope[j - 2])
-        found[j, 0] = rise / spacing**2 - turn / spacing
-        odd = 88.0 / 9.0 * (z[one] - z[j - 1]) + 31.0 / 144.0 * (z[two] - z[j - 2])
-        even = 15.0 * slope[j] + 8.0 / 3.0 * (slope[one] + slope[j - 1])
-        even += (slope[two] + slope[j - 2]) / 24.0
-        found[j, 1] = odd / spacing**3 - even / spacing**2
+    found = np.empty((2, n))
+    for j in range(2, n - 2):  # without a branch, so that several are found at once
+        _bend(z, slope, spacing, (j - 2, j - 1, j, j + 1, j + 2), found)
+    for j in range(-2, min(2, n - 2)):  # round the end
+        near = (j - 2) % n, (j - 1) % n, j % n, (j + 1) % n, (j + 2) % n
+        _bend(z, slope, spacing, near, found)
     return found
+
+
+@inlined
+def _bend(z, slope, spacing, near, found):
+    """Fill in both derivatives at the middle one of five samples."""
+    before, left, j, right, after = near
+    rise = 64.0 / 27.0 * ((z[right] - z[j]) - (z[j] - z[left]))
+    rise += 7.0 / 54.0 * ((z[after] - z[j]) - (z[j] - z[before]))
+    turn = 8.0 / 9.0 * (slope[right] - slope[left])
+    turn += 1.0 / 36.0 * (slope[after] - slope[before])
+    found[0, j] = rise / spacing**2 - turn / spacing
+    odd = 88.0 / 9.0 * (z[right] - z[left]) + 31.0 / 144.0 * (z[after] - z[before])
+    even = 15.0 * slope[j] + 8.0 / 3.0 * (slope[right] + slope[left])
+    even += (slope[after] + slope[before]) / 24.0
+    found[1, j] = odd / spacing**3 - even / spacing**2
 
 
 @borrowing
@@ -39,13 +48,18 @@ def septic(z, slope, bend, h, j):
 
     bend : from bends. h : spacing.
     """
-    k = j + 1 if j + 1 < z.size else 0
-    s, c, e = -h * slope[k], 0.5 * h * h * bend[k, 0], -h * h * h / 6.0 * bend[k, 1]
+    return septic_between(z, slope, bend, h, j + 1 if j + 1 < z.size else 0, j)
+
+
+@inlined
+def septic_between(z, slope, bend, h, k, j):
+    """Return the same of the interval from sample j to k, the next."""
+    s, c, e = -h * slope[k], 0.5 * h * h * bend[0, k], -h * h * h / 6.0 * bend[1, k]
     # What the height and its derivatives, over 1, 2 and 6, lack at t = 1.
     rise = z[j] - z[k] - s - c - e
     steep = -h * slope[j] - s - 2.0 * c - 3.0 * e
-    curved = 0.5 * h * h * bend[j, 0] - c - 3.0 * e
-    third = -h * h * h / 6.0 * bend[j, 1] - e
+    curved = 0.5 * h * h * bend[0, j] - c - 3.0 * e
+    third = -h * h * h / 6.0 * bend[1, j] - e
     return (
         z[k],
         s,
@@ -58,7 +72,7 @@ def septic(z, slope, bend, h, j):
     )
 
 
-@kernel
+@inlined
 def bernstein(c):
     """Return eight numbers between whose extremes the polynomial stays from t = 0 to 1."""
     c0, c1, c2, c3, c4, c5, c6, c7 = c

@@ -6,7 +6,15 @@ from typing import NamedTuple
 import numpy as np
 
 from ...compile.jit import borrowing, inlined, kernel
-from ...lines.polynomials import bending, bends, bernstein, height, septic, steepness
+from ...lines.polynomials import (
+    bending,
+    bends,
+    bernstein,
+    height,
+    septic,
+    septic_between,
+    steepness,
+)
 from ..steady.spans import SPAN
 
 THIRD_NODE = math.sqrt(0.6)
@@ -48,26 +56,44 @@ def smooth_line(z, slope, spacing):
     n = z.size
     bend = bends(z, slope, spacing)
     each, spans = _room(n), _room(n // SPAN)
+    for j in range(n - 1):  # without a branch, so that several are found at once
+        _interval(z, slope, bend, spacing, j + 1, j, each)
+    _interval(z, slope, bend, spacing, 0, n - 1, each)
     low, high, flat, area, square = each
-    for j in range(n):
-        c = septic(z, slope, bend, spacing, j)
-        b = bernstein(c)
-        low[j], high[j], rise = b[0], b[0], b[1] - b[0]
-        for k in range(1, 8):
-            low[j], high[j] = min(low[j], b[k]), max(high[j], b[k])
-            rise = max(rise, b[k] - b[k - 1])
-        flat[j] = -7.0 / spacing * rise
-        area[j] = spacing * sum(b) / 8.0
-        square[j] = squared(c, 0.0, 1.0) / spacing
     for b in range(n // SPAN):
-        spans.low[b], spans.high[b], spans.flat[b] = np.inf, -np.inf, np.inf
-        spans.area[b] = spans.square[b] = 0.0
+        lowest, above, flattest, areas, squares = np.inf, np.inf, np.inf, 0.0, 0.0
         for j in range(b * SPAN, (b + 1) * SPAN):
-            spans.low[b], spans.high[b] = min(spans.low[b], low[j]), max(spans.high[b], high[j])
-            spans.flat[b] = min(spans.flat[b], flat[j])
-            spans.area[b], spans.square[b] = spans.area[b] + area[j], spans.square[b] + square[j]
+            lowest, above = lower(lowest, low[j]), lower(above, -high[j])
+            flattest, areas, squares = (
+                lower(flattest, flat[j]),
+                areas + area[j],
+                squares + square[j],
+            )
+        spans.low[b], spans.high[b], spans.flat[b] = lowest, -above, flattest
+        spans.area[b], spans.square[b] = areas, squares
     deepest = _deepest_point(z, slope, bend, spacing, low)
     return SmoothLine(z, slope, bend, spacing, each, spans, deepest)
+
+
+@inlined
+def lower(one, other):
+    """Return the lower of two numbers, without the branch that min takes for NaN."""
+    return one if one < other else other
+
+
+@inlined
+def _interval(z, slope, bend, spacing, k, j, each):
+    """Fill in the Pieces ``each`` of the interval from sample j to k, the next."""
+    c = septic_between(z, slope, bend, spacing, k, j)
+    b0, b1, b2, b3, b4, b5, b6, b7 = bernstein(c)
+    each.low[j] = lower(lower(lower(b0, b1), lower(b2, b3)), lower(lower(b4, b5), lower(b6, b7)))
+    each.high[j] = -lower(
+        lower(lower(-b0, -b1), lower(-b2, -b3)), lower(lower(-b4, -b5), lower(-b6, -b7))
+    )
+    fall = lower(lower(b0 - b1, b1 - b2), lower(b2 - b3, b3 - b4))
+    each.flat[j] = 7.0 / spacing * lower(fall, lower(lower(b4 - b5, b5 - b6), b6 - b7))
+    each.area[j] = spacing * 0.125 * (((b0 + b1) + (b2 + b3)) + ((b4 + b5) + (b6 + b7)))
+    each.square[j] = squared(c, 0.0, 1.0) / spacing
 
 
 @kernel
@@ -115,7 +141,7 @@ def integral(c, start, stop):
     )
 
 
-@kernel
+@inlined
 def squared(c, start, stop):
     """Return the integral of the square of the derivative from t = start to stop."""
     total = 0.0
@@ -140,12 +166,15 @@ def products(p, c, start, stop):
 @borrowing
 def _deepest_point(z, slope, bend, spacing, low):
     """Return (interval, t, height) of the deepest point of the line."""
-    best, at, least = 0, 1.0, np.inf
+    best = 0
+    for j in range(z.size):
+        best = j if z[j] < z[best] else best
+    at, least = 1.0, z[best]
     for j in range(z.size):
         if low[j] < least:
             c = septic(z, slope, bend, spacing, j)
-            inside = steepness(c, 0.0) < 0.0 < steepness(c, 1.0)
-            for t in (1.0, _valley(c, 0.0, 0.0, 0.0, 1.0) if inside else 0.0):
+            if steepness(c, 0.0) < 0.0 < steepness(c, 1.0):
+                t = _valley(c, 0.0, 0.0, 0.0, 1.0)
                 if height(c, t) < least:
                     best, at, least = j, t, height(c, t)
     return best, at, least

@@ -192,8 +192,8 @@ def follow_contacts(sliding: Sliding, before: Sliding | None = None) -> np.ndarr
         sliding.updates[at] += found.events[some]
         events[partial] += found.events
         if rest.size:
-            own = Grounds(alone(grounds.stack, j), [ground])
-            sampled = steady_friction(own, at_speed, sliding.loads[rest])
+            lone = Grounds(alone(grounds.stack, j), [ground])
+            sampled = steady_friction(lone, at_speed, sliding.loads[rest])
             for whole, part in zip(sliding.found, sampled.found, strict=True):
                 whole[j, rest] = part[0]
     return events

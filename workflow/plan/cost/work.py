@@ -154,7 +154,7 @@ def _kelvin(asked: Quantities, work: Work) -> dict[str, Numbers]:
     sampled = n * (1.2e-9 + 1.0e-7 * edges)
     patches = 2.3e-6 * partial * followed_patches(problem)
     between = partial * 2.4e-9 * n + patches
-    polynomials = followed * 4.6e-7 * problem.elements / work.tasks
+    polynomials = followed * 8e-8 * problem.elements / work.tasks
     alone = 1.0 / lines_at_once(n)  # of short lines many share what a call takes
     together = 3.2e-5 * alone + 9.5e-9 * n
     state = 2.0e-5 + np.where(followed, between, sampled) + together / work.loads

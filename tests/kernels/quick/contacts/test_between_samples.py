@@ -93,7 +93,7 @@ def slide(line, x, load=LOAD):
 def test_the_highest_peak_alone_is_a_parabola(x):
     found, fine = slide(line_of(8), x), line_of(128)
     peak = int(np.argmin(fine.z))
-    radius = 1.0 / bends(fine.z, fine.slope, 1.0 / fine.steps_per_spacing)[peak, 0]
+    radius = 1.0 / bends(fine.z, fine.slope, 1.0 / fine.steps_per_spacing)[0, peak]
     forces, load = partial(parabola_forces, radius=radius, speed=x / np.pi), LOAD * ELEMENTS
     d = brentq(lambda d: forces(d)[0] - load, 1e-9, 10.0)
     assert found.samples < 1.0
