@@ -31,6 +31,7 @@ EXACT = 1e-13  # residual that is as good as none
 GUESSED = 1e-3  # and that is as good as it need be of a first guess
 SOUND = 1e-6  # residual that is taken
 FINEST = 1e-13  # and beside it, times the stiffness of a step: what rounding leaves
+QUICK = 8  # tangents that take so many numbers of products for each sample spare more time
 TOGETHER = 16  # samples at which the memory of a unit is filled before that of the next
 APART = 64  # samples that are taken one by one before it is asked again whether many can be passed
 COARSER, COARSEST = 16, 1000  # samples of the line for one of a guess, and how many it has at least
@@ -144,12 +145,12 @@ def _remembered(form, speed, y, p, first):
 def _solve(law, line, load, enough, most, x, forces):
     """Take x to the solution with Newton's method; return (turns, residual).
 
-    Where a step leaves less than a tenth, what it leaves corrects the tangents (C. G. Broyden,
-    Math. Comp. 19 (1965) 577).
+    Where a step leaves less than a tenth and tangents take longer than the turns that they spare,
+    what it leaves corrects them (C. G. Broyden, Math. Comp. 19 (1965) 577).
     x : what is counted of the element before its turn, and d; the best of all turns is left there,
     and its forces (n,) too. load : NaN where d is given. most : turns.
     """
-    size, least, before, turns, exact = x.size, np.inf, 0.0, 0, False
+    size, least, before, turns, exact, quick = x.size, np.inf, 0.0, 0, False, False
     sound = SOUND + FINEST * law.stiffness
     powers, tangents = powers_of_steps(law, size + 1, line.size), np.empty((size, size + 1))
     now, step, tried = x.copy(), np.zeros(size), np.empty(line.size)
@@ -173,10 +174,11 @@ def _solve(law, line, load, enough, most, x, forces):
             x[:], forces[:] = now, tried
         if stuck or left < enough:
             break
-        exact = not left < 0.1 * before
+        exact = not left < 0.1 * before or quick
         before = left
         if exact:
-            tangents = tangents_of(powers, tried)
+            tangents, spells = tangents_of(powers, tried)
+            quick = spells * powers.product.size < QUICK * line.size
         else:
             tangents += np.outer(step / (step**2).sum(), y)
         step = _step(tangents, y)

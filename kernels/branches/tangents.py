@@ -76,21 +76,22 @@ def _spread(step):
 def tangents_of(powers, forces):
     """Return the derivatives of what a turn round the line has made of x, shape (M + 1, M + 2).
 
+    And the number of spells in which the element touched, or did not: each takes a product or more.
     x : what is counted of the element, d, and the sum of the forces on it (steady_memory.py). A row
     is with respect to one of what is counted of the element at first, the last one to d.
     forces (n,) : on the way.
     """
-    size, first, i = powers.size, 0, 0
+    size, first, i, spells = powers.size, 0, 0, 0
     tangents = np.eye(size - 1, powers.product.shape[0])
     while i < forces.size:
-        touches, begun = forces[i] > 0.0, i
+        touches, begun, spells = forces[i] > 0.0, i, spells + 1
         while i < forces.size and (forces[i] > 0.0) == touches:
             i += 1
         carry_rows(powers, touches, i - begun, tangents[first:])
         if first == 0 and _forgotten(tangents[:-1, : size - 2]):
             tangents[:-1, : size - 2] = 0.0
             first = size - 2
-    return tangents[:, :size].copy()
+    return tangents[:, :size].copy(), spells
 
 
 @borrowing
