@@ -141,9 +141,8 @@ def _programme(work: Work) -> Numbers:
 def _kelvin(asked: Quantities, work: Work) -> dict[str, Numbers]:
     """Return the time of a case of Kelvin elements, which goes with the edges of contacts.
 
-    The more loads there are at a speed, the more sweeps they share. Of 78 batches of figure 7 at
-    paper scale, drawn by their cost, two steady states in three are within a factor of 1.3, jumps
-    too.
+    The more loads there are at a speed, the more sweeps they share. Of 43 batches of figure 7 at
+    paper scale, drawn by their cost, two in three are within a factor of 1.2.
     """
     work = work._replace(problem=work.problem._replace(speed=np.abs(work.problem.speed)))
     problem, n, followed = work.problem, work.samples, work.refine & (work.steps >= LEAST_STEPS)
