@@ -18,7 +18,7 @@ from .events import AREA, BOTTOM, GROWTH, MOST_EVENTS, RISE, TOP, WIDTH, room_fo
 from .smooth_line import first_zero, pressure, products, span_of, squared
 
 LEAST_STEPS = 4  # samples per spacing, eight in the shortest wave: mu to 1e-6
-CLOSE = 2e-4  # of the load: an excess whose square is as good as none
+CLOSE = 5e-4  # of the load: an excess whose square is as good as none
 JUMP_CLOSE = 5e-3  # the same of the pressures that a jump adds
 MOST_TURNS = 40
 LEAST_DEPTH = 1e-9  # of what the line rises beside its deepest point: a depth that is no rounding
