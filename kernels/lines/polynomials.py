@@ -20,15 +20,15 @@ def bends(z, slope, spacing):
     n = z.size
     found = np.empty((2, n))
     for j in range(2, n - 2):  # without a branch, so that several are found at once
-        _bend(z, slope, spacing, (j - 2, j - 1, j, j + 1, j + 2), found)
+        bend_at(z, slope, spacing, (j - 2, j - 1, j, j + 1, j + 2), found)
     for j in range(-2, min(2, n - 2)):  # round the end
         near = (j - 2) % n, (j - 1) % n, j % n, (j + 1) % n, (j + 2) % n
-        _bend(z, slope, spacing, near, found)
+        bend_at(z, slope, spacing, near, found)
     return found
 
 
 @inlined
-def _bend(z, slope, spacing, near, found):
+def bend_at(z, slope, spacing, near, found):
     """Fill in both derivatives at the middle one of five samples."""
     before, left, j, right, after = near
     rise = 64.0 / 27.0 * ((z[right] - z[j]) - (z[j] - z[left]))

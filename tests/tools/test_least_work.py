@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from elastomer_friction.kernels.lines.polynomials import bends, height, septic
+from elastomer_friction.kernels.lines.polynomials import bend_at, height, septic_between
 from tests.tools.rivals import limits
 
 
@@ -37,9 +37,9 @@ def flops_of(kernel, *arguments):
 @pytest.mark.parametrize(
     ("least", "done"),
     [
-        (limits.COEFFICIENTS, flops_of(septic, (4,), (4,), (4, 2), Counted(0.5), 1)),
+        (limits.COEFFICIENTS, flops_of(septic_between, (4,), (4,), (2, 4), Counted(0.5), 2, 1)),
         (limits.VALUE, flops_of(height, (8,), Counted(0.5))),
-        (8 * limits.BENDS, flops_of(bends, (8,), (8,), Counted(0.5))),
+        (limits.BENDS, flops_of(bend_at, (5,), (5,), Counted(0.5), range(5), (2, 5))),
     ],
 )
 def test_least_flops_are_nearly_those_of_the_kernels(least, done):

@@ -117,7 +117,7 @@ def test_loads_at_a_speed_and_tasks_on_lines_share_what_they_can():
         assert whole(1)[part] < together[part] < 0.8 * alone[part]
     assert together["marching"] == alone["marching"]
     on_a_line = whole(20, tasks=20)  # at speeds of their own
-    assert on_a_line["steady"] == alone["steady"]
+    assert together["steady"] < on_a_line["steady"] < alone["steady"]
     assert together["calls"] < on_a_line["calls"] < alone["calls"]
 
 
@@ -164,7 +164,7 @@ def test_patches_that_are_followed_are_those_of_the_kernels():
         pace = AtSpeed.of("exponential", 4, speed)
         found = follow_contacts(steady_friction(grounds, pace, np.array([load * 12_000]), True))
         ratio.append(found[0] / followed_patches(problem))
-    assert 0.5 < min(ratio) <= max(ratio) < 2.0
+    assert 1 / 3 < min(ratio) <= max(ratio) < 3.0  # on a single line
 
 
 def states(count=40, elements=1000, steps=4):
