@@ -37,7 +37,7 @@ def resolution_status(samples: np.ndarray, bias: np.ndarray | float = 0.0) -> np
 
     bias : relative bound, as far as it is known; otherwise zero, or NaN.
     """
-    status = np.where((samples >= ENOUGH) & ~(bias > BIAS), RESOLVED, COARSE)
+    status = np.where((samples >= ENOUGH) & np.logical_not(bias > BIAS), RESOLVED, COARSE)
     status = np.where(samples <= TOO_FEW, UNRESOLVED, status)
     return np.where(np.isnan(samples), -1, status).astype(np.int8)
 
