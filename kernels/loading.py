@@ -44,7 +44,7 @@ from .rheology.spectrum import KELVIN
 ROOT = Path(__file__).resolve().parents[1]
 STEPS = 4  # per spacing
 FEW, MANY = np.array([1]), np.array([4])  # steps: marched plainly, and by lists
-WIDE, NARROW = (0.1, 1.0), (1e-3, 100.0)  # load and speed: as sampled, and between the samples
+WIDE, NARROW = (0.1, 1.0), (1e-3, 100.0)  # load and speed: of wide contacts, and of narrow ones
 
 
 def load(scheme: str, asked: Quantities) -> None:

@@ -29,7 +29,7 @@ def bends(z, slope, spacing):
 
 @inlined
 def bend_at(z, slope, spacing, near, found):
-    """Fill in both derivatives at the middle one of five samples."""
+    """Fill in ``found``, as ``bends`` returns it, at the middle one of five samples ``near``."""
     before, left, j, right, after = near
     rise = 64.0 / 27.0 * ((z[right] - z[j]) - (z[j] - z[left]))
     rise += 7.0 / 54.0 * ((z[after] - z[j]) - (z[j] - z[before]))
@@ -53,7 +53,10 @@ def septic(z, slope, bend, h, j):
 
 @inlined
 def septic_between(z, slope, bend, h, k, j):
-    """Return the same of the interval from sample j to k, the next."""
+    """Return the coefficients as ``septic`` does, of the interval between samples j and k = j + 1.
+
+    Of the last interval k is 0.
+    """
     s, c, e = -h * slope[k], 0.5 * h * h * bend[0, k], -h * h * h / 6.0 * bend[1, k]
     # What the height and its derivatives, over 1, 2 and 6, lack at t = 1.
     rise = z[j] - z[k] - s - c - e

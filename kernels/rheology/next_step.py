@@ -153,7 +153,10 @@ def _slide_one(law, y, d, heights, forces):
 
 @inlined
 def _foretell(ahead, y, block):
-    """Add the forces that units y (K,) would be, ahead (K, BLOCK) of each, to those of a block."""
+    """Add to the forces of a block what internal variables y (K,) alone would make of them.
+
+    ahead (K, BLOCK) : that of each, were it one.
+    """
     fours = y.size // 4 * 4
     for k in range(0, fours, 4):
         first, second, third, fourth = y[k], y[k + 1], y[k + 2], y[k + 3]

@@ -1,1 +1,1 @@
-"""Patches of contact: how many samples they are wide, and what to do where that is too few."""
+"""Friction of steady sliding and of jumps, from the samples in contact or from between them."""

@@ -44,10 +44,11 @@ class Integrals(NamedTuple):
 
 @kernel
 def slide_between(line, speed, others, loads, guesses):
-    """Return (table, jumps, rates) of steady sliding of a SmoothLine at a speed, a row a load.
+    """Return (table, jumps, rates) of steady sliding of a SmoothLine at a speed.
 
-    others : speeds that are jumped to, vbar. loads : n Fbar. guesses : of d. The table has the
-    Columns; of jumps, shape (loads, others), each is a change of mu, of rates each is d' after it.
+    others : speeds that are jumped to, vbar. loads : n Fbar. guesses : of d. A row of the table has
+    the Columns of a load. jumps, rates : the change of mu at each jump, and d' just after it, shape
+    (loads, others).
     """
     h, patches = line.spacing, room_for_patches(line.z.size)
     table, shape = np.zeros((loads.size, 5)), (loads.size, others.size)

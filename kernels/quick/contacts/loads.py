@@ -93,7 +93,10 @@ def slide(decay, z, slope, spans, speeds, loads, how, into):
 
 @kernel
 def _weigh(at, speeds, contacts, load, d, full, how, rooms, jumps, rates):
-    """Return (mu, samples under pressure, and least so after a jump); fill in jumps and rates."""
+    """Return (mu, samples under pressure, the fewest so, also after jumps) of steady sliding at d.
+
+    Fill in jumps and rates.
+    """
     touching = list_touching(at.z, at.slope, contacts, rooms[0])
     part = pressed(at, touching, d, rooms[1])
     mu, contact, own = _friction(part, full, speeds.thresholds.press_all, load, d)

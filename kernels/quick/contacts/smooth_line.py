@@ -43,7 +43,7 @@ class SmoothLine(NamedTuple):
 
     z: np.ndarray  # in h, shape (n,), as the next
     slope: np.ndarray  # in h/dx
-    bend: np.ndarray  # second and third derivative, in h/dx^2 and h/dx^3, shape (n, 2)
+    bend: np.ndarray  # second and third derivative, in h/dx^2 and h/dx^3, shape (2, n)
     spacing: float  # of the samples, in dx
     each: Pieces  # its intervals, shape (n,)
     spans: Pieces  # shape (n // SPAN,)
@@ -57,8 +57,8 @@ def smooth_line(z, slope, spacing):
     bend = bends(z, slope, spacing)
     each, spans = _room(n), _room(n // SPAN)
     for j in range(n - 1):  # without a branch, so that several are found at once
-        _interval(z, slope, bend, spacing, j + 1, j, each)
-    _interval(z, slope, bend, spacing, 0, n - 1, each)
+        _fill_interval(z, slope, bend, spacing, j + 1, j, each)
+    _fill_interval(z, slope, bend, spacing, 0, n - 1, each)
     low, high, flat, area, square = each
     for b in range(n // SPAN):
         lowest, above, flattest, areas, squares = np.inf, np.inf, np.inf, 0.0, 0.0
@@ -82,7 +82,7 @@ def lower(one, other):
 
 
 @inlined
-def _interval(z, slope, bend, spacing, k, j, each):
+def _fill_interval(z, slope, bend, spacing, k, j, each):
     """Fill in the Pieces ``each`` of the interval from sample j to k, the next."""
     c = septic_between(z, slope, bend, spacing, k, j)
     b0, b1, b2, b3, b4, b5, b6, b7 = bernstein(c)

@@ -18,7 +18,8 @@ from .loads import CONTACT, FULL, INDENTATION, MU, PRESSED, SAMPLES, SWEEPS, Fou
 from .on_lines import slide_on
 from .smooth_line import SmoothLine, smooth_line
 
-AS_GOOD = 24.0  # samples per contact: contacts that are followed are better than so wide ones
+# Samples per contact from which on samples keep 2 % of the jump: followed contacts are better.
+AS_GOOD = 24.0
 
 
 class Ground:
@@ -35,14 +36,14 @@ class Ground:
 
     @cached_property
     def smooth(self) -> SmoothLine:
-        """The line between its samples: of every so many of them, as LEAST_STEPS are enough."""
+        """The line between its samples, from so few of them that LEAST_STEPS or more are left."""
         line, every = self.line, self.every
         z, slope = (np.ascontiguousarray(one[::every]) for one in (line.z, line.slope))
         return smooth_line(z, slope, every / line.steps_per_spacing)
 
     @property
     def every(self) -> int:
-        """Of how many samples one is taken for it."""
+        """Return k, where every k-th sample is taken for the line between them."""
         steps = self.line.steps_per_spacing
         return max(k for k in range(1, steps // LEAST_STEPS + 1) if steps % k == 0)
 

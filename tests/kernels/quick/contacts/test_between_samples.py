@@ -155,14 +155,16 @@ def test_a_smooth_line_is_the_line():
 @settings(max_examples=size(40, 10))
 @given(st.floats(-3.0, 0.5), st.floats(-1.0, 3.0), st.floats(0.0, 1.0))
 def test_how_many_samples_there_are_plays_no_part(power, fast, hurst):
-    """Steady friction and jump of m = 4 and m = 16, in contacts that are narrow at both."""
+    """Steady friction and jump: of m = 12 every third sample is taken, of m = 13 every one."""
     load, x = 10.0**power, 10.0**fast
-    found = [slide(line_of(m, 2, hurst, 100), x, load) for m in (4, 16)]
-    if all(one.followed for one in found):
-        assert found[0].mu == pytest.approx(found[1].mu, rel=1e-5)
-        assert found[0].jumps[0] == pytest.approx(found[1].jumps[0], rel=1e-4)
-        assert found[0].contact == pytest.approx(found[1].contact, rel=2e-3)
-        assert found[0].samples == pytest.approx(0.25 * found[1].samples, rel=1e-2)
+    few, every_third, every = (slide(line_of(m, 2, hurst, 100), x, load) for m in (4, 12, 13))
+    for m, found in ((12, every_third), (13, every)):
+        assert found.followed or found.full
+        if few.followed and found.followed:
+            assert few.mu == pytest.approx(found.mu, rel=1e-5)
+            assert few.jumps[0] == pytest.approx(found.jumps[0], rel=1e-4)
+            assert few.contact == pytest.approx(found.contact, rel=2e-3)
+            assert few.samples == pytest.approx(4 / m * found.samples, rel=1e-2)
 
 
 def test_depths_that_are_rounding_are_left_to_the_samples():
