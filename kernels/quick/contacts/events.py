@@ -121,6 +121,9 @@ def turn(line, speed, d, patches):
                 after[count, TOP], at[count, TOP] = i, t
                 at[count, GROWTH + TOP] = speed * lost / max(speed * along - top, LEAST)
         i, j, t = i + 1, j - 1 if j > 0 else n - 1, 0.0
+    if not held:  # rounding let it leave just before the deepest point, which is in contact
+        after[count, TOP], at[count, TOP], at[count, GROWTH + TOP] = n, begin, 0.0
+        top = deepest - d
     after[count, BOTTOM], at[count, BOTTOM], at[count, GROWTH + BOTTOM] = n, begin, 0.0
     at[count, AREA], at[count, WIDTH], at[count, RISE] = area, width, top - (deepest - d)
     force, rate, count = force + area, rate + width, count + 1

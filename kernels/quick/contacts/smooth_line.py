@@ -192,11 +192,9 @@ def _valley(c, u, a, start, stop):
         else:
             high = t
         new = t - slope / bend
-        if not low < new < high:
-            new = 0.5 * (low + high)
-        if abs(new - t) <= SURE * SURE:
-            return new
-        t = new
+        if abs(new - t) <= SURE * SURE:  # before it is compared with the bounds, of which t is one
+            return min(max(new, start), stop)
+        t = new if low < new < high else 0.5 * (low + high)
     return t
 
 
