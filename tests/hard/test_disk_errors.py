@@ -22,11 +22,11 @@ from pathlib import Path
 from tests.support.faults import TRUTH, checked, fill
 from elastomer_friction.workflow.ground import UserError
 from elastomer_friction.workflow.store.store import Store
-from elastomer_friction.workflow.system import Patience
+from elastomer_friction.workflow.system import DiskRetry
 for line in sys.stdin:
     folder, patience, what = line.split()
     try:
-        store = Store(Path(folder), Patience(float(patience)))
+        store = Store(Path(folder), DiskRetry(float(patience)))
         store.prepare()
         if what == "write":
             fill(store)

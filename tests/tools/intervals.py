@@ -29,8 +29,8 @@ from elastomer_friction.workflow.reduce.estimates import reduce_blocks
 from elastomer_friction.workflow.reduce.fits import FITTED
 from elastomer_friction.workflow.reduce.jackknife import grouped_means
 from elastomer_friction.workflow.run.collect import next_blocks
-from elastomer_friction.workflow.simulate.kept import record_steps, record_times
 from elastomer_friction.workflow.simulate.realizations import block_means
+from elastomer_friction.workflow.simulate.recorded_steps import curve_steps, curve_times
 from elastomer_friction.workflow.simulate.tasks import Batch, Problem, Recording, Task
 from elastomer_friction.workflow.study.numerics import Numerics
 from elastomer_friction.workflow.study.study import Scene
@@ -69,10 +69,10 @@ def compute(problem: Problem, seed: int = SEED) -> Lines:
     count, recording = STUDIES * BLOCKS, Recording(SAMPLES)
     what = seed, "modal", Quantities(), "exponential", recording, (task,)
     done = block_means(Batch(*what, 0, count, QUARTET, 0.0))
-    recorded = record_steps(march, SAMPLES)
+    recorded = curve_steps(march, SAMPLES)
     time = np.full(SAMPLES - 1, np.nan)
     steps_per_tau = problem.speed * problem.ratio * steps
-    time[: recorded.size] = record_times(recorded, steps_per_tau, "exponential")
+    time[: recorded.size] = curve_times(recorded, steps_per_tau, "exponential")
     shape = (STUDIES, BLOCKS, -1)
     slope = rms_slope(amplitudes(problem.hurst, problem.elements), problem.elements)
     return Lines(done.scalars.reshape(shape), done.curves.reshape(shape), time, slope)

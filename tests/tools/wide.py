@@ -17,7 +17,7 @@ from elastomer_friction.kernels import Case, Line, Quantities, amplitudes, draw_
 from elastomer_friction.workflow.plan import horizon_steps, rate_error, steps_per_spacing
 from elastomer_friction.workflow.plan.error_laws import LAWS
 from elastomer_friction.workflow.reduce import FITTED, fit_relaxation, replicates
-from elastomer_friction.workflow.simulate import Problem, record_steps, record_times
+from elastomer_friction.workflow.simulate import Problem, curve_steps, curve_times
 from elastomer_friction.workflow.study import Numerics, Scene
 
 FINER = 8
@@ -44,7 +44,7 @@ def mean_of_lines(problem: Problem, steps: int, lines: int, seed: int) -> np.nda
     b is NaN without a fit.
     """
     hurst, elements, load, speed, ratio = problem[:5]
-    kept = record_steps(horizon_steps(problem, Numerics(), steps), Numerics().curve_samples)
+    kept = curve_steps(horizon_steps(problem, Numerics(), steps), Numerics().curve_samples)
     case = Case(load, speed, (ratio,), (kept,), "exponential")
     amplitude = amplitudes(hurst, elements)
     found, curves = [], []
@@ -54,7 +54,7 @@ def mean_of_lines(problem: Problem, steps: int, lines: int, seed: int) -> np.nda
         outcome = run_case(line, case, Quantities())
         found.append((outcome.mu_1, outcome.jump[0], outcome.samples_per_contact))
         curves.append(outcome.curves[0] - outcome.mu_2[0])
-    time = record_times(kept, steps * speed * ratio, "exponential")
+    time = curve_times(kept, steps * speed * ratio, "exponential")
     fit = fit_relaxation(time, replicates(np.array(curves), 0), 1.0)
     mu_1, jump, samples = np.mean(found, axis=0)
     return np.array([mu_1, jump, fit.rate[0] if fit.status == FITTED else np.nan, samples])

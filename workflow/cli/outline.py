@@ -224,7 +224,7 @@ def read_lines_of(study: Study) -> list[str]:
 def march_lines(variant: Variant) -> list[str]:
     """Return which legs of a variant are marched, in how many steps, and how far it remembers."""
     found = []
-    if variant.recording.asked:
+    if variant.recording.requested:
         legs = [type(leg).__name__.lower() for leg in variant.tasks[0].problem.programme]
         steps = variant.leg_counts()
         found = [f"{leg} {_span(steps[:, k])}" for k, leg in enumerate(legs[:SHOWN])]

@@ -18,7 +18,7 @@ from ...kernels.drive import TOLERANCE, Drive, courses
 from ...kernels.half_space.surface import rms_slope_of
 from ...kernels.scene import ASKED
 from ..ground import UserError
-from ..simulate import LineShape, Problem, Recording, ScaledHistory, bounded_counts, programme_steps
+from ..simulate import LineShape, Problem, Recording, ScaledHistory, max_leg_counts, programme_steps
 from ..study import (
     FOUNDATION,
     HALF_SPACE,
@@ -166,7 +166,7 @@ def check_programme(problem: Problem, steps: Any, origin: Origin) -> None:
     if problem.drive:
         _check_pull(problem, problem.drive)
     for m in np.unique(steps) if programme else ():
-        counts = bounded_counts(problem, int(m), origin)
+        counts = max_leg_counts(problem, int(m), origin)
         if counts.sum() > MOST_STEPS:
             leg = int(np.argmax(counts))
             raise UserError(
@@ -235,7 +235,7 @@ def recording_of(study: Study, label: str) -> Recording:
         samples=numerics.curve_samples,
         record=numerics.record,
         every=numerics.trace or 0,
-        asked=tuple(each for each in ASKED if (traced if each == "trace" else each in asked)),
+        requested=tuple(each for each in ASKED if (traced if each == "trace" else each in asked)),
         dense=tuple(name for name in ("loop", "healing") if name in asked),
-        finer=FINER if lawless and numerics.refines and judged(asked) else 0,
+        refined_blocks=FINER if lawless and numerics.refines and judged(asked) else 0,
     )

@@ -9,7 +9,7 @@ import numpy as np
 from ...kernels import START, Origin, Quantities
 from ...kernels.compile.garbage import nothing_collected
 from ..ground import UserError
-from ..simulate import HALVED, Batch, Task, bounded_counts, row_layout, row_width
+from ..simulate import REFINEMENT_FACTOR, Batch, Task, max_leg_counts, row_layout, row_width
 from ..study import HALF_SPACE, Study
 from .cost import PARTS, TYPICAL, Pace, Prediction, prediction
 from .goal import FIRST_SHARE, whole_blocks
@@ -59,7 +59,7 @@ class Plan(NamedTuple):
 
     def widest_row(self, variant: Variant) -> int:
         """Return the largest number of values in a row of the store, of any task of a variant."""
-        tasks = variant.tasks if variant.recording.asked else variant.tasks[:1]
+        tasks = variant.tasks if variant.recording.requested else variant.tasks[:1]
         scheme, recording = variant.numerics.scheme, variant.recording
         return max(
             1, *(row_width(row_layout(task, self.asked, scheme, recording)) for task in tasks)
@@ -67,7 +67,11 @@ class Plan(NamedTuple):
 
     def predicted_worker_bytes(self) -> float:
         """Return the predicted peak memory of a worker."""
-        finer = HALVED if any(variant.recording.finer for variant in self.variants) else 1
+        finer = (
+            REFINEMENT_FACTOR
+            if any(variant.recording.refined_blocks for variant in self.variants)
+            else 1
+        )
         each = [_bytes_per_sample(own) * own.longest for own in self.variants]
         steps = BYTES_PER_STEP * self.longest_programme()
         return WORKER_BYTES + finer * max(each) + steps
@@ -75,9 +79,9 @@ class Plan(NamedTuple):
     def longest_programme(self) -> float:
         """Return the largest number of steps of any programme, at most; 0 without one."""
         marched = (
-            bounded_counts(task.problem, task.steps_per_spacing, variant.recording.origin).sum()
+            max_leg_counts(task.problem, task.steps_per_spacing, variant.recording.origin).sum()
             for variant in self.variants
-            if variant.recording.asked
+            if variant.recording.requested
             for task in variant.tasks
         )
         return float(max(marched, default=0.0))

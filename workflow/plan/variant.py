@@ -9,7 +9,16 @@ from typing import NamedTuple
 import numpy as np
 
 from ...kernels import Origin, Quantities
-from ..simulate import CODE, HALVED, LineShape, Problem, Recording, Task, kept_steps, leg_counts
+from ..simulate import (
+    CODE_HASH,
+    REFINEMENT_FACTOR,
+    LineShape,
+    Problem,
+    Recording,
+    Task,
+    leg_counts,
+    trace_steps,
+)
 from ..study import Material, Numerics, Study, Surface
 from .cost import PARTS, Pace, Work, drawing_seconds, kind_of, typical_seconds
 from .goal import Goal, goal_of, horizon_steps, may_have, steps_per_spacing
@@ -96,7 +105,9 @@ def _sized(
     (problems, PARTS); goals, none where no accuracy is asked for.
     """
     numerics, recording = study.variants[label], recording_of(study, label)
-    extra = min(recording.finer, study.blocks) / study.realizations  # lines with halved steps too
+    extra = (
+        min(recording.refined_blocks, study.blocks) / study.realizations
+    )  # lines with halved steps too
     count = len(problems.each)
     sizes, typical = np.zeros((2, count), np.int64), np.zeros((count, len(PARTS)))
     goals: list[Goal] = []
@@ -110,9 +121,11 @@ def _sized(
         shared = sharers(many, steps)
         work = Work(many, steps, march_steps, numerics.refines, *shared, numerics.scheme)
         parts = typical_seconds(asked, work, recording)
-        if recording.finer:
-            halved = work._replace(steps=HALVED * steps, march_steps=HALVED * march_steps)
-            alone = recording._replace(asked=())
+        if recording.refined_blocks:
+            halved = work._replace(
+                steps=REFINEMENT_FACTOR * steps, march_steps=REFINEMENT_FACTOR * march_steps
+            )
+            alone = recording._replace(requested=())
             for each in (work, halved):
                 more = typical_seconds(asked, each, alone)
                 parts = {part: parts[part] + extra * more[part] for part in PARTS}
@@ -139,10 +152,12 @@ def variant_of(
     sizes, typical, goals = _sized(study, asked, label, problems, origin)
     each, marches = sizes.tolist()
     pairs = zip(problems.each, each, strict=True)
-    if recording.finer and not all(may_have(own, HALVED * steps) for own, steps in pairs):
-        recording = recording._replace(finer=0)
+    if recording.refined_blocks and not all(
+        may_have(own, REFINEMENT_FACTOR * steps) for own, steps in pairs
+    ):
+        recording = recording._replace(refined_blocks=0)
     # What all tasks share, and all of many: written out once, as a plan has up to 1e5 tasks.
-    shared = repr((CODE, study.seed, study.surfaces[label].normalisation, numerics.scheme))
+    shared = repr((CODE_HASH, study.seed, study.surfaces[label].normalisation, numerics.scheme))
     shared += repr((recording, asked, study.realizations_per_block, numerics.refines))
     begun, tasks = hashlib.sha256(shared.encode()), []
     for problem, written, steps, march_steps in zip(
@@ -160,8 +175,8 @@ def variant_of(
     kind = kind_of(tasks[0].problem, recording)
     factors = np.array([pace.rate(kind, part).factor for part in PARTS])
     events = 0
-    if recording.asked:
-        events = max(kept_steps(t.problem, t.steps_per_spacing, recording).size for t in tasks)
+    if recording.requested:
+        events = max(trace_steps(t.problem, t.steps_per_spacing, recording).size for t in tasks)
     return Variant(
         label,
         numerics,

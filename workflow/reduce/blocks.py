@@ -10,11 +10,11 @@ from ...kernels.drive import PULLED_TRACES
 from ..plan import Plan, Variant, line_slope
 from ..simulate import (
     Task,
-    kept_steps,
+    curve_steps,
+    curve_times,
     programme_steps,
-    record_steps,
-    record_times,
     row_layout,
+    trace_steps,
     unpack,
 )
 from .jackknife import standard_error
@@ -90,7 +90,7 @@ def _legs(variant: Variant, tasks: list[Task]) -> np.ndarray:
     legs = np.full((len(tasks), variant.events), np.nan)
     for row, task in enumerate(tasks) if variant.events else ():
         what = task.problem, task.steps_per_spacing
-        kept = kept_steps(*what, variant.recording)
+        kept = trace_steps(*what, variant.recording)
         steps = programme_steps(*what, variant.recording.origin)
         legs[row, : kept.size] = steps.leg[np.maximum(kept - 1, 0)]
     return legs
@@ -102,6 +102,6 @@ def _times(plan: Plan, variant: Variant, tasks: list[Task]) -> np.ndarray:
     time = np.full((len(tasks), samples - 1), np.nan)
     for row, task in enumerate(tasks) if plan.asked.relaxation else ():
         steps_per_tau = abs(task.problem.speed * task.problem.ratio) * task.steps_per_spacing
-        kept = record_steps(task.march_steps, samples, task.problem.spectrum)
-        time[row, : kept.size] = record_times(kept, steps_per_tau, scheme, task.problem.spectrum)
+        kept = curve_steps(task.march_steps, samples, task.problem.spectrum)
+        time[row, : kept.size] = curve_times(kept, steps_per_tau, scheme, task.problem.spectrum)
     return time

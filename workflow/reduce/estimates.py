@@ -3,7 +3,7 @@
 import numpy as np
 
 from ..plan import JACKKNIFE_GROUPS
-from ..simulate import CHANGED, SCALARS
+from ..simulate import HALVED_STEP_SCALARS, SCALARS
 from ..study import QUANTITIES
 from .blocks import Blocks, Estimates, columns, enter
 from .fits import FITTED, NEGLIGIBLE, RelaxationFit, fit_exponential, fit_relaxation
@@ -45,7 +45,7 @@ def reduce_blocks(blocks: Blocks) -> Estimates:
     if "steady" in asked and "cycle_mean" in asked:
         mean = replicates(blocks.values["mu_cycle_mean"], 1)
         enter(estimates, "mu_cycle_share", mean / values["mu_1"])
-    if "finer" in blocks.values:
+    if "halved_steps" in blocks.values:
         _halved(estimates, blocks)
     return estimates
 
@@ -56,15 +56,15 @@ def _halved(estimates: Estimates, blocks: Blocks) -> None:
     The whole error is a third more than the change where it falls with the square of the step,
     and as much again where it falls with the step itself, which is what is stated.
     """
-    sums = blocks.values["finer"].mean(axis=1)
+    sums = blocks.values["halved_steps"].mean(axis=1)
     with np.errstate(all="ignore"):
-        change = dict(zip(CHANGED, (sums[:, 1:] / sums[:, :1]).T, strict=True))
+        change = dict(zip(HALVED_STEP_SCALARS, (sums[:, 1:] / sums[:, :1]).T, strict=True))
         for name in ("mu_1", "jump"):
             if name in estimates:
                 bias = WHOLE_ERROR * np.abs(change[name] / estimates[name])
                 estimates[f"{name}_bias"] = bias
         if "relaxation" in blocks.quantities:
-            curves = blocks.values["finer_curve"].mean(axis=1) / sums[:, :1]
+            curves = blocks.values["halved_steps_curve"].mean(axis=1) / sums[:, :1]
             after = curves - change["mu_2"][:, None]
             estimates["relaxation_rate_bias"] = WHOLE_ERROR * np.array(
                 [_rate_changes(estimates, blocks, task, own) for task, own in enumerate(after)]

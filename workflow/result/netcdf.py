@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 
 from ..ground import UserError
-from ..simulate import CODE
+from ..simulate import CODE_HASH
 from ..store import is_as_written
 from ..study import AnyStudy
 from ..system import program, replacing, unreadable
@@ -187,7 +187,7 @@ def check_result(study: AnyStudy, path: Path, *, asked: bool) -> None:
         if asked:
             raise UserError(f"{text}; run the study, or leave out --scale and --set")
         print(f"note: {text}; shown is the file", file=sys.stderr)
-    if code != CODE:
+    if code != CODE_HASH:
         print(f"note: {path}: was computed by another version of the program", file=sys.stderr)
 
 

@@ -4,7 +4,7 @@ import subprocess
 from collections.abc import Set
 from pathlib import Path
 
-from ..simulate import CODE
+from ..simulate import CODE_HASH
 from ..study import AnyStudy, Numerics, Study
 from ..system import ROOT, Maker, package_versions, this_maker, version_of
 
@@ -61,7 +61,7 @@ def origin(study: AnyStudy) -> dict[str, str | int | float]:
         "license": LICENCE,
         "references": REFERENCE,
         "commit": commit(),
-        "code": CODE,
+        "code": CODE_HASH,
         "written_with": package_versions(),
         **made_by({this_maker()}),
         "study": study.text,

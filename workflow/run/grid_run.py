@@ -23,9 +23,9 @@ from ..simulate import load_kernels
 from ..store import DamagedShard, Store, WriteBuffer, enter_result, store_folder
 from ..study import LOCAL
 from ..system import (
+    DiskRetry,
     Interrupt,
     Maker,
-    Patience,
     Reporter,
     Watch,
     check_place,
@@ -72,11 +72,11 @@ class _Run:
     def __init__(self, plan: Plan, result: Path, how: RunOptions) -> None:
         self.plan, self.result, self.how = plan, result, how
         self.interrupt = Interrupt()
-        self.patience = Patience(how.cluster.patience, self.interrupt)
+        self.retry = DiskRetry(how.cluster.patience, self.interrupt)
         for path in (result, status_file(result)):
             clear_leftovers(path)
         check_place(result)
-        self.store = store = Store(store_folder(result), self.patience)
+        self.store = store = Store(store_folder(result), self.retry)
         store.prepare()
         self.makers = store.index.makers_of(plan.expected)
         require_one(self.makers, how.one_kind)
@@ -121,8 +121,8 @@ class _Run:
                 datasets = self._datasets(workers)
             if datasets:
                 with self.summary.filing():
-                    self.patience(partial(results.write_datasets, self.result, datasets))
-                    self.patience(partial(enter_result, self.result))
+                    self.retry(partial(results.write_datasets, self.result, datasets))
+                    self.retry(partial(enter_result, self.result))
                 self.summary.written = True
                 self.summary.say_accuracy(self.plan, self.result)
             state = "finished" if datasets else "interrupted" if self.interrupt() else "stopped"

@@ -17,7 +17,7 @@ from pathlib import Path
 
 from ..ground import UserError, open_plain
 from ..plan import make_plan, missing_work, this_machine, total_records, total_seconds
-from ..simulate import CODE
+from ..simulate import CODE_HASH
 from ..store import Store, journal
 from ..study import Study
 from ..system import holder, write_durably
@@ -96,7 +96,7 @@ def result_line(result: Path) -> str:
 
 def study_digest(study: Study) -> str:
     """Return what tells a study with its settings, and our code, from any other."""
-    return hashlib.sha256((CODE + study.text).encode()).hexdigest()[:16]
+    return hashlib.sha256((CODE_HASH + study.text).encode()).hexdigest()[:16]
 
 
 def status_file(result: Path) -> Path:

@@ -8,21 +8,21 @@ from typing import TYPE_CHECKING
 from ..ground import public_names
 
 if TYPE_CHECKING:
-    from .code import CODE
+    from .code_hash import CODE_HASH
     from .drawing import line_generator
-    from .finer import CHANGED, HALVED
-    from .kept import (
-        EXACT,
-        bounded_counts,
-        kept_steps,
-        leg_counts,
-        programme_steps,
-        record_steps,
-        record_times,
-    )
+    from .halved_steps import HALVED_STEP_SCALARS, REFINEMENT_FACTOR
     from .layout import EDGES, Layout, row_layout, row_width, unpack
     from .programmes import scene_of
     from .realizations import block_means, lines_at_once, load_kernels
+    from .recorded_steps import (
+        MAX_LISTED_STEPS,
+        curve_steps,
+        curve_times,
+        leg_counts,
+        max_leg_counts,
+        programme_steps,
+        trace_steps,
+    )
     from .tasks import (
         PHASES,
         SCALARS,

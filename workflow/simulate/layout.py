@@ -10,7 +10,7 @@ import numpy as np
 
 from ...kernels import ENERGIES, TRACES, Quantities, Saved, form_of, memories
 from ...kernels.drive import MOST_EVENTS, PULLED_TRACES, SLIP_EVENTS, SLIPS
-from .kept import kept_steps
+from .recorded_steps import trace_steps
 from .tasks import Recording, Task
 
 STATE = tuple(f"state_{name}" for name in Saved._fields if name not in ("memory", "p"))
@@ -27,11 +27,13 @@ def row_layout(task: Task, quantities: Quantities, scheme: str, recording: Recor
         shapes["curve"] = (recording.samples - 1,)
     if quantities.initial_rate:
         shapes["initial_rate"] = ()
-    if recording.finer:
-        shapes["finer"] = (4,)  # the number of lines, and the changes of CHANGED in finer.py
+    if recording.refined_blocks:
+        shapes["halved_steps"] = (
+            4,
+        )  # the number of lines, and the changes of HALVED_STEP_SCALARS in halved_steps.py
         if quantities.relaxation:
-            shapes["finer_curve"] = (recording.samples - 1,)
-    if recording.asked:
+            shapes["halved_steps_curve"] = (recording.samples - 1,)
+    if recording.requested:
         shapes |= _programme_shapes(task, scheme, recording)
     places: Layout = {}
     first = 0
@@ -63,7 +65,7 @@ def _snapshots(task: Task, of_line: tuple[int, ...]) -> dict[str, tuple[int, ...
 
 
 def _programme_shapes(task: Task, scheme: str, recording: Recording) -> dict[str, tuple[int, ...]]:
-    kept = (kept_steps(task.problem, task.steps_per_spacing, recording).size,)
+    kept = (trace_steps(task.problem, task.steps_per_spacing, recording).size,)
     samples = task.problem.elements * task.steps_per_spacing
     units = memories(form_of(task.problem.spectrum, scheme))
     shapes: dict[str, dict[str, tuple[int, ...]]] = {
@@ -80,4 +82,4 @@ def _programme_shapes(task: Task, scheme: str, recording: Recording) -> dict[str
             **dict.fromkeys(STATE, ()),
         },
     }
-    return {name: shape for asked in recording.asked for name, shape in shapes[asked].items()}
+    return {name: shape for asked in recording.requested for name, shape in shapes[asked].items()}

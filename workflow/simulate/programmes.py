@@ -8,8 +8,8 @@ import numpy as np
 from ...kernels import MOTION, Case, Quantities, SceneCase
 from ...kernels.compile.clock import working_time
 from .bodies import body_of
-from .kept import kept_steps
 from .layout import EDGES, Layout
+from .recorded_steps import trace_steps
 from .tasks import SCALARS, Batch, Recording, Task
 
 STEADY = Quantities(steady=True, jump=False, relaxation=False)
@@ -25,7 +25,7 @@ def add_programme(
     its number. Returns the CPU seconds that it took.
     """
     seconds = 0.0
-    if batch.recording.asked:
+    if batch.recording.requested:
         began = working_time()
         scene = scene_of(task, batch.scheme, batch.recording)
         body, drive = body_of(batch), task.problem.drive
@@ -44,8 +44,8 @@ def add_programme(
 def scene_of(task: Task, scheme: str, recording: Recording) -> SceneCase:
     """Return the scene of a task for the kernels."""
     problem, steps = task.problem, task.steps_per_spacing
-    asked = recording.asked
-    kept = kept_steps(problem, steps, recording)
+    asked = recording.requested
+    kept = trace_steps(problem, steps, recording)
     return SceneCase(
         spectrum=problem.spectrum,
         scheme=scheme,

@@ -14,10 +14,10 @@ from ...kernels.compile.clock import working_time
 from ..system import keep_memory, peak_bytes, this_maker
 from .bodies import BODIES, body_of
 from .drawing import Draw
-from .finer import HALVED, add_finer
-from .kept import record_steps
+from .halved_steps import REFINEMENT_FACTOR, add_halved_steps
 from .layout import Layout, row_layout, row_width
 from .programmes import add_programme, steady_ends
+from .recorded_steps import curve_steps
 from .tasks import PHASES, SCALARS, Batch, BatchResult
 
 scalars_of = attrgetter(*SCALARS)
@@ -62,8 +62,8 @@ def block_means(batch: Batch) -> BatchResult:
             block, before = divmod(number, batch.realizations_per_block)
             some.append((draw(number), BlockSums(scalars[:, block], curves[:, block], before)))
         _add_realizations(batch, layouts, cases, some, spent)
-    if batch.recording.finer > batch.first_block:
-        add_finer(batch, layouts, cases, _cases(batch, HALVED), curves, spent)
+    if batch.recording.refined_blocks > batch.first_block:
+        add_halved_steps(batch, layouts, cases, _cases(batch, REFINEMENT_FACTOR), curves, spent)
     for row, (width, places) in enumerate(zip(widths, layouts, strict=True)):
         curves[row, :, width:] = np.nan
         for name, (first, shape) in places.items():
@@ -158,7 +158,7 @@ def _case(batch: Batch, rows: list[int], times: int) -> Case:
     kept: tuple[np.ndarray, ...] = ()
     if batch.quantities.relaxation:
         samples = batch.recording.samples
-        steps = (record_steps(t.march_steps, samples, t.problem.spectrum) for t in tasks)
+        steps = (curve_steps(t.march_steps, samples, t.problem.spectrum) for t in tasks)
         kept = tuple(times * own for own in steps)
     return Case(
         load=tasks[0].problem.load,

@@ -84,10 +84,10 @@ class Recording(NamedTuple):
     samples: int  # of a curve, about
     record: str = "time"  # samples evenly over "time", "distance", or the "log" of time in a leg
     every: int = 0  # keep every so many steps instead; 0: samples
-    asked: tuple[str, ...] = ()  # what of a programme is asked for (kernels/scene)
+    requested: tuple[str, ...] = ()  # results of a programme (kernels/scene)
     dense: tuple[str, ...] = ()  # "healing", "loop": what needs samples of its own
     origin: Origin = START  # where a programme begins that is resumed
-    finer: int = 0  # blocks whose first line is run with halved steps too (finer.py)
+    refined_blocks: int = 0  # blocks whose first line is also run with halved steps
 
 
 class Task(NamedTuple):

@@ -42,7 +42,7 @@ def merge_into(source: Path, target: Path, *, no_lock: bool = False) -> list[str
             shared, unlike = _compared(into, contents)
             differing += unlike
             if fresh := len(contents.records) - shared:
-                into.patience(partial(write_durably, into.folder / f"{name}.nc", content))
+                into.retry(partial(write_durably, into.folder / f"{name}.nc", content))
                 into.enter(name, len(content), contents.batches, contents.makers)
                 taken, records = taken + 1, records + fresh
     if differing:

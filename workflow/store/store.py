@@ -17,8 +17,8 @@ import numpy as np
 from ..ground import UserError
 from ..simulate import SCALARS, Record
 from ..system import (
+    DiskRetry,
     Maker,
-    Patience,
     clear_leftovers,
     digest_of,
     make_folder,
@@ -69,14 +69,14 @@ class DamagedShard(Exception):
 class Store:
     """The shards of a results folder, indexed from the journal alone."""
 
-    def __init__(self, folder: Path, patience: Patience | None = None) -> None:
+    def __init__(self, folder: Path, retry: DiskRetry | None = None) -> None:
         """Index what the journal of ``folder`` tells; change nothing.
 
         patience : with a disk that refuses for the time being. Raises UserError where it refuses
         for good, and for a journal of another version of the format.
         """
-        self.folder, self.patience = folder, patience or Patience()
-        self.index = self.patience(partial(indexed, folder))
+        self.folder, self.retry = folder, retry or DiskRetry()
+        self.index = self.retry(partial(indexed, folder))
         self.failed = self.index.failed  # key of each task that failed for good -> why
         self._contents = lru_cache(CACHED_SHARDS)(lambda name: self._load(name))
 
@@ -87,9 +87,9 @@ class Store:
         journal does not know are entered. What is no shard of ours is named and left as it is.
         """
         clear_leftovers(self.folder / "*.nc")
-        if not self.patience(partial(journal.size, self.folder)):
+        if not self.retry(partial(journal.size, self.folder)):
             self._write([{"format": journal.FORMAT}])
-        found = shard.shard_sizes(self.patience(partial(sizes_in, self.folder)))
+        found = shard.shard_sizes(self.retry(partial(sizes_in, self.folder)))
         known = dict(self.index.sizes)
         for name, size in known.items():
             if name not in found:
@@ -108,7 +108,7 @@ class Store:
         """Store finished batches durably in one shard. Raises UserError if the disk refuses."""
         content = shard.encode(finished)
         name = shard.digest(content)
-        self.patience(partial(write_durably, self._path(name), content))
+        self.retry(partial(write_durably, self._path(name), content))
         predicted = round(sum(batch.seconds for batch, _ in finished), 3)
         makers = sorted({result.maker for _, result in finished})
         batches = [shard.stored_batch(batch) for batch, _ in finished]
@@ -161,7 +161,7 @@ class Store:
         """Return what a shard holds. Raises DamagedShard once one that is spoilt is set aside."""
         path = self._path(name)
         try:
-            return shard.decode(name, self.patience(partial(read_whole, path)), tried)
+            return shard.decode(name, self.retry(partial(read_whole, path)), tried)
         except UserError as error:
             if not isinstance(error.__cause__, FileNotFoundError):
                 raise  # the disk refuses to read it: no fault of the shard
@@ -184,7 +184,7 @@ class Store:
 
         Nobody says where they are from: a process of its own reads them first.
         """
-        tried = self.patience(partial(unreadable, [self._path(name) for name in names]))
+        tried = self.retry(partial(unreadable, [self._path(name) for name in names]))
         for name in names:
             with contextlib.suppress(DamagedShard):
                 contents = self._load(name, tried.get(self._path(name), ""))
@@ -215,6 +215,6 @@ class Store:
         self._write(self.index.entries_of(name, size, batches, makers, predicted))
 
     def _write(self, entries: list[Entry]) -> None:
-        self.patience(partial(journal.append, self.folder, entries))
+        self.retry(partial(journal.append, self.folder, entries))
         for entry in entries:
             self.index.replay(entry)

@@ -9,7 +9,8 @@ from ..ground import public_names
 
 if TYPE_CHECKING:
     from .compiling import COMPILING_MIB, saying_what_compiles
-    from .durable import (
+    from .disk_retry import DiskRetry
+    from .durable_files import (
         append_durably,
         check_place,
         clear_leftovers,
@@ -22,8 +23,8 @@ if TYPE_CHECKING:
         write_durably,
     )
     from .lock import LOCK, hold, holder
+    from .netcdf_sandbox import unreadable
     from .network import interface_named
-    from .opening import unreadable
     from .packages import (
         ROOT,
         VERSION,
@@ -38,7 +39,6 @@ if TYPE_CHECKING:
         this_maker,
         version_of,
     )
-    from .patience import Patience
     from .process import THREADS, Interrupt, keep_memory, peak_bytes
     from .progress import Reporter, core_time, duration
     from .terminal import forgive_streams, program

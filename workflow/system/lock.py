@@ -13,7 +13,7 @@ from pathlib import Path
 from typing import IO, Any
 
 from ..ground import UserError, open_plain
-from .durable import flush_folder, refused
+from .durable_files import flush_folder, refused
 
 LOCK = "lock"
 GLANCE_SECONDS = 2.0

@@ -89,7 +89,7 @@ def test_a_setting_that_changes_results_changes_every_key(setting):
 
 def test_other_program_code_changes_every_key(monkeypatch):
     before = keys(small_plan())
-    monkeypatch.setattr(module, "CODE", "0" * 16)
+    monkeypatch.setattr(module, "CODE_HASH", "0" * 16)
     assert set(before).isdisjoint(keys(small_plan()))
 
 

@@ -7,7 +7,7 @@ import subprocess
 import pytest
 
 from elastomer_friction.workflow.result.provenance import commit, made_by, provenance
-from elastomer_friction.workflow.simulate.code import CODE
+from elastomer_friction.workflow.simulate.code_hash import CODE_HASH
 from elastomer_friction.workflow.study.read import read_study
 from elastomer_friction.workflow.system.packages import Maker, package_versions, this_maker
 from tests.support.small import small_study, write_study
@@ -35,7 +35,7 @@ def test_settings_and_surroundings_are_attributes_of_their_own_too():
         "indentation_rate": "false",
         "realizations_per_block": 4,
         "title": "small",
-        "code": CODE,
+        "code": CODE_HASH,
         "written_with": package_versions(),
         "versions": this_maker().versions,
         "processor": this_maker().processor,

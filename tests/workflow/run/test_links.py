@@ -8,7 +8,7 @@ from elastomer_friction.workflow.ground import UserError
 from elastomer_friction.workflow.run.status import read_status, status_file
 from elastomer_friction.workflow.store import journal
 from elastomer_friction.workflow.store.store import store_folder
-from elastomer_friction.workflow.system.durable import MOST_BYTES, read_whole, write_durably
+from elastomer_friction.workflow.system.durable_files import MOST_BYTES, read_whole, write_durably
 from elastomer_friction.workflow.system.lock import LOCK, holder
 from tests.support.commands import refusal
 from tests.support.runs import run

@@ -114,7 +114,7 @@ def test_a_status_that_cannot_be_written_is_said_once_and_ends_nothing(place, cl
 
 def test_the_status_of_another_version_of_the_program_is_another(monkeypatch):
     before = study_digest(STUDY)
-    monkeypatch.setattr("elastomer_friction.workflow.run.status.CODE", "0123456789abcdef")
+    monkeypatch.setattr("elastomer_friction.workflow.run.status.CODE_HASH", "0123456789abcdef")
     assert study_digest(STUDY) != before
 
 

@@ -25,22 +25,22 @@ from elastomer_friction.kernels import (
 )
 from elastomer_friction.workflow.simulate import realizations
 from elastomer_friction.workflow.simulate.drawing import line_generator
-from elastomer_friction.workflow.simulate.kept import (
-    kept_steps,
-    programme_steps,
-    record_steps,
-    record_times,
-)
 from elastomer_friction.workflow.simulate.layout import BINS, EDGES, row_layout, row_width, unpack
 from elastomer_friction.workflow.simulate.programmes import scene_of
 from elastomer_friction.workflow.simulate.realizations import block_means
+from elastomer_friction.workflow.simulate.recorded_steps import (
+    curve_steps,
+    curve_times,
+    programme_steps,
+    trace_steps,
+)
 from elastomer_friction.workflow.simulate.tasks import PHASES, SCALARS, Problem, Recording, Task
 from tests.support.small import HOLDING, PROGRAMME, cut_batches, small_plan
 
 
 @given(st.integers(8, 10**6), st.integers(8, 600))
 def test_recorded_steps_run_from_the_first_to_the_last(march, samples):
-    recorded = record_steps(march, samples)
+    recorded = curve_steps(march, samples)
     assert (recorded[0], recorded[-1]) == (1, march)
     assert np.all(np.diff(recorded) >= 1)
     assert recorded.size <= samples - 1
@@ -48,7 +48,7 @@ def test_recorded_steps_run_from_the_first_to_the_last(march, samples):
 
 
 def test_every_step_is_recorded_where_there_are_few():
-    assert record_steps(10, 64).tolist() == list(range(1, 11))
+    assert curve_steps(10, 64).tolist() == list(range(1, 11))
 
 
 def deviation(moments, steps, lag=None):
@@ -59,7 +59,7 @@ def deviation(moments, steps, lag=None):
     speed, total = 0.3, 0.0
     steps_per_tau = 1.2 * speed * steps
     recorded = np.arange(1, int(3 * steps_per_tau))
-    times = record_times(recorded, steps_per_tau, "exponential")
+    times = curve_times(recorded, steps_per_tau, "exponential")
     if lag is not None:
         times = (recorded - lag) / steps_per_tau
     for seed in range(8):
@@ -84,7 +84,7 @@ def test_recorded_friction_belongs_to_its_times():
 def test_recorded_times_lie_within_their_steps(scheme):
     recorded = np.array([1, 2, 7])
     for steps_per_tau in (0.1, 1.0, 30.0):
-        times = record_times(recorded, steps_per_tau, scheme) * steps_per_tau
+        times = curve_times(recorded, steps_per_tau, scheme) * steps_per_tau
         assert np.all((times <= recorded) & (times > recorded - 1))
         lag = SCHEMES[scheme](1.0 / steps_per_tau).lag
         np.testing.assert_allclose(times, recorded - lag, rtol=1e-12)
@@ -93,7 +93,7 @@ def test_recorded_times_lie_within_their_steps(scheme):
 def test_friction_of_branches_belongs_to_the_end_of_its_step():
     """Their displacement grows evenly over a step; that of a Kelvin element under one force."""
     branches = Spectrum((2.0, 1.0), (0.1, 1.0), 0.0)
-    times = record_times(np.array([1, 2, 7]), 4.0, "exponential", branches)
+    times = curve_times(np.array([1, 2, 7]), 4.0, "exponential", branches)
     np.testing.assert_allclose(times, np.array([0.25, 0.5, 1.75]), rtol=1e-15)
 
 
@@ -105,7 +105,7 @@ PROBLEM = Problem(0.7, 64, 0.1, 1.0, 1.0, programme=SWING)
 @pytest.mark.parametrize("dense", [(), ("healing", "loop")])
 def test_a_trace_is_kept_from_the_start_to_the_end(record, dense):
     march = programme_steps(PROBLEM, 4)
-    kept = kept_steps(PROBLEM, 4, Recording(40, record, dense=dense))
+    kept = trace_steps(PROBLEM, 4, Recording(40, record, dense=dense))
     assert (kept[0], kept[-1]) == (0, march.time.size)
     assert (np.diff(kept) > 0).all()
     legs = set(march.leg[kept[1:] - 1])
@@ -122,7 +122,7 @@ def test_a_hold_of_no_time_has_no_steps_to_keep(record):
     plain = PROBLEM._replace(programme=(Slide(1.0, 6.0), Slide(1.0, 6.0)))
     held = PROBLEM._replace(programme=(Slide(1.0, 6.0), Hold(0.0), Slide(1.0, 6.0)))
     found = (
-        kept_steps(each, 4, Recording(60, record, dense=("healing",))) for each in (plain, held)
+        trace_steps(each, 4, Recording(60, record, dense=("healing",))) for each in (plain, held)
     )
     first, second = (steps.tolist() for steps in found)
     assert (
@@ -132,17 +132,17 @@ def test_a_hold_of_no_time_has_no_steps_to_keep(record):
 
 def test_every_kth_step_is_kept_where_that_is_asked_for():
     steps = programme_steps(PROBLEM, 4).time.size
-    assert kept_steps(PROBLEM, 4, Recording(40, every=1)).size == 1 + steps
-    third = kept_steps(PROBLEM, 4, Recording(40, every=3))
+    assert trace_steps(PROBLEM, 4, Recording(40, every=1)).size == 1 + steps
+    third = trace_steps(PROBLEM, 4, Recording(40, every=3))
     assert (third[:-1] % 3 == 0).all()
 
 
 def test_samples_over_time_and_distance_are_even():
     march = programme_steps(PROBLEM, 16)
-    time = np.append(0.0, march.time)[kept_steps(PROBLEM, 16, Recording(20, "time"))]
+    time = np.append(0.0, march.time)[trace_steps(PROBLEM, 16, Recording(20, "time"))]
     assert np.diff(time).max() < 2.5 * time[-1] / 19
     way = np.append(0.0, np.cumsum(march.moved))
-    distance = way[kept_steps(PROBLEM, 16, Recording(20, "distance"))]
+    distance = way[trace_steps(PROBLEM, 16, Recording(20, "distance"))]
     assert np.diff(distance).max() < 2.5 * distance[-1] / 19
 
 
@@ -152,13 +152,13 @@ def test_samples_that_fall_on_steps_are_those_steps(record):
     even = PROBLEM._replace(programme=(Slide(1.0, 30.0),))
     assert programme_steps(even, 8).time.size == 240
     for each in (2, 3, 5):
-        kept = kept_steps(even, 8, Recording(240 // each + 1, record))
+        kept = trace_steps(even, 8, Recording(240 // each + 1, record))
         assert kept.tolist() == list(range(0, 241, each))
 
 
 def test_the_leg_after_a_hold_is_dense_at_its_beginning():
     march = programme_steps(PROBLEM, 16)
-    kept = kept_steps(PROBLEM, 16, Recording(8, dense=("healing",)))
+    kept = trace_steps(PROBLEM, 16, Recording(8, dense=("healing",)))
     first = int(np.searchsorted(march.leg, 2))
     assert {first, first + 1, first + 2, first + 3} <= set(kept.tolist())
 
@@ -168,14 +168,14 @@ def test_the_last_cycle_of_an_oscillation_is_a_closed_loop(m):
     """Of 256 samples at most, from one period before the end on: of all steps if they are fewer."""
     time = np.append(0.0, programme_steps(PROBLEM, m).time)
     first = int(np.abs(time - (time[-1] - 1.0 / SWING[-1].frequency)).argmin())
-    kept = kept_steps(PROBLEM, m, Recording(2, dense=("loop",)))
+    kept = trace_steps(PROBLEM, m, Recording(2, dense=("loop",)))
     loop = kept[1:]  # 0 is the start
     assert (loop[0], loop[-1]) == (first, time.size - 1)
     assert loop.size == min(256, time.size - first)
 
 
 def test_recorded_steps_of_many_times_grow_by_a_factor():
-    recorded = record_steps(10_000, 64, Spectrum((1.0,), (1.0,), 0.0))
+    recorded = curve_steps(10_000, 64, Spectrum((1.0,), (1.0,), 0.0))
     assert recorded[:3].tolist() == [1, 2, 3]
     assert recorded[-1] / recorded[-2] == pytest.approx(recorded[-2] / recorded[-3], rel=0.01)
 
@@ -189,7 +189,7 @@ ASKED = ("trace", "energy", "contact_lengths", "snapshots", "state")
 
 @pytest.mark.parametrize("count", range(6))
 def test_parts_follow_each_other_without_gaps_and_unpack_to_their_shapes(count):
-    recording = Recording(20, asked=ASKED[:count])
+    recording = Recording(20, requested=ASKED[:count])
     quantities = Quantities(initial_rate=True)
     places = row_layout(TASK, quantities, "exponential", recording)
     width = row_width(places)
@@ -280,7 +280,7 @@ def test_the_time_of_a_programme_is_booked_to_marching(monkeypatch):
 def test_snapshots_are_taken_where_they_are_asked_for():
     batch = next(cut_batches(PLAN, set(), 1e9))
     task, plain = batch.tasks[0], batch.recording
-    asked = plain._replace(asked=("trace", "snapshots"))
+    asked = plain._replace(requested=("trace", "snapshots"))
     assert scene_of(task, batch.scheme, plain).frames.size == 0
-    kept = kept_steps(task.problem, task.steps_per_spacing, asked)
+    kept = trace_steps(task.problem, task.steps_per_spacing, asked)
     assert scene_of(task, batch.scheme, asked).frames.tolist() == kept.tolist()

@@ -27,7 +27,7 @@ ROOMS = {
 }
 CHECKED = (
     "plan/problems",
-    "simulate/kept",
+    "simulate/recorded_steps",
     *(f"{room}/{name}" for room, names in ROOMS.items() for name in names),
 )
 # Functions whose refusals are tested elsewhere: find_study lists all studies (test_refusals.py),

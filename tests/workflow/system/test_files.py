@@ -10,14 +10,14 @@ import threading
 import pytest
 
 from elastomer_friction.workflow.ground import UserError
-from elastomer_friction.workflow.system.durable import (
+from elastomer_friction.workflow.system.disk_retry import GRACE_SECONDS, DiskRetry
+from elastomer_friction.workflow.system.durable_files import (
     append_durably,
     clear_leftovers,
     refused,
     write_durably,
 )
 from elastomer_friction.workflow.system.lock import LOCK, hold, holder
-from elastomer_friction.workflow.system.patience import GRACE_SECONDS, Patience
 from tests.support.python import PATIENCE, standing
 
 
@@ -91,7 +91,7 @@ def patience(clock, seconds, stop=lambda: False):
     def sleep(duration):
         clock[0] += duration
 
-    return Patience(seconds, stop, sleep)
+    return DiskRetry(seconds, stop, sleep)
 
 
 def disk_error(name):

@@ -12,7 +12,7 @@ import numpy as np
 from ....kernels import KELVIN, Quantities
 from ....kernels.quick.contacts.between_samples import LEAST_STEPS
 from ...simulate import (
-    EXACT,
+    MAX_LISTED_STEPS,
     PHASES,
     Problem,
     Recording,
@@ -80,7 +80,7 @@ def kind_of(problem: Problem, recording: Recording) -> str:
     """Return of which kind work on problems like this one is."""
     if problem.surface.body == HALF_SPACE:
         return MAPS
-    if recording.asked:
+    if recording.requested:
         return PROGRAMME
     return PLAIN if problem.spectrum == KELVIN else BRANCHES
 
@@ -90,7 +90,7 @@ def typical_seconds(asked: Quantities, work: Work, recording: Recording) -> dict
     found: dict[str, Numbers] = dict.fromkeys(PARTS, 0.0)
     if work.problem.surface.body == HALF_SPACE:
         return found | _half_space(asked, work, recording)
-    found[CALLS] = CALL * (1 + bool(recording.asked))
+    found[CALLS] = CALL * (1 + bool(recording.requested))
     if asked.anything:
         if work.problem.spectrum == KELVIN:
             found |= _kelvin(asked, work)
@@ -98,7 +98,7 @@ def typical_seconds(asked: Quantities, work: Work, recording: Recording) -> dict
             states = 1 + (asked.steady or asked.relaxation)
             found[STEADY] = states * _memory_state(work)
             found[MARCHING] = work.march_steps * _memory_step(work)
-    if recording.asked:
+    if recording.requested:
         problem = work.problem
         begins = problem.start == "steady" and problem.spectrum != KELVIN
         found[MARCHING] = found[MARCHING] + _programme(work) + begins * _memory_state(work)
@@ -111,7 +111,7 @@ def typical_seconds(asked: Quantities, work: Work, recording: Recording) -> dict
 def _half_space(asked: Quantities, work: Work, recording: Recording) -> dict[str, Numbers]:
     """Return the time of a case on a half-space, which goes with passes over its map."""
     steady, march = passes_of(work.problem, work.steps, work.march_steps, asked)
-    if recording.asked:
+    if recording.requested:
         different, inverse = np.unique(work.steps, return_inverse=True)
         counts = [leg_counts(work.problem, int(steps)).sum() for steps in different]
         march = march + WARM * np.array(counts)[inverse]
@@ -129,7 +129,7 @@ def _programme(work: Work) -> Numbers:
     counts = []
     for steps in different:
         count, between = leg_counts(work.problem, int(steps)).sum(), 0
-        if count <= EXACT:
+        if count <= MAX_LISTED_STEPS:
             moved = programme_steps(work.problem, int(steps)).moved
             between = int(np.sum(np.abs(moved - np.round(moved)) > 1e-6))  # of a sample
         counts.append((count, between))

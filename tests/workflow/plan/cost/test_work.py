@@ -57,7 +57,7 @@ def parts_of(problem, steps=4, march_steps=100, asked=ALL, **how):
     """Return the typical time of a problem by part."""
     kept = ("trace",) if problem.programme else ()
     work = Work(problem, steps, march_steps, **how)
-    return typical_seconds(asked, work, Recording(64, asked=kept))
+    return typical_seconds(asked, work, Recording(64, requested=kept))
 
 
 AT = Problem(0.7, 2500, 0.05, 1.0, 1.2)
@@ -128,7 +128,7 @@ def test_every_part_is_told_and_what_is_not_asked_for_takes_none():
 
 
 def test_branches_and_programmes_are_work_of_another_kind():
-    marched = Recording(64, asked=("trace",))
+    marched = Recording(64, requested=("trace",))
     plain, of_branches = (Problem(0.7, 100, 0.1, 1.0, 1.2, own) for own in (KELVIN, BRANCH))
     kinds = [kind_of(one, Recording(64)) for one in (plain, of_branches)]
     assert len({*kinds, kind_of(plain, marched)}) == 3

@@ -10,34 +10,38 @@ import numpy as np
 
 from ...kernels import Outcome
 from .bodies import body_of
-from .kept import record_steps, record_times
 from .layout import Layout
 from .programmes import steady_ends
+from .recorded_steps import curve_steps, curve_times
 from .tasks import Batch, Task
 
-CHANGED = ("mu_1", "jump", "mu_2")  # as the row of a record has them, after the count of lines
-HALVED = 2  # times the steps per spacing
+HALVED_STEP_SCALARS = (
+    "mu_1",
+    "jump",
+    "mu_2",
+)  # as the row of a record has them, after the count of lines
+REFINEMENT_FACTOR = 2  # times the steps per spacing
 
 
-def add_finer(
+def add_halved_steps(
     batch: Batch,
     layouts: list[Layout],
     cases: list,
-    finer: list,
+    halved_cases: list,
     curves: np.ndarray,
     spent: np.ndarray,
 ) -> None:
-    """Add to the first blocks of all what halved steps change on the first line of each.
+    """Add the changes due to halved steps on the first line of the first blocks.
 
-    cases, finer : what is run on every line, and the same with HALVED times the steps. curves :
-    sums over the lines of each block, shape (tasks, blocks, values). spent : s in each phase, shape
-    (tasks, phases), to which what this takes is added.
+    cases, halved_cases : cases of every line, and the same at REFINEMENT_FACTOR times the steps.
+    curves : sums over the lines of each block, shape (tasks, blocks, values). spent : CPU seconds
+    of each phase, shape (tasks, phases); the time of this call is added.
     """
     body = body_of(batch)
     _, draw = body.drawing(batch)
-    for block in range(min(batch.blocks, batch.recording.finer - batch.first_block)):
+    for block in range(min(batch.blocks, batch.recording.refined_blocks - batch.first_block)):
         drawn = draw(block * batch.realizations_per_block)
-        for (prepared, shared), (halved, _) in zip(cases, finer, strict=True):
+        for (prepared, shared), (halved, _) in zip(cases, halved_cases, strict=True):
             lines = [next(iter(drawn(own.steps_per_spacing))) for own in (prepared, halved)]
             (before,), (after,) = (
                 body.run([line], own) for line, own in zip(lines, (prepared, halved), strict=True)
@@ -62,21 +66,21 @@ def _add(
     """
     k, row = place
     task = batch.tasks[row]
-    tasks = task, task._replace(steps_per_spacing=HALVED * task.steps_per_spacing)
+    tasks = task, task._replace(steps_per_spacing=REFINEMENT_FACTOR * task.steps_per_spacing)
     numbers = []
     for outcome, line, own in zip(pair, lines, tasks, strict=True):
         found = {"mu_1": outcome.mu_1, "jump": outcome.jump[k], "mu_2": outcome.mu_2[k]}
         found |= steady_ends(batch, line, own)
-        numbers.append([found[name] for name in CHANGED])
-    first, (size,) = places["finer"]
+        numbers.append([found[name] for name in HALVED_STEP_SCALARS])
+    first, (size,) = places["halved_steps"]
     values[first : first + size] += [1.0, *np.subtract(numbers[1], numbers[0])]
-    if "finer_curve" in places:
+    if "halved_steps_curve" in places:
         coarse, fine = (outcome.curves[k] for outcome in pair)
         times, finer_times = _times(batch, task)
         started = pair[1].mu_1 + pair[1].jump[k]
         # Friction belongs to other times of a shorter step: read it at those of the longer.
         fine = np.interp(times, [0.0, *finer_times], [started, *fine])
-        first, (size,) = places["finer_curve"]
+        first, (size,) = places["halved_steps_curve"]
         values[first : first + coarse.size] += fine - coarse
         values[first + coarse.size : first + size] = np.nan
 
@@ -84,7 +88,9 @@ def _add(
 def _times(batch: Batch, task: Task) -> tuple[np.ndarray, np.ndarray]:
     """Return the times of a curve, with the steps of the task and with those halved."""
     problem, steps = task.problem, task.steps_per_spacing
-    kept = record_steps(task.march_steps, batch.recording.samples, problem.spectrum)
+    kept = curve_steps(task.march_steps, batch.recording.samples, problem.spectrum)
     per_tau = abs(problem.speed * problem.ratio) * steps
     how = batch.scheme, problem.spectrum
-    return record_times(kept, per_tau, *how), record_times(HALVED * kept, HALVED * per_tau, *how)
+    return curve_times(kept, per_tau, *how), curve_times(
+        REFINEMENT_FACTOR * kept, REFINEMENT_FACTOR * per_tau, *how
+    )

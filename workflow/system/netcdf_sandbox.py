@@ -16,7 +16,7 @@ from pathlib import Path
 from typing import Any
 
 from ..ground import UserError
-from .durable import read_whole, refused
+from .durable_files import read_whole, refused
 from .packages import ROOT
 
 SECONDS, BYTES_PER_SECOND = 1.0, 1e7  # of CPU time, for a file and for each variable of it

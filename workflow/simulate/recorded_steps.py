@@ -23,12 +23,12 @@ from ...kernels.rheology.spectrum import shortest_step
 from .tasks import Problem, Recording, ScaledHistory
 
 RESTART = 64  # samples of the leg after a hold, at times that grow by a factor
-EXACT = 1_000_000  # steps that are counted one by one
+MAX_LISTED_STEPS = 1_000_000  # steps that are counted one by one
 FEW = 16  # marches whose steps are remembered
 LOOP = 256  # samples of the last cycle of an oscillation
 
 
-def record_steps(march_steps: int, samples: int, spectrum: Spectrum = KELVIN) -> np.ndarray:
+def curve_steps(march_steps: int, samples: int, spectrum: Spectrum = KELVIN) -> np.ndarray:
     """Return the numbers of the steps that the relaxation curve of a record keeps.
 
     They increase from 1 to ``march_steps``, and are ``samples`` - 1 at most; evenly for a Kelvin
@@ -39,7 +39,7 @@ def record_steps(march_steps: int, samples: int, spectrum: Spectrum = KELVIN) ->
     return np.unique(np.round(spread(1, march_steps, samples - 1)).astype(np.int64))
 
 
-def record_times(
+def curve_times(
     kept: np.ndarray, steps_per_tau: float, scheme: str, spectrum: Spectrum = KELVIN
 ) -> np.ndarray:
     """Return the times since the jump, in tau, to which the friction of kept steps belongs.
@@ -86,7 +86,7 @@ def programme_steps(
     return _march(*what, steps_per_spacing, origin)
 
 
-def bounded_counts(problem: Problem, steps_per_spacing: int, origin: Origin = START) -> np.ndarray:
+def max_leg_counts(problem: Problem, steps_per_spacing: int, origin: Origin = START) -> np.ndarray:
     """Return how many steps each leg of a programme takes at most, by formula, shape (legs,)."""
     shortest = shortest_step(problem.spectrum)
     return count_steps(problem.programme, steps_per_spacing, *origin[:2], shortest)
@@ -95,16 +95,16 @@ def bounded_counts(problem: Problem, steps_per_spacing: int, origin: Origin = ST
 def leg_counts(problem: Problem, steps_per_spacing: int, origin: Origin = START) -> np.ndarray:
     """Return how many steps each leg of a programme takes, shape (legs,).
 
-    Beyond EXACT steps in all they are those of a formula, which makes no array of steps.
+    Beyond MAX_LISTED_STEPS steps in all they are those of a formula, which makes no array of steps.
     """
-    counts, legs = bounded_counts(problem, steps_per_spacing, origin), len(problem.programme)
-    if counts.sum() > EXACT:
+    counts, legs = max_leg_counts(problem, steps_per_spacing, origin), len(problem.programme)
+    if counts.sum() > MAX_LISTED_STEPS:
         return counts
     return np.bincount(programme_steps(problem, steps_per_spacing, origin).leg, minlength=legs)
 
 
 @lru_cache(maxsize=1000)
-def kept_steps(problem: Problem, steps_per_spacing: int, recording: Recording) -> np.ndarray:
+def trace_steps(problem: Problem, steps_per_spacing: int, recording: Recording) -> np.ndarray:
     """Return the increasing numbers of the steps at which a trace is kept; 0 is the start."""
     programme = problem.programme
     time, moved, leg = programme_steps(problem, steps_per_spacing, recording.origin)

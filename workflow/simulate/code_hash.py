@@ -31,7 +31,7 @@ def code_hash(folders: tuple[Path, ...] = FOLDERS) -> str:
     return digest.hexdigest()[:DIGITS]
 
 
-def known_hash(folders: tuple[Path, ...] = FOLDERS) -> str:
+def cached_code_hash(folders: tuple[Path, ...] = FOLDERS) -> str:
     """Return ``code_hash``, kept beside the machine code until a byte of any file changes.
 
     To parse the files takes as long as to load all kernels.
@@ -70,4 +70,4 @@ def _meaning(node: object) -> object:
     return type(node).__name__, [(name, _meaning(value)) for name, value in held.items()]
 
 
-CODE = known_hash()
+CODE_HASH = cached_code_hash()

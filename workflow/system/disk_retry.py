@@ -20,7 +20,7 @@ STEP_SECONDS = 0.2  # between two looks at whether the process is to stop
 T = TypeVar("T")
 
 
-class Patience:
+class DiskRetry:
     """Tries again what the disk refuses by an error that may pass; says so at once."""
 
     def __init__(

@@ -15,9 +15,9 @@ from elastomer_friction.kernels import (
 )
 from elastomer_friction.workflow import scene
 from elastomer_friction.workflow.simulate.bodies import BODIES
-from elastomer_friction.workflow.simulate.kept import record_steps, record_times
 from elastomer_friction.workflow.simulate.layout import row_layout, unpack
 from elastomer_friction.workflow.simulate.realizations import block_means
+from elastomer_friction.workflow.simulate.recorded_steps import curve_steps, curve_times
 from tests.support.documents import without
 from tests.support.small import cut_batches, small_plan
 
@@ -41,7 +41,7 @@ def batch():
 def outcome(batch, line, times):
     (task,) = batch.tasks
     problem, steps = task.problem, times * task.steps_per_spacing
-    kept = times * record_steps(task.march_steps, batch.recording.samples, problem.spectrum)
+    kept = times * curve_steps(task.march_steps, batch.recording.samples, problem.spectrum)
     case = Case(problem.load, problem.speed, (problem.ratio,), (kept,), batch.scheme)
     return run_case(Line.measured(batch.heights[line], steps), case, QUANTITIES)
 
@@ -66,13 +66,13 @@ def test_records_of_measured_lines_hold_what_halved_steps_change(batch):
         coarse, fine = outcome(batch, line, 1), outcome(batch, line, 2)
         changes = fine.mu_1 - coarse.mu_1, fine.jump[0] - coarse.jump[0], fine.mu_2[0]
         expected = [1.0, *changes[:2], changes[2] - coarse.mu_2[0]]
-        np.testing.assert_allclose(parts["finer"][line], expected, rtol=1e-9, atol=1e-15)
+        np.testing.assert_allclose(parts["halved_steps"][line], expected, rtol=1e-9, atol=1e-15)
         # Late samples are far from the start: reading between two of them adds nothing to see.
-        found = parts["finer_curve"][line][: coarse.curves[0].size]
-        kept = record_steps(task.march_steps, batch.recording.samples)
+        found = parts["halved_steps_curve"][line][: coarse.curves[0].size]
+        kept = curve_steps(task.march_steps, batch.recording.samples)
         per_tau = task.problem.speed * task.problem.ratio * task.steps_per_spacing
-        times = record_times(kept, per_tau, batch.scheme)
-        halved = record_times(2 * kept, 2.0 * per_tau, batch.scheme)
+        times = curve_times(kept, per_tau, batch.scheme)
+        halved = curve_times(2 * kept, 2.0 * per_tau, batch.scheme)
         read = np.interp(times[1:], halved, fine.curves[0])
         np.testing.assert_allclose(found[1:], read - coarse.curves[0][1:], rtol=1e-9, atol=1e-15)
 
@@ -87,7 +87,7 @@ def test_changes_do_not_depend_on_the_cut(batch):
 @pytest.mark.parametrize("settings", [(), (*TWO, "numerics.steps_per_spacing=4")])
 def test_lines_with_a_law_or_steps_of_the_user_are_run_once(settings):
     plan = small_plan(*settings, text=MEASURED) if settings else small_plan()
-    assert {variant.recording.finer for variant in plan.variants} == {0}
+    assert {variant.recording.refined_blocks for variant in plan.variants} == {0}
 
 
 @pytest.mark.parametrize("seed", [4, 5, 6])

@@ -7,7 +7,12 @@ from pathlib import Path
 import numba
 import pytest
 
-from elastomer_friction.workflow.simulate.code import CODE, FOLDERS, code_hash, known_hash
+from elastomer_friction.workflow.simulate.code_hash import (
+    CODE_HASH,
+    FOLDERS,
+    cached_code_hash,
+    code_hash,
+)
 from tests.support.imports import module_of
 from tests.support.python import printed
 
@@ -42,7 +47,7 @@ def test_hashed_files_import_of_ours_only_what_is_hashed(path):
 
 
 EDITS = {
-    "the steps that a record keeps": ("kept.py", "np.linspace", "np.geomspace"),
+    "the steps that a record keeps": ("recorded_steps.py", "np.linspace", "np.geomspace"),
     "a number": ("rheology/spectrum.py", "1e-10", "1e-11"),
     "an operator": ("kernels/model/steady.py", "w[j] = free", "w[j] = -free"),
     "a body chosen by type": ("kelvin.py", "@reach.of(Kelvin)", "@reach.of(State)"),
@@ -57,7 +62,7 @@ NO_EDITS = {
     ),
     "a comment": ("rheology/spectrum.py", "# Shortest step", "# The shortest step"),
     "an empty line": ("tasks.py", "\nclass Problem", "\n\nclass Problem"),
-    "brackets": ("kept.py", "return (kept - ", "return ((kept) - "),
+    "brackets": ("recorded_steps.py", "return (kept - ", "return ((kept) - "),
 }
 EDITED = {name for name, *_ in (EDITS | NO_EDITS).values()}
 
@@ -71,7 +76,7 @@ def copies(folder, ignore):
 
 
 def test_copies_have_the_same_hash(tmp_path):
-    assert code_hash(copies(tmp_path, shutil.ignore_patterns("__pycache__"))) == CODE
+    assert code_hash(copies(tmp_path, shutil.ignore_patterns("__pycache__"))) == CODE_HASH
 
 
 def not_edited(folder, names):
@@ -114,7 +119,7 @@ def test_a_file_more_or_less_changes_the_hash(copied, before):
 
 
 def test_a_file_of_another_name_changes_the_hash(copied, before):
-    (copied[1] / "kept.py").rename(copied[1] / "kept2.py")
+    (copied[1] / "recorded_steps.py").rename(copied[1] / "recorded_steps2.py")
     assert code_hash(copied) != before
 
 
@@ -126,7 +131,7 @@ def test_words_and_layout_leave_the_hash_alone(copied, before, name):
 def test_the_hash_is_kept_until_a_byte_changes_and_made_anew_where_it_is_damaged(
     tmp_path, monkeypatch
 ):
-    assert known_hash() == code_hash() == CODE
+    assert cached_code_hash() == code_hash() == CODE_HASH
     folder, kept = tmp_path / "room", tmp_path / "kept"
     for path in (folder, kept):
         path.mkdir()
@@ -134,17 +139,17 @@ def test_the_hash_is_kept_until_a_byte_changes_and_made_anew_where_it_is_damaged
     source = folder / "a.py"
     for text in ("x = 1\n", "x = 1  # one\n", "x = 2\n"):
         source.write_text(text)
-        assert known_hash((folder,)) == known_hash((folder,)) == code_hash((folder,))
+        assert cached_code_hash((folder,)) == cached_code_hash((folder,)) == code_hash((folder,))
     files = list(kept.iterdir())
     assert len(files) == 3
     for spoilt in (b"", b"0123", b"\xff" * 16, b"x" * 16):
         for file in files:
             file.write_bytes(spoilt)
-        assert known_hash((folder,)) == code_hash((folder,))
+        assert cached_code_hash((folder,)) == code_hash((folder,))
     monkeypatch.setattr(
         "elastomer_friction.kernels.compile.cache.FOLDER", str(tmp_path / "nowhere")
     )
-    assert known_hash((folder,)) == code_hash((folder,))
+    assert cached_code_hash((folder,)) == code_hash((folder,))
 
 
 NOTHING_NEW = """
