@@ -93,7 +93,7 @@ def _table(options: argparse.Namespace) -> int:
 def _checked(options: argparse.Namespace) -> tuple[AnyStudy, Path]:
     """Return the study and its result, which has been found to be one."""
     study, result = _study(options)
-    check_result(study, result, asked=bool(options.scale or options.set or options.accuracy))
+    check_result(study, result, strict=bool(options.scale or options.set or options.accuracy))
     return study, result
 
 
@@ -107,7 +107,7 @@ def _explore(options: argparse.Namespace) -> int:
     if result.suffix != ".nc":
         study = read_study(options.result, options.scale)
         result = result_file(Path("results"), study)
-        check_result(study, result, asked=bool(options.scale))
+        check_result(study, result, strict=bool(options.scale))
     print(report.write_explorer(result, options.out))
     return DONE
 

@@ -66,7 +66,7 @@ def _fitted(options: argparse.Namespace) -> tuple[Path, "Law | LoadLaw"]:
     if path.suffix != ".nc":
         study = read_study(options.study, options.scale, options.set)
         path = result_file(Path(options.results), study)
-        check_result(study, path, asked=bool(options.scale or options.set))
+        check_result(study, path, strict=bool(options.scale or options.set))
     others = [_dataset(Path(name), None) for name in options.held_out or ()]
     given = {name: getattr(options, name) for name in ("states", "kind")}
     found = law.fit(

@@ -16,7 +16,7 @@ from markupsafe import Markup, escape
 
 from ..ground import UserError
 from ..reduce import STATUS_MEANINGS
-from ..result import ROOT, Groups, differing_settings, edited, listed, open_result, result_file
+from ..result import ROOT, Groups, change_note, differing_settings, listed, open_result, result_file
 from ..study import AnyStudy, known_scales, known_studies, read_study
 from ..system import program, write_durably
 from .claims import evaluate, known_claims
@@ -117,7 +117,7 @@ def section(study: AnyStudy, groups: Groups, folder: Path) -> dict[str, object]:
     data, result = groups[ROOT], result_file(folder, study)
     images: list[dict[str, object]] = []
     files = [result]
-    troubles = [f"{result.name} {said}"] if (said := edited(result)) else []
+    troubles = [f"{result.name} {said}"] if (said := change_note(result)) else []
     try:
         pictures = draw_groups(study, groups, result)
         images = [_image(picture) for picture in pictures]

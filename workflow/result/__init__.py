@@ -1,6 +1,6 @@
-"""The result file: declared variables, their dataset, provenance, netCDF.
+"""Result files: declared variables, datasets, provenance and netCDF.
 
-The first room that knows xarray.
+This is the lowest room that imports xarray.
 """
 
 from typing import TYPE_CHECKING
@@ -13,9 +13,9 @@ if TYPE_CHECKING:
         BROKEN,
         ROOT,
         broken,
+        change_note,
         check_result,
         differing_settings,
-        edited,
         listed,
         open_result,
         open_tree,
@@ -23,6 +23,6 @@ if TYPE_CHECKING:
         result_file,
         write_datasets,
     )
-    from .provenance import made_by, origin
+    from .provenance import maker_attributes, origin
 
 __all__, __getattr__, __dir__ = public_names(__name__, __file__)

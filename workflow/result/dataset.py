@@ -1,4 +1,4 @@
-"""Assemble estimates of tasks into one labelled xarray Dataset."""
+"""Labelled xarray datasets of the estimates of all tasks."""
 
 from collections.abc import Callable, Mapping
 from typing import Any
@@ -14,7 +14,7 @@ from ..study import AXES, HALF_SPACE, axes_of
 from .provenance import provenance
 from .variables import AUXILIARY, AXIS_ATTRIBUTES, Powers, attributes, declared
 
-Groups = Mapping[str, xr.Dataset]  # "" is the study itself, the others are its comparisons
+Groups = Mapping[str, xr.Dataset]  # the key "" is the study itself, the others are its comparisons
 Units = dict[str, xr.DataArray]  # unit of the plan -> its value in SI, over the axes it depends on
 
 
@@ -24,7 +24,7 @@ def build_dataset(
     """Return the dataset of one variant.
 
     estimates : arrays over variant.tasks. exponents : arrays over the Hurst exponents. Raises
-    KeyError for an estimate that is not declared, TypeError for one that is of another type.
+    KeyError for an undeclared estimate and TypeError for one of another type than declared.
     """
     axes, units = plan.study.axes, _units(plan, variant)
     data = {}
@@ -32,79 +32,81 @@ def build_dataset(
         variable = declared(name)
         dims = (*axes, *variable.dims[len(AXES) :])
         data[name] = xr.DataArray(values[variant.point_task], dims=dims)
-        if variable.scaling:  # or a flag would become a float
+        if variable.scaling:  # otherwise a flag would become a float
             data[name] = data[name] * _factor(variable.scaling, units)
             data[name] = data[name].transpose(*dims)
     for name, values in exponents.items():
         data[name] = xr.DataArray(values, dims=declared(name).dims)
     data |= _settings(plan, variant, units) | _spectrum(variant)
-    if "time" in data:  # in single precision, half as large: in tau it is there to all digits
+    if "time" in data:  # single precision saves space; "time" in tau keeps all digits
         seconds = (data["time"] * units["tau"]).transpose(*data["time"].dims)
         data["time_s"] = seconds.astype(np.float32)
     coords: dict[str, Any] = {axis: np.array(plan.study.grid[axis]) for axis in axes}
     if plan.study.pressures:
         coords["normal_pressure"] = "normal_force", np.array(plan.study.pressures)
-    coords |= _coordinates(plan, variant, {str(dim) for each in data.values() for dim in each.dims})
-    said = provenance(plan.study, variant.numerics) | {"body": variant.lines.body}
+    coords |= _coordinates(
+        plan, variant, {str(dim) for values in data.values() for dim in values.dims}
+    )
+    facts = provenance(plan.study, variant.numerics) | {"body": variant.lines.body}
     share = plan.study.force_share(variant.label)
     if share != 1.0:  # coordinates of a comparison are those of the study
-        said["normal_force_share"] = share
+        facts["normal_force_share"] = share
     if variant.lines.profile is not None:
-        said |= {"lines": variant.lines.told, "lines_digest": variant.lines.profile.digest}
+        facts |= {"lines": variant.lines.told, "lines_digest": variant.lines.profile.digest}
     if variant.material.told:
-        said["branches"] = variant.material.told
+        facts["branches"] = variant.material.told
     if variant.material.shifts and variant.material.shifts.told:
-        said["shifts"] = variant.material.shifts.told
+        facts["shifts"] = variant.material.shifts.told
     if sampled := plan.study.scene.sampled:
-        said["programme"] = "; ".join(sampled)
-    dataset = xr.Dataset(data, coords, said)
-    known = estimates["degrees_of_freedom"][estimates["degrees_of_freedom"] >= 0]
-    _annotate(dataset, int(known.min()))
+        facts["programme"] = "; ".join(sampled)
+    dataset = xr.Dataset(data, coords, facts)
+    freedom = estimates["degrees_of_freedom"]
+    _annotate(dataset, int(freedom[freedom >= 0].min()))
     return dataset.set_coords([name for name in AUXILIARY if name in dataset])
 
 
 def _coordinates(plan: Plan, variant: Variant, dims: set[str]) -> dict[str, object]:
-    """Return the coordinates of the dims that are no axes of the grid."""
-    found: dict[str, object] = {
+    """Return the coordinates of the dims that are not axes of the grid."""
+    coordinates: dict[str, object] = {
         "sample": np.arange(variant.numerics.curve_samples),
         "event": np.arange(variant.events),
         "bin": EDGES[:-1],
         "law": list(LAWS),
     }
-    if "x" in dims:  # of one realization of one problem
+    if "x" in dims:  # present for a single realization of a single problem only
         (task,) = variant.tasks
         m = task.steps_per_spacing
         samples, rows = task.problem.elements * m, task.problem.rows(m)
         (spacing,) = plan.study.grid["spacing"]
         step = spacing / m
-        found |= {"x": step * np.arange(samples), "y": step * np.arange(rows)}
-    return {name: values for name, values in found.items() if name in dims}
+        coordinates |= {"x": step * np.arange(samples), "y": step * np.arange(rows)}
+    return {name: values for name, values in coordinates.items() if name in dims}
 
 
 def _settings(plan: Plan, variant: Variant, units: Units) -> dict[str, xr.DataArray]:
-    """Return what turns a result into the paper's units: tau, G, L and q_max, in SI."""
+    """Return the scales of the paper's dimensionless quantities, tau, G, L and q_max, in SI."""
     cutoff = _over(plan, variant, "surface", lambda lines: lines.cutoff)
     shortest = xr.where(cutoff > 0.0, cutoff, 2.0 * units["spacing"])
-    found = {
+    scales = {
         "tau": units["tau"],
         "shear_modulus": xr.DataArray(variant.material.shear_modulus),
         "length": xr.DataArray(plan.study.surface.length),
         "q_max": (2.0 * np.pi / shortest).transpose("spacing", ...),
     }
-    return {name: values for name, values in found.items() if name not in plan.study.axes}
+    return {name: values for name, values in scales.items() if name not in plan.study.axes}
 
 
 def _spectrum(variant: Variant) -> dict[str, xr.DataArray]:
-    """Return the power spectrum of measured lines, or of random ones like them."""
-    profile, own = variant.lines.profile, variant.lines.spectrum
-    if profile is None or own is None or variant.lines.body == HALF_SPACE:
+    """Return the power spectrum of measured lines, or of random lines with their spectrum."""
+    profile, spectrum = variant.lines.profile, variant.lines.spectrum
+    if profile is None or spectrum is None or variant.lines.body == HALF_SPACE:
         return {}
-    q, density = power_spectrum(own, profile.length)
+    q, density = power_spectrum(spectrum, profile.length)
     return {"power_spectrum": xr.DataArray(density, {"wave_number": q}, "wave_number")}
 
 
 def _units(plan: Plan, variant: Variant) -> Units:
-    """Return the units that dimensionless values are multiplied by, in SI."""
+    """Return the units of dimensionless values, in SI."""
     grid = plan.study.grid
     units = {axis: xr.DataArray(np.array(grid[axis]), dims=axis) for axis in AXES}
     modulus = _over(plan, variant, "material", lambda solid: solid.contact_modulus)
@@ -117,12 +119,14 @@ def _units(plan: Plan, variant: Variant) -> Units:
 def _over(plan: Plan, variant: Variant, part: str, value: Callable[[Any], float]) -> xr.DataArray:
     """Return a number of a part of the study over the axes that change that part."""
     axes = axes_of(plan.study.grid, part)
-    each = [value(getattr(own, part)) for own in plan.study.parts(variant.label, axes)]
-    return xr.DataArray(np.reshape(each, [len(plan.study.grid[axis]) for axis in axes]), dims=axes)
+    values = [value(getattr(parts, part)) for parts in plan.study.parts(variant.label, axes)]
+    return xr.DataArray(
+        np.reshape(values, [len(plan.study.grid[axis]) for axis in axes]), dims=axes
+    )
 
 
 def _factor(scaling: Powers, units: Units) -> xr.DataArray:
-    """Return what turns a dimensionless value into SI, over the axes that it depends on."""
+    """Return the factor from a dimensionless value to SI, over the axes that it depends on."""
     factor = xr.DataArray(1.0)
     for unit, power in scaling.items():
         values = units[unit]
@@ -131,14 +135,14 @@ def _factor(scaling: Powers, units: Units) -> xr.DataArray:
 
 
 def _annotate(dataset: xr.Dataset, freedom: int) -> None:
-    """Check that every variable is what it is declared to be; say so in its attributes.
+    """Check the type of every variable against its declaration and set its attributes.
 
     freedom : degrees of freedom that every standard error has at least.
     """
     for name in dataset.data_vars:
-        found, said = dataset[name].dtype, declared(str(name)).dtype
-        if found != said:
-            raise TypeError(f"{name} is of type {found}, but declared as {said}")
+        dtype, expected = dataset[name].dtype, declared(str(name)).dtype
+        if dtype != expected:
+            raise TypeError(f"{name} is of type {dtype}, but declared as {expected}")
         dataset[name].attrs = attributes(str(name))
         if f"{name}_error" in dataset:
             dataset[name].attrs["ancillary_variables"] = f"{name}_error"

@@ -1,6 +1,6 @@
-"""Result files: named, written durably, opened, checked, and compared with the study asked for.
+"""Result files: names, durable writing, opening, checks, and comparison with a study.
 
-The one place that knows that a result is netCDF.
+Only this module knows that a result is netCDF.
 """
 
 import contextlib
@@ -20,98 +20,100 @@ from ..store import is_as_written
 from ..study import AnyStudy
 from ..system import program, replacing, unreadable
 
-if TYPE_CHECKING:  # slow to import: plan and status do without
+if TYPE_CHECKING:  # slow to import, and not needed by plan and status
     import xarray as xr
 
 SUFFIX = ".nc"
-ROOT = ""  # the study itself among its groups; the others are its comparisons
-MARKS = {"study", "code", "seed", "source"}  # attributes that every result has
-# What a script raises that reads a result it was not made for, or one with a damaged variable.
+ROOT = ""  # label of the study itself; the other groups are its comparisons
+REQUIRED_ATTRIBUTES = {"study", "code", "seed", "source"}  # attributes that every result has
+# Exceptions of a script that reads an unsuitable result, or one with a damaged variable.
 BROKEN = (AttributeError, LookupError, MemoryError, OSError, RuntimeError, TypeError, ValueError)
-NO_MATTER = ("cluster.",)  # settings that no number depends on
-MORE_BYTES = 2**20  # than were written, to find out whether a disk is full
-SHOWN = 5  # differing settings
+SETTINGS_WITHOUT_EFFECT = ("cluster.",)  # prefixes of settings that do not affect numbers
+DISK_PROBE_BYTES = 2**20  # beyond the bytes written, to find out whether a disk is full
+MAX_LISTED_SETTINGS = 5
 
 
 def result_file(out: Path, study: AnyStudy) -> Path:
-    """Return the result file of a study: ``out`` itself, or in the folder ``out``.
+    """Return the result file of a study: ``out`` itself, or a file in the folder ``out``.
 
-    Results of a scale lie beside that of the study as it stands, not in its place.
+    A scale has a file of its own, so that it does not replace the result of the default scale.
     """
     name = f"{study.name}-{study.scale}" if study.scale else study.name
     return out if out.suffix == SUFFIX else out / f"{name}{SUFFIX}"
 
 
 def write_datasets(path: Path, datasets: Mapping[str, "xr.Dataset"]) -> None:
-    """Write the study at the root of a netCDF file and each comparison as a group of it.
+    """Write the study to the root of a netCDF file and each comparison to a group.
 
-    Durably: readers keep the old file until the new one is whole. Raises UserError where the disk
-    refuses it.
+    The write is durable: readers see the old file until the new one is complete. Raises UserError
+    if the disk refuses it.
     """
     from xarray.backends import NetCDF4DataStore
 
     with replacing(path) as aside:
         try:
             for label, dataset in datasets.items():
-                if label:  # CF: said at the root alone
+                if label:  # CF allows it at the root only
                     dataset = dataset.assign_attrs()
                     dataset.attrs.pop("Conventions", None)
                 mode, group = "a" if label else "w", label or None
-                # A lock of ours: to_netcdf imports dask's scheduler to ask it for one.
+                # Without this lock to_netcdf would import dask's scheduler to obtain one.
                 store = NetCDF4DataStore.open(str(aside), mode, group=group, lock=Lock())
                 with contextlib.closing(store):
                     dataset.dump_to_store(store, encoding=_encoding(dataset))
         except (OSError, RuntimeError) as error:
-            # HDF5 says "Permission denied", or nothing, where the disk is full: the disk says so
-            # to a plain write of as much and more.
+            # On a full disk HDF5 reports "Permission denied" or nothing. A plain write of more
+            # bytes raises the true error.
             size = aside.stat().st_size if aside.exists() else 0
-            aside.write_bytes(bytes(size + MORE_BYTES))
+            aside.write_bytes(bytes(size + DISK_PROBE_BYTES))
             raise RuntimeError(str(error)) from error
 
 
 def _encoding(dataset: "xr.Dataset") -> dict[str, Any]:
-    """Return how variables are stored: with a checksum each, curves compressed.
+    """Return the encoding of the variables: checksums for all, compression for curves.
 
-    CF knows no whole numbers of 64 bits, and no gaps in the coordinates of dimensions.
+    CF allows neither 64-bit integers nor missing values in the coordinates of dimensions.
     """
-    found = {}
+    encoding = {}
     for name, variable in dataset.variables.items():
-        how: dict[str, Any] = {"fletcher32": variable.ndim > 0}
+        options: dict[str, Any] = {"fletcher32": variable.ndim > 0}
         if variable.ndim > 6:
-            how |= {"zlib": True, "complevel": 1}
+            options |= {"zlib": True, "complevel": 1}
         if variable.dtype == np.int64:
-            how["dtype"] = "int32"
+            options["dtype"] = "int32"
         if name in dataset.dims:
-            how["_FillValue"] = None
-        found[str(name)] = how
-    return found
+            options["_FillValue"] = None
+        encoding[str(name)] = options
+    return encoding
 
 
 def open_result(
     study: AnyStudy, path: Path, stack: contextlib.ExitStack
 ) -> dict[str, "xr.Dataset"]:
-    """Return group -> dataset of a study's result, open until the stack is left.
+    """Return group -> dataset of a study's result; the datasets close with the stack.
 
-    Raises UserError where the file is missing, damaged, or no result of such a study.
+    Raises UserError if the file is missing, damaged, or not a result of such a study.
     """
     if path.is_symlink():
-        raise UserError(f"{path}: is a link, which is not opened; name the file itself by --out")
+        raise UserError(
+            f"{path}: is a symbolic link, which is not opened; give the file itself with --out"
+        )
     if not path.is_file():
-        of = f" --scale {study.scale}" if study.scale else ""
-        raise UserError(f"{path}: not found; first run: {program()} run {study.name}{of}")
+        scale = f" --scale {study.scale}" if study.scale else ""
+        raise UserError(f"{path}: not found; first run: {program()} run {study.name}{scale}")
     groups = {name.strip("/"): stack.enter_context(data) for name, data in _groups(path).items()}
-    lacking = [axis for axis in study.axes if axis not in groups[ROOT].coords]
-    if lacking:
-        raise UserError(f"{path}: is no result of a grid: it has no axis {', '.join(lacking)}")
+    missing = [axis for axis in study.axes if axis not in groups[ROOT].coords]
+    if missing:
+        raise UserError(f"{path}: is not a result of a grid: it lacks axis {', '.join(missing)}")
     return groups
 
 
 def open_tree(path: str | os.PathLike[str]) -> "xr.DataTree":
-    """Return a result file as a tree: the study at its root, each comparison a group.
+    """Return a result file as a tree: the study at the root, each comparison as a group.
 
-    An axis on which a group has other values than the root bears the name of the group as well:
-    ``published_speed``. Raises UserError where the file is missing, damaged, or no result of this
-    program.
+    If an axis of a group has other values than at the root, its name is prefixed with that of the
+    group, as in ``published_speed``. Raises UserError if the file is missing, damaged, or not a
+    result of this program.
     """
     import xarray as xr
 
@@ -119,20 +121,22 @@ def open_tree(path: str | os.PathLike[str]) -> "xr.DataTree":
         raise UserError(f"{path}: not found")
     groups = _groups(Path(path))
     root = groups["/"]
-    return xr.DataTree.from_dict({name: _beside(root, name, data) for name, data in groups.items()})
+    return xr.DataTree.from_dict(
+        {name: _with_distinct_axes(root, name, data) for name, data in groups.items()}
+    )
 
 
-def _beside(root: "xr.Dataset", name: str, data: "xr.Dataset") -> "xr.Dataset":
-    """Return a group whose axes are those of the root or have other names, as a tree demands."""
+def _with_distinct_axes(root: "xr.Dataset", name: str, data: "xr.Dataset") -> "xr.Dataset":
+    """Return a group with axes renamed where they differ from the root, as DataTree requires."""
     shared = root.sizes.keys() & data.sizes.keys()
     other = [axis for axis in shared if not root.get_index(axis).equals(data.get_index(axis))]
     return data.rename({axis: f"{name.strip('/')}_{axis}" for axis in other})
 
 
 def _groups(path: Path) -> dict[str, "xr.Dataset"]:
-    """Return group -> dataset of a result file. Raises UserError where it is none.
+    """Return group -> dataset of a result file; raise UserError if it is not one.
 
-    One of which nobody knows that a run wrote it so is read by a process of its own first.
+    A file that no run is known to have written is first read in a sandboxed process.
     """
     import xarray as xr
 
@@ -143,81 +147,85 @@ def _groups(path: Path) -> dict[str, "xr.Dataset"]:
     except (AttributeError, OSError, RuntimeError, ValueError) as error:
         raise UserError(f"{path}: cannot be read as netCDF: {error}") from error
     root = groups["/"].attrs
-    if not root.keys() >= MARKS or _flat(root["study"]) is None:
+    if not root.keys() >= REQUIRED_ATTRIBUTES or _flat(root["study"]) is None:
         raise UserError(f"{path}: is not a result of this program")
     return groups
 
 
 class Peek(NamedTuple):
-    """What a result says of itself at a glance."""
+    """Attributes and numbers of realizations of a result file."""
 
     attributes: dict[str, Any]
-    realizations: dict[str, np.ndarray]  # of each point, by label of the variant
+    realizations: dict[str, np.ndarray]  # of all points, by label of the variant
 
 
 def peek(path: Path) -> Peek | None:
-    """Return what a result says of itself, or None where it is none."""
+    """Return the Peek of a file, or None if it is not a result."""
     import netCDF4
 
-    found = {}
+    realizations = {}
     try:
         with netCDF4.Dataset(path) as file:
             file.set_auto_mask(False)
             attributes = {name: file.getncattr(name) for name in file.ncattrs()}
             for label, group in {ROOT: file, **file.groups}.items():
-                found[label] = group["realizations"][:]
+                realizations[label] = group["realizations"][:]
     except (AttributeError, LookupError, OSError, RuntimeError):
         return None
-    return Peek(attributes, found)
+    return Peek(attributes, realizations)
 
 
-def check_result(study: AnyStudy, path: Path, *, asked: bool) -> None:
-    """Refuse a result that cannot be read; say where it is not that of the study as it stands.
+def check_result(study: AnyStudy, path: Path, *, strict: bool) -> None:
+    """Refuse an unreadable result, and note if its settings differ from those of the study.
 
-    asked : whether the settings were given with the command, which a file of others contradicts.
+    strict : whether differing settings are refused, as when they were given with the command.
     """
     with contextlib.ExitStack() as stack:
         attributes = open_result(study, path, stack)[ROOT].attrs
         settings = differing_settings(study, attributes)
         code = attributes["code"]
-    if said := edited(path):
-        print(f"note: {path}: {said}", file=sys.stderr)
+    if note := change_note(path):
+        print(f"note: {path}: {note}", file=sys.stderr)
     if settings:
-        text = f"{path}: was computed with other settings than asked for: {listed(settings)}"
-        if asked:
+        text = f"{path}: was computed with other settings than requested: {listed(settings)}"
+        if strict:
             raise UserError(f"{text}; run the study, or leave out --scale and --set")
-        print(f"note: {text}; shown is the file", file=sys.stderr)
+        print(f"note: {text}; the figure shows the file", file=sys.stderr)
     if code != CODE_HASH:
         print(f"note: {path}: was computed by another version of the program", file=sys.stderr)
 
 
-def edited(path: Path) -> str:
-    """Return what is to be said of a result that is not as a run wrote it, or nothing."""
-    said = "is not as a run wrote it: it was changed or replaced since; run the study again"
-    return said if is_as_written(path) is False else ""
+def change_note(path: Path) -> str:
+    """Return a note on a result that was changed since a run wrote it, or ""."""
+    note = "was changed or replaced since a run wrote it; run the study again"
+    return note if is_as_written(path) is False else ""
 
 
 def broken(study: AnyStudy, path: Path, error: Exception) -> UserError:
-    """Return what to raise where a script of the study cannot use its result."""
+    """Return the error for a script of the study that cannot use its result."""
     reason = str(error).splitlines()[0] if str(error) else type(error).__name__
     return UserError(f"{path}: cannot be used by {study.name} ({reason:.200}); run the study again")
 
 
 def differing_settings(study: AnyStudy, attributes: dict[str, Any]) -> list[str]:
-    """Return the settings, as table.key, in which a result differs from a study."""
+    """Return the settings, as table.key, that differ between a result and a study."""
     ours, theirs = _flat(study.text) or {}, _flat(attributes["study"]) or {}
-    keys = [key for key in sorted({*ours, *theirs}) if not key.startswith(NO_MATTER)]
+    keys = [key for key in sorted({*ours, *theirs}) if not key.startswith(SETTINGS_WITHOUT_EFFECT)]
     return [key for key in keys if ours.get(key) != theirs.get(key)]
 
 
 def listed(settings: list[str]) -> str:
-    """Return the settings as text, the first few of many."""
-    more = f" and {len(settings) - SHOWN} more" if len(settings) > SHOWN else ""
-    return ", ".join(settings[:SHOWN]) + more
+    """Return the settings as text, at most the first few."""
+    more = (
+        f" and {len(settings) - MAX_LISTED_SETTINGS} more"
+        if len(settings) > MAX_LISTED_SETTINGS
+        else ""
+    )
+    return ", ".join(settings[:MAX_LISTED_SETTINGS]) + more
 
 
 def _flat(text: object) -> dict[str, object] | None:
-    """Return table.key -> value of settings as JSON, or None where they are none."""
+    """Return table.key -> value of settings in JSON, or None if the text holds none."""
     try:
         tables = json.loads(str(text))
     except ValueError:

@@ -1,4 +1,7 @@
-"""Where a result comes from: program, packages, processor, commit, settings. No dates, no names."""
+"""Provenance of a result: program, packages, processor, commit and settings.
+
+Dates and names of people are left out, so that the same study gives the same file.
+"""
 
 import subprocess
 from collections.abc import Set
@@ -17,9 +20,8 @@ LICENCE = (
 def commit(root: Path = ROOT) -> str:
     """Return the git commit of the program, marked where files differ from it, or "unknown".
 
-    root : the folder of the program. A repository that it merely lies in, as an environment with
-    its packages lies in somebody's project, says nothing of it: the program must be its top, and
-    known to it.
+    root : the folder of the program. It must be the top of the repository and tracked by it;
+    the repository of a project whose environment contains the program does not count.
     """
     try:
         if Path(_git(root, "rev-parse", "--show-toplevel")).resolve() != root.resolve():
@@ -31,26 +33,26 @@ def commit(root: Path = ROOT) -> str:
 
 
 def _git(root: Path, *command: str) -> str:
-    said = subprocess.check_output(
+    output = subprocess.check_output(
         ["git", "-C", str(root), *command], stderr=subprocess.DEVNULL, text=True
     )
-    return said.strip()
+    return output.strip()
 
 
-def made_by(makers: Set[Maker]) -> dict[str, str]:
-    """Return the attributes that say what computed the records of a result; "mixed" if several."""
-    found = {}
+def maker_attributes(makers: Set[Maker]) -> dict[str, str]:
+    """Return the attributes that name what computed the records; "mixed: ..." if several."""
+    attributes = {}
     for name in Maker._fields:
         texts = sorted({getattr(maker, name) for maker in makers})
         mixed = f"mixed: {' | '.join(texts)}"
-        found[name] = mixed if len(texts) > 1 else "".join(texts) or "unknown"
-    return found
+        attributes[name] = mixed if len(texts) > 1 else "".join(texts) or "unknown"
+    return attributes
 
 
 def origin(study: AnyStudy) -> dict[str, str | int | float]:
-    """Return the global attributes that every result file has, whatever its kind of study.
+    """Return the global attributes of every result file, for all kinds of study.
 
-    As its maker stands this process; a run says instead what computed the stored records.
+    They name this process as the maker; a run replaces it by the makers of the stored records.
     """
     program = f"elastomer-friction {version_of('elastomer-friction')}"
     return {
@@ -63,7 +65,7 @@ def origin(study: AnyStudy) -> dict[str, str | int | float]:
         "commit": commit(),
         "code": CODE_HASH,
         "written_with": package_versions(),
-        **made_by({this_maker()}),
+        **maker_attributes({this_maker()}),
         "study": study.text,
         "seed": study.seed,
     }
@@ -71,7 +73,7 @@ def origin(study: AnyStudy) -> dict[str, str | int | float]:
 
 def provenance(study: Study, numerics: Numerics) -> dict[str, str | int | float]:
     """Return the global attributes of the result file of a grid study."""
-    found = origin(study) | {
+    attributes = origin(study) | {
         "realizations_per_block": study.realizations_per_block,
         "quantities": " ".join(study.scene.quantities),
         "indentation_rate": str(study.scene.indentation_rate).lower(),
@@ -80,5 +82,5 @@ def provenance(study: Study, numerics: Numerics) -> dict[str, str | int | float]
         "horizon": numerics.horizon,
     }
     if numerics.accuracy:
-        found |= {"accuracy": numerics.accuracy, "max_realizations": numerics.max_realizations}
-    return found
+        attributes |= {"accuracy": numerics.accuracy, "max_realizations": numerics.max_realizations}
+    return attributes

@@ -1,4 +1,4 @@
-"""Every variable of a result file, declared once: meaning, how it scales, units, dims."""
+"""Declarations of all variables of a result file: meaning, scaling, units and dimensions."""
 
 from typing import NamedTuple
 
@@ -14,25 +14,26 @@ from ..reduce import (
 )
 from ..study import AXES, EVERY_AXIS
 
-GRID = AXES
-CURVE = (*AXES, "sample")
-PER_HURST = ("hurst",)
+GRID_DIMS = AXES
+CURVE_DIMS = (*AXES, "sample")
+HURST_DIMS = ("hurst",)
 
-# By which powers of axes of the grid, of 4 G L ("stiffness") and of tau a dimensionless value is
-# multiplied.
+# Powers of grid axes, of 4 G L ("stiffness") and of tau that scale a dimensionless value to SI.
 Powers = dict[str, int]
 
-PLAIN: Powers = {}
-HEIGHT: Powers = {"roughness": 1}
-SLOPE: Powers = {"roughness": 1, "spacing": -1}
-FLAG, COUNT = "int8", "int32"
+UNSCALED: Powers = {}
+HEIGHT_SCALE: Powers = {"roughness": 1}
+SLOPE_SCALE: Powers = {"roughness": 1, "spacing": -1}
+FLAG_DTYPE, COUNT_DTYPE = "int8", "int32"
 
-ERRORS = "value +- t * error, t of Student with degrees_of_freedom, is an interval of confidence"
+ERROR_COMMENT = (
+    "value +- t * error, t of Student with degrees_of_freedom, is an interval of confidence"
+)
 SIGN_OF_D = (
     "positive where the mean line lies below the undeformed surface of the elastomer; negative "
     "where only peaks touch, as at light loads"
 )
-BIAS = (
+BIAS_COMMENT = (
     "9 in 10 problems keep it (docs/accuracy.md); no standard error shows it; NaN: not known for "
     "materials with branches, programmes and prescribed indentation"
 )
@@ -42,9 +43,9 @@ class Variable(NamedTuple):
     """Declaration of one variable."""
 
     long_name: str
-    scaling: Powers = PLAIN  # from the plan's units to SI
+    scaling: Powers = UNSCALED
     units: str = "1"
-    dims: tuple[str, ...] = GRID
+    dims: tuple[str, ...] = GRID_DIMS
     comment: str = ""
     dtype: str = "float64"
 
@@ -62,18 +63,18 @@ AXIS_ATTRIBUTES = {row.name: (row.unit, row.long_name) for row in EVERY_AXIS.val
 }
 
 VARIABLES = {
-    "mu_1": Variable("steady coefficient of friction at v1", SLOPE),
-    "mu_2": Variable("steady coefficient of friction at v2", SLOPE),
-    "indentation": Variable("steady indentation d at v1", HEIGHT, "m", comment=SIGN_OF_D),
+    "mu_1": Variable("steady coefficient of friction at v1", SLOPE_SCALE),
+    "mu_2": Variable("steady coefficient of friction at v2", SLOPE_SCALE),
+    "indentation": Variable("steady indentation d at v1", HEIGHT_SCALE, "m", comment=SIGN_OF_D),
     "contact_fraction": Variable("share of the line in contact at v1"),
-    "mu_persson": Variable("coefficient of friction at v1 by Persson's theory", SLOPE),
+    "mu_persson": Variable("coefficient of friction at v1 by Persson's theory", SLOPE_SCALE),
     "area_persson": Variable("real contact area at v1 by Persson's theory, over the nominal one"),
     "model_ratio": Variable(
         "mu_1 of the foundation over that of a half-space",
         comment="at one nominal pressure, from a table that the study bodies makes; the error of "
         "the model. NaN outside the table",
     ),
-    "jump": Variable("instantaneous jump of the coefficient of friction", SLOPE),
+    "jump": Variable("instantaneous jump of the coefficient of friction", SLOPE_SCALE),
     "relaxation_rate": Variable(
         "relaxation rate b of eq. 6, per tau", comment="fit with mu_2 known"
     ),
@@ -81,13 +82,13 @@ VARIABLES = {
         "relaxation rate b of eq. 6, per tau",
         comment="fit with mu_2 free; NaN where the window does not determine rate and offset both",
     ),
-    "amplitude": Variable("amplitude mu* of eq. 6, with mu_2 known", SLOPE),
-    "fit_status": Variable("outcome of the fit of eq. 6", comment=STATUS_COMMENT, dtype=FLAG),
+    "amplitude": Variable("amplitude mu* of eq. 6, with mu_2 known", SLOPE_SCALE),
+    "fit_status": Variable("outcome of the fit of eq. 6", comment=STATUS_COMMENT, dtype=FLAG_DTYPE),
     "fit_window": Variable(
         "end of the fit window in tau", comment="starts at the first step after the jump"
     ),
     "fit_quality": Variable("1 - residual / total sum of squares of mu - mu_2 in the fit window"),
-    "best_model": Variable("model that predicts left-out blocks best", dtype=FLAG),
+    "best_model": Variable("model that predicts left-out blocks best", dtype=FLAG_DTYPE),
     "stretched_rate": Variable("rate b of A exp(-(b t)^beta), per tau"),
     "stretched_exponent": Variable("exponent beta of A exp(-(b t)^beta)"),
     "fast_rate": Variable("faster rate of two exponentials, per tau"),
@@ -99,74 +100,78 @@ VARIABLES = {
     "gain_two_exponentials": Variable(
         "squared prediction error that two exponentials save against eq. 6"
     ),
-    "deviation": Variable("mu - mu_2 after the jump", SLOPE, dims=CURVE),
-    "mu": Variable("coefficient of friction after the jump", SLOPE, dims=CURVE),
-    "time": Variable("time since the jump, (t - t0)/tau", dims=CURVE),
-    "time_s": Variable("time since the jump, t - t0", units="s", dims=CURVE, dtype="float32"),
+    "deviation": Variable("mu - mu_2 after the jump", SLOPE_SCALE, dims=CURVE_DIMS),
+    "mu": Variable("coefficient of friction after the jump", SLOPE_SCALE, dims=CURVE_DIMS),
+    "time": Variable("time since the jump, (t - t0)/tau", dims=CURVE_DIMS),
+    "time_s": Variable("time since the jump, t - t0", units="s", dims=CURVE_DIMS, dtype="float32"),
     "shear_modulus": Variable("relaxed shear modulus G", units="Pa", dims=()),
     "length": Variable("length L of the line, one period", units="m", dims=()),
     "q_max": Variable("largest wave number q_max of the line", units="m-1", dims=("spacing",)),
-    "rms_slope": Variable("spectral rms slope of the line", SLOPE),
+    "rms_slope": Variable("spectral rms slope of the line", SLOPE_SCALE),
     "speed_ratio": Variable("x = v1 tau q_max"),
     "realizations": Variable(
-        "number of realizations averaged", comment="0: the computation failed", dtype=COUNT
+        "number of realizations averaged", comment="0: the computation failed", dtype=COUNT_DTYPE
     ),
     "degrees_of_freedom": Variable(
-        "degrees of freedom of the standard errors", comment="groups of blocks - 1", dtype=COUNT
+        "degrees of freedom of the standard errors",
+        comment="groups of blocks - 1",
+        dtype=COUNT_DTYPE,
     ),
-    "steps_per_spacing": Variable("steps, and elements, per spacing dx", dtype=COUNT),
+    "steps_per_spacing": Variable("steps, and elements, per spacing dx", dtype=COUNT_DTYPE),
     "accuracy_reached": Variable(
         "relative standard error plus bound of the discretisation error, the largest of what was "
         "asked for",
         comment="inf: not known; NaN: nothing that was asked for has a relative error here",
     ),
-    "accuracy_status": Variable("whether numerics.accuracy was met", dtype=FLAG),
+    "accuracy_status": Variable("whether numerics.accuracy was met", dtype=FLAG_DTYPE),
     "bias_bound": Variable(
         "bound of the relative discretisation error, the largest of what was asked for",
-        comment=BIAS,
+        comment=BIAS_COMMENT,
     ),
     "samples_per_contact": Variable(
         "samples per patch of contact at v1, median over the load",
         comment="of the march; of the samples that friction rests on where nothing is marched",
     ),
     "resolution_status": Variable(
-        "whether contacts are resolved", comment=RESOLUTION_COMMENT, dtype=FLAG
+        "whether contacts are resolved", comment=RESOLUTION_COMMENT, dtype=FLAG_DTYPE
     ),
     "alpha": Variable(
-        "exponent of eq. 13, b = x^alpha, over fitted points with x > 1", dims=PER_HURST
+        "exponent of eq. 13, b = x^alpha, over fitted points with x > 1", dims=HURST_DIMS
     ),
-    "alpha_free": Variable("exponent of b = c x^alpha over the same points", dims=PER_HURST),
-    "alpha_prefactor": Variable("prefactor c of b = c x^alpha", dims=PER_HURST),
-    "alpha_scatter": Variable("rms of log10(b / x^alpha)", dims=PER_HURST),
+    "alpha_free": Variable("exponent of b = c x^alpha over the same points", dims=HURST_DIMS),
+    "alpha_prefactor": Variable("prefactor c of b = c x^alpha", dims=HURST_DIMS),
+    "alpha_scatter": Variable("rms of log10(b / x^alpha)", dims=HURST_DIMS),
     "alpha_bias": Variable(
-        "what the bias of b may add to alpha, all points off in one direction", dims=PER_HURST
+        "what the bias of b may add to alpha, all points off in one direction", dims=HURST_DIMS
     ),
     "alpha_free_bias": Variable(
         "what the bias of b may add to alpha_free, fast and slow points off in opposite directions",
-        dims=PER_HURST,
+        dims=HURST_DIMS,
     ),
     "alpha_unresolved": Variable(
         "number of fitted points with x > 1 left out of the fit of eq. 13, as unresolved",
-        dims=PER_HURST,
-        dtype=COUNT,
+        dims=HURST_DIMS,
+        dtype=COUNT_DTYPE,
     ),
-    "alpha_points": Variable("number of points in the fit of eq. 13", dims=PER_HURST, dtype=COUNT),
+    "alpha_points": Variable(
+        "number of points in the fit of eq. 13", dims=HURST_DIMS, dtype=COUNT_DTYPE
+    ),
 }
 
-# What a programme of motion, or another elastomer, adds.
-EVENT = (*GRID, "event")
-SLIP_EVENT = (*GRID, "slip_event")
-LAW = (*GRID, "law")
-BIN = (*GRID, "bin")
-FRAME = (*GRID, "event", "x")
-MAP = (*GRID, "event", "y", "x")
-STATE = (*GRID, "x")
-FORCE = {"stiffness": 1, "roughness": 1}
-PRESSURE = {"modulus": 1, "roughness": 1, "spacing": -1}
-FRICTION = {"stiffness": 1, "roughness": 2, "spacing": -1}
-ENERGY = {"stiffness": 1, "roughness": 2}
-TIME, RATE = {"tau": 1}, {"roughness": 1, "spacing": -1, "tau": -1}
-LENGTH, SPEED = {"spacing": 1}, {"spacing": 1, "tau": -1}
+# Variables of programmes of motion and of materials with branches.
+EVENT_DIMS = (*GRID_DIMS, "event")
+SLIP_EVENT_DIMS = (*GRID_DIMS, "slip_event")
+LAW_DIMS = (*GRID_DIMS, "law")
+BIN_DIMS = (*GRID_DIMS, "bin")
+FRAME_DIMS = (*GRID_DIMS, "event", "x")
+MAP_DIMS = (*GRID_DIMS, "event", "y", "x")
+STATE_DIMS = (*GRID_DIMS, "x")
+FORCE_SCALE = {"stiffness": 1, "roughness": 1}
+PRESSURE_SCALE = {"modulus": 1, "roughness": 1, "spacing": -1}
+FRICTION_SCALE = {"stiffness": 1, "roughness": 2, "spacing": -1}
+ENERGY_SCALE = {"stiffness": 1, "roughness": 2}
+TIME_SCALE, RATE_SCALE = {"tau": 1}, {"roughness": 1, "spacing": -1, "tau": -1}
+LENGTH_SCALE, SPEED_SCALE = {"spacing": 1}, {"spacing": 1, "tau": -1}
 
 SLIP_COMMENT = "of the second half of the last segment; the mean over the lines"
 TRACE_COMMENT = "as resolution_status, of the narrowest contacts and of trace_mu_bias"
@@ -181,33 +186,38 @@ SCENES = {
     "power_spectrum": Variable(
         "power spectrum C_1D of the lines", units="m3", dims=("wave_number",)
     ),
-    "trace_time": Variable("time to which the friction belongs", TIME, "s", EVENT),
-    "trace_distance": Variable("position of the line", LENGTH, "m", EVENT),
-    "trace_velocity": Variable("velocity of the line", SPEED, "m s-1", EVENT),
-    "trace_segment": Variable("segment of the programme, from 0", dims=EVENT, dtype=COUNT),
-    "trace_mu": Variable("coefficient of friction", SLOPE, dims=EVENT),
+    "trace_time": Variable("time to which the friction belongs", TIME_SCALE, "s", EVENT_DIMS),
+    "trace_distance": Variable("position of the line", LENGTH_SCALE, "m", EVENT_DIMS),
+    "trace_velocity": Variable("velocity of the line", SPEED_SCALE, "m s-1", EVENT_DIMS),
+    "trace_segment": Variable(
+        "segment of the programme, from 0", dims=EVENT_DIMS, dtype=COUNT_DTYPE
+    ),
+    "trace_mu": Variable("coefficient of friction", SLOPE_SCALE, dims=EVENT_DIMS),
     "trace_mu_change": Variable(
-        "change of mu in the segment of the programme", SLOPE, dims=EVENT, comment=CHANGE_COMMENT
+        "change of mu in the segment of the programme",
+        SLOPE_SCALE,
+        dims=EVENT_DIMS,
+        comment=CHANGE_COMMENT,
     ),
     "trace_indentation_change": Variable(
         "change of the indentation in the segment of the programme",
-        HEIGHT,
+        HEIGHT_SCALE,
         "m",
-        EVENT,
+        EVENT_DIMS,
         comment=CHANGE_COMMENT,
     ),
     "trace_indentation": Variable(
-        "indentation d over the mean line", HEIGHT, "m", EVENT, comment=SIGN_OF_D
+        "indentation d over the mean line", HEIGHT_SCALE, "m", EVENT_DIMS, comment=SIGN_OF_D
     ),
-    "trace_normal_force": Variable("normal force", FORCE, "N", EVENT),
-    "trace_friction_force": Variable("friction force", FRICTION, "N", EVENT),
-    "trace_drive_force": Variable("force of the drive", FRICTION, "N", EVENT),
-    "trace_contact_fraction": Variable("share of the line in contact", dims=EVENT),
+    "trace_normal_force": Variable("normal force", FORCE_SCALE, "N", EVENT_DIMS),
+    "trace_friction_force": Variable("friction force", FRICTION_SCALE, "N", EVENT_DIMS),
+    "trace_drive_force": Variable("force of the drive", FRICTION_SCALE, "N", EVENT_DIMS),
+    "trace_contact_fraction": Variable("share of the line in contact", dims=EVENT_DIMS),
     "trace_samples_per_contact": Variable(
-        "samples per patch of contact in the march, median over the load", dims=EVENT
+        "samples per patch of contact in the march, median over the load", dims=EVENT_DIMS
     ),
     "trace_resolution_status": Variable(
-        "whether the contacts of a trace are resolved", comment=TRACE_COMMENT, dtype=FLAG
+        "whether the contacts of a trace are resolved", comment=TRACE_COMMENT, dtype=FLAG_DTYPE
     ),
     "trace_mu_bias": Variable(
         "bound of the relative discretisation error of trace_mu, in the mean over its squares",
@@ -215,62 +225,83 @@ SCENES = {
         "trace does not start with steady sliding or mu_1 was not asked for",
     ),
     "drive_swing": Variable(
-        "greatest less least force of the drive over F_N", SLOPE, comment=SLIP_COMMENT
+        "greatest less least force of the drive over F_N", SLOPE_SCALE, comment=SLIP_COMMENT
     ),
-    "slip_period": Variable("period of stick and slip", TIME, "s", comment=SLIP_COMMENT),
-    "peak_velocity": Variable("highest velocity of the line", SPEED, "m s-1", comment=SLIP_COMMENT),
-    "slip_event_time": Variable("time of an event of the line", TIME, "s", SLIP_EVENT),
-    "slip_event_kind": Variable("kind of an event of the line", dims=SLIP_EVENT, dtype=FLAG),
-    "peak": Variable("largest mu - mu_1 after the velocity step, in its direction", SLOPE),
-    "peak_time": Variable("time of the peak since the velocity step", TIME, "s"),
-    "initial_rate": Variable("rate of mu just after the velocity step", RATE, "s-1"),
-    "static_peak": Variable("largest mu on sliding after the last hold", SLOPE),
-    "healing": Variable("static peak over mu before the last hold", SLOPE),
-    "mu_end_of_hold": Variable("mu at the end of the last hold", SLOPE),
-    "peak_distance": Variable("distance from the end of the hold to the peak", LENGTH, "m"),
-    "loop_work": Variable("work of friction in the last cycle of an oscillation", ENERGY, "J"),
-    "mu_in_phase": Variable("amplitude of mu in phase with the displacement", SLOPE),
-    "mu_quadrature": Variable("amplitude of mu in phase with the velocity", SLOPE),
+    "slip_period": Variable("period of stick and slip", TIME_SCALE, "s", comment=SLIP_COMMENT),
+    "peak_velocity": Variable(
+        "highest velocity of the line", SPEED_SCALE, "m s-1", comment=SLIP_COMMENT
+    ),
+    "slip_event_time": Variable("time of an event of the line", TIME_SCALE, "s", SLIP_EVENT_DIMS),
+    "slip_event_kind": Variable(
+        "kind of an event of the line", dims=SLIP_EVENT_DIMS, dtype=FLAG_DTYPE
+    ),
+    "peak": Variable("largest mu - mu_1 after the velocity step, in its direction", SLOPE_SCALE),
+    "peak_time": Variable("time of the peak since the velocity step", TIME_SCALE, "s"),
+    "initial_rate": Variable("rate of mu just after the velocity step", RATE_SCALE, "s-1"),
+    "static_peak": Variable("largest mu on sliding after the last hold", SLOPE_SCALE),
+    "healing": Variable("static peak over mu before the last hold", SLOPE_SCALE),
+    "mu_end_of_hold": Variable("mu at the end of the last hold", SLOPE_SCALE),
+    "peak_distance": Variable("distance from the end of the hold to the peak", LENGTH_SCALE, "m"),
+    "loop_work": Variable(
+        "work of friction in the last cycle of an oscillation", ENERGY_SCALE, "J"
+    ),
+    "mu_in_phase": Variable("amplitude of mu in phase with the displacement", SLOPE_SCALE),
+    "mu_quadrature": Variable("amplitude of mu in phase with the velocity", SLOPE_SCALE),
     "mu_cycle_mean": Variable(
         "mean friction over mean normal force in an oscillation",
-        SLOPE,
+        SLOPE_SCALE,
         comment="over the later half of the cycles of the last oscillation, from all its steps; "
         "the mean over the lines",
     ),
     "mu_cycle_share": Variable("mean friction in an oscillation over mu_1"),
-    "stored_energy": Variable("energy stored in the foundation", ENERGY, "J", EVENT),
-    "dissipated_energy": Variable("energy dissipated since the start", ENERGY, "J", EVENT),
-    "work": Variable("work of friction and normal force since the start", ENERGY, "J", EVENT),
+    "stored_energy": Variable("energy stored in the foundation", ENERGY_SCALE, "J", EVENT_DIMS),
+    "dissipated_energy": Variable(
+        "energy dissipated since the start", ENERGY_SCALE, "J", EVENT_DIMS
+    ),
+    "work": Variable(
+        "work of friction and normal force since the start", ENERGY_SCALE, "J", EVENT_DIMS
+    ),
     "closing_work": Variable(
         "work N of closing gaps within a step since the start",
-        ENERGY,
+        ENERGY_SCALE,
         "J",
-        EVENT,
+        EVENT_DIMS,
         comment="of the discretisation; for a Kelvin element 4 sum p g, g the gap before",
     ),
     "balance_residual": Variable(
         "work less the change of stored energy, dissipation and closing work, over dissipation"
     ),
-    "contact_length": Variable("mean number of contacts of a length", dims=BIN),
+    "contact_length": Variable("mean number of contacts of a length", dims=BIN_DIMS),
     "snapshot_height": Variable(
-        "height of the line over the undeformed foundation", HEIGHT, "m", FRAME
+        "height of the line over the undeformed foundation", HEIGHT_SCALE, "m", FRAME_DIMS
     ),
-    "snapshot_pressure": Variable("pressure on a half-space", PRESSURE, "Pa", MAP),
-    "snapshot_displacement": Variable("displacement of the foundation", HEIGHT, "m", FRAME),
-    "rate_state_a": Variable("a of rate and state", SLOPE, dims=LAW, comment=NO_STATE_COMMENT),
-    "rate_state_b": Variable("b of rate and state", SLOPE, dims=LAW, comment=NO_STATE_COMMENT),
+    "snapshot_pressure": Variable("pressure on a half-space", PRESSURE_SCALE, "Pa", MAP_DIMS),
+    "snapshot_displacement": Variable(
+        "displacement of the foundation", HEIGHT_SCALE, "m", FRAME_DIMS
+    ),
+    "rate_state_a": Variable(
+        "a of rate and state", SLOPE_SCALE, dims=LAW_DIMS, comment=NO_STATE_COMMENT
+    ),
+    "rate_state_b": Variable(
+        "b of rate and state", SLOPE_SCALE, dims=LAW_DIMS, comment=NO_STATE_COMMENT
+    ),
     "rate_state_a_minus_b": Variable(
-        "a - b of rate and state", SLOPE, comment="(mu_2 - mu_1)/ln(v2/v1), whatever the law"
+        "a - b of rate and state", SLOPE_SCALE, comment="(mu_2 - mu_1)/ln(v2/v1), whatever the law"
     ),
-    "rate_state_dc": Variable("critical distance D_c", LENGTH, "m", LAW, comment=NO_STATE_COMMENT),
-    "rate_state_residual": Variable("rms residual of the fit over |b ln r|", dims=LAW),
+    "rate_state_dc": Variable(
+        "critical distance D_c", LENGTH_SCALE, "m", LAW_DIMS, comment=NO_STATE_COMMENT
+    ),
+    "rate_state_residual": Variable("rms residual of the fit over |b ln r|", dims=LAW_DIMS),
     "rate_state_status": Variable(
-        "outcome of the fit of rate and state", dims=LAW, comment=STATUS_COMMENT, dtype=FLAG
+        "outcome of the fit of rate and state",
+        dims=LAW_DIMS,
+        comment=STATUS_COMMENT,
+        dtype=FLAG_DTYPE,
     ),
     "state_memory": Variable(
-        "internal variables of the elements, dimensionless", dims=(*GRID, "unit", "x")
+        "internal variables of the elements, dimensionless", dims=(*GRID_DIMS, "unit", "x")
     ),
-    "state_p": Variable("pressures of the elements, dimensionless", dims=STATE),
+    "state_p": Variable("pressures of the elements, dimensionless", dims=STATE_DIMS),
     "state_d": Variable("indentation over the deepest point, in roughnesses"),
     "state_position": Variable("position of the line, in samples"),
     "state_time": Variable("time, in tau"),
@@ -278,7 +309,7 @@ SCENES = {
 }
 VARIABLES |= SCENES
 
-# Coordinates beside those of the dimensions: in what a value can be drawn or looked up.
+# Non-dimension coordinates, against which values can be plotted or looked up.
 AUXILIARY = (
     "tau",
     "shear_modulus",
@@ -303,24 +334,28 @@ FLAGS = {
 
 
 def declared(name: str) -> Variable:
-    """Return the declaration of a variable, or of the estimate NAME for NAME_error, NAME_bias."""
+    """Return the declaration of a variable, derived from NAME for NAME_error and NAME_bias."""
     if name in VARIABLES:
         return VARIABLES[name]
     if name.endswith("_bias"):
-        of = VARIABLES[name.removesuffix("_bias")].long_name
-        return Variable(f"bound of the relative discretisation error of {of}", comment=BIAS)
+        quantity = VARIABLES[name.removesuffix("_bias")].long_name
+        return Variable(
+            f"bound of the relative discretisation error of {quantity}", comment=BIAS_COMMENT
+        )
     variable = VARIABLES[name.removesuffix("_error")]
-    return variable._replace(long_name=f"standard error of {variable.long_name}", comment=ERRORS)
+    return variable._replace(
+        long_name=f"standard error of {variable.long_name}", comment=ERROR_COMMENT
+    )
 
 
 def attributes(name: str) -> dict[str, object]:
     """Return the CF-style attributes of a variable."""
     variable = declared(name)
-    found: dict[str, object] = {"units": variable.units, "long_name": variable.long_name}
+    cf_attributes: dict[str, object] = {"units": variable.units, "long_name": variable.long_name}
     if variable.comment:
-        found["comment"] = variable.comment
+        cf_attributes["comment"] = variable.comment
     if name in FLAGS:
-        meanings = f"failed {FLAGS[name]}"  # -1: the computation did
-        flags = np.arange(len(meanings.split()), dtype=FLAG) - np.int8(1)
-        found |= {"flag_values": flags, "flag_meanings": meanings}
-    return found
+        meanings = f"failed {FLAGS[name]}"  # -1: the computation failed
+        flags = np.arange(len(meanings.split()), dtype=FLAG_DTYPE) - np.int8(1)
+        cf_attributes |= {"flag_values": flags, "flag_meanings": meanings}
+    return cf_attributes

@@ -158,7 +158,7 @@ class _Run:
         sound = {key: count for key, count in blocks.items() if key not in self.store.failed}
         makers = self.store.index.makers_of(sound)
         require_one(makers, self.how.one_kind)
-        said = results.made_by(makers) | {KEY: result_key(self.plan, self.store, blocks)}
+        said = results.maker_attributes(makers) | {KEY: result_key(self.plan, self.store, blocks)}
         return {label: data.assign_attrs(said) for label, data in datasets.items()}
 
     def _compute(self, workers: Workers, missing: list[Missing]) -> None:

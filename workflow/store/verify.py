@@ -38,7 +38,7 @@ class Verified:
         told = sorted({folder.parent / name for name in self.index.results.values()})
         self.results = [path for path in told if path.is_file()]
         edited = [path for path in self.results if digest_of(path) not in self.index.results]
-        self.faults += [f"{path}: is not as a run wrote it" for path in edited]
+        self.faults += [f"{path}: was changed or replaced since a run wrote it" for path in edited]
         missing = sorted(self.index.sizes.keys() - shards.keys())
         self.faults += [f"{name}.nc: missing, but told by the journal" for name in missing]
         ours = {f"{name}.nc" for name in shards} | {journal.NAME, LOCK}

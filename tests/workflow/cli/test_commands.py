@@ -93,7 +93,7 @@ def test_an_accuracy_on_the_command_line_is_the_setting(capsys, study, text):
 
 def test_a_result_of_another_accuracy_is_not_drawn(capsys, study, finished):
     said = refusal(capsys, "table", study, "--accuracy", "5%", "--out", str(finished.path))
-    assert "other settings than asked for: numerics.accuracy" in said
+    assert "other settings than requested: numerics.accuracy" in said
     assert not finished.path.with_suffix(".csv").exists()
 
 

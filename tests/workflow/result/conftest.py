@@ -1,4 +1,4 @@
-"""Datasets of made-up estimates, put together once."""
+"""Datasets of synthetic estimates, assembled once."""
 
 import pytest
 
@@ -7,7 +7,7 @@ from tests.support.curves import assembled
 
 @pytest.fixture(scope="package")
 def made():
-    """Return the plan of the small study, made-up estimates, and the dataset of both."""
+    """Return the plan of the small study, synthetic estimates, and the dataset of both."""
     return assembled()
 
 
@@ -19,7 +19,7 @@ def dataset(made):
 
 @pytest.fixture(scope="package")
 def with_models():
-    """Return a dataset of everything that can be asked for."""
-    asked = 'scene.quantities=["steady", "jump", "relaxation", "models"]'
+    """Return a dataset of all quantities."""
+    quantities = 'scene.quantities=["steady", "jump", "relaxation", "models"]'
     few = ("grid.hurst=0.3", "grid.spacing=1e-4", "grid.normal_force=0.4")
-    return assembled(asked, *few)[2]
+    return assembled(quantities, *few)[2]

@@ -1,4 +1,4 @@
-"""Result files keep the CF conventions, as an independent checker reads them."""
+"""Conformity of result files to the CF conventions, by an independent checker."""
 
 import pytest
 
@@ -16,5 +16,5 @@ def test_a_result_keeps_the_cf_conventions(tmp_path, with_models):
 def test_a_breach_of_the_conventions_is_noticed(tmp_path, with_models):
     pytest.importorskip("compliance_checker")
     with_models[["mu"]].to_netcdf(tmp_path / "bad.nc")  # not as we write it
-    said = conventions.complaints(tmp_path / "bad.nc")
-    assert "The variable sample failed because the datatype is int64" in said
+    complaints = conventions.complaints(tmp_path / "bad.nc")
+    assert "The variable sample failed because the datatype is int64" in complaints

@@ -1,6 +1,6 @@
 """Results that are damaged, foreign, of an older program or of other settings.
 
-Each is answered with one line and exit status 2; nothing that was there is lost or overwritten.
+Each is refused in one line with exit status 2; no existing file is lost or overwritten.
 """
 
 import netCDF4
@@ -15,7 +15,7 @@ from tests.support.synthetic import result
 
 
 @pytest.mark.parametrize("damage", DAMAGE.values(), ids=DAMAGE)
-def test_a_result_that_is_none_is_refused(capsys, shown, damage):
+def test_a_file_that_is_not_a_result_is_refused(capsys, shown, damage):
     path = shown / "small.nc"
     path.write_bytes(damage(path.read_bytes()))
     for kind in WRITTEN:
@@ -44,7 +44,7 @@ def test_a_flipped_bit_in_a_variable_is_noticed(capsys, shown):
 
 
 def test_a_result_that_promises_more_than_memory_holds_is_refused(capsys, shown):
-    """It is a file of no size: chunks that nobody wrote take none."""
+    """The file is small because chunks that were never written take no space."""
     (shown / "small.nc").rename(shown / "sound.nc")
     with (
         netCDF4.Dataset(shown / "sound.nc") as sound,
@@ -73,7 +73,7 @@ def test_a_forged_result_whose_reading_does_not_end_is_refused(capsys, shown):
 def test_a_result_without_an_axis_is_refused(capsys, shown):
     rewritten(shown, lambda dataset: dataset.isel(velocity=0, drop=True))
     for command in READERS:
-        assert "it has no axis velocity" in assert_refused(capsys, command, shown)
+        assert "it lacks axis velocity" in assert_refused(capsys, command, shown)
 
 
 def test_a_result_of_an_older_program_without_a_variable_says_so(capsys, shown):
@@ -88,12 +88,12 @@ def test_a_result_of_an_older_program_without_a_variable_says_so(capsys, shown):
     assert contents(shown) == before
 
 
-def test_a_result_of_other_settings_is_said_or_refused(capsys, shown):
-    asked = ("--set", "grid.hurst=0.5", "--set", "study.seed=2")
+def test_a_result_of_other_settings_is_noted_or_refused(capsys, shown):
+    options = ("--set", "grid.hurst=0.5", "--set", "study.seed=2")
     for command in READERS:
-        message = assert_refused(capsys, command, shown, *asked)
-        assert "computed with other settings than asked for: grid.hurst, study.seed;" in message
-    elsewhere = ("--set", "cluster.jobs=3")  # where it is computed makes no difference
+        message = assert_refused(capsys, command, shown, *options)
+        assert "computed with other settings than requested: grid.hurst, study.seed;" in message
+    elsewhere = ("--set", "cluster.jobs=3")  # the place of computation does not matter
     assert call(capsys, "table", shown, *elsewhere)[::2] == (0, "")
     text = (shown / "small.toml").read_text()
     (shown / "small.toml").write_text(text.replace("hurst = [0.3, 0.7]", "hurst = 0.5"))
@@ -101,7 +101,7 @@ def test_a_result_of_other_settings_is_said_or_refused(capsys, shown):
     assert status == 0
     assert out
     assert err.startswith("note: ")
-    assert err.endswith("other settings than asked for: grid.hurst; shown is the file\n")
+    assert err.endswith("other settings than requested: grid.hurst; the figure shows the file\n")
 
 
 @pytest.mark.parametrize("damage", DAMAGE.values(), ids=DAMAGE)

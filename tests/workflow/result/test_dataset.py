@@ -29,24 +29,24 @@ def test_all_six_dims_are_there_in_order_with_the_axes_of_the_study(made, datase
 
 
 @pytest.mark.parametrize(
-    ("asked", "expected"),
+    ("quantity", "expected"),
     [
         ("steady", "mu_1 mu_2 indentation contact_fraction"),
         ("jump", "jump"),
         ("relaxation", "mu deviation relaxation_rate relaxation_rate_free amplitude"),
     ],
 )
-def test_only_what_was_asked_for_is_there(asked, expected):
-    _, _, dataset = assembled(f'scene.quantities=["{asked}"]')
+def test_only_requested_variables_are_present(quantity, expected):
+    _, _, dataset = assembled(f'scene.quantities=["{quantity}"]')
     names = set(expected.split())
     biases = {f"{name}_bias" for name in names & LAWS.keys()}
     names |= {f"{name}_error" for name in names} | biases | ALWAYS
-    if asked == "relaxation":
+    if quantity == "relaxation":
         names |= {"time", "time_s", "fit_status", "fit_window", "fit_quality"} | HURST_FITS
         names |= {"alpha_error", "alpha_free_error", "alpha_prefactor_error"}
     known = {"tau", "shear_modulus", "length", "q_max"}
     assert {str(name) for name in dataset.variables.keys() - dataset.dims} == names | known
-    assert ("sample" in dataset.dims) == (asked == "relaxation")
+    assert ("sample" in dataset.dims) == (quantity == "relaxation")
 
 
 POINTS = [
@@ -69,19 +69,19 @@ def test_estimates_get_their_scale(made, dataset, names, point):
     ]
     scale = SCALES[names](point["roughness"], point["spacing"])
     for name in names.split():
-        found, expected = dataset[name].sel(point).values, estimates[name][task] * scale
-        np.testing.assert_allclose(found, expected, rtol=1e-12, err_msg=name)
+        actual, expected = dataset[name].sel(point).values, estimates[name][task] * scale
+        np.testing.assert_allclose(actual, expected, rtol=1e-12, err_msg=name)
 
 
 def test_a_variable_may_scale_with_any_axes(made, monkeypatch):
     plan, estimates, _ = made
     power = VARIABLES["mu_1"]._replace(scaling={"normal_force": 1, "velocity": 2, "spacing": -1})
     monkeypatch.setitem(VARIABLES, "mu_1", power)
-    found = build_dataset(plan, plan.variants[0], estimates, {})
+    dataset = build_dataset(plan, plan.variants[0], estimates, {})
     for name in ("mu_1", "mu_1_error"):
         plain = xr.DataArray(estimates[name][plan.variants[0].point_task], dims=AXES)
-        expected = plain * (found.normal_force * found.velocity**2 / found.spacing)
-        np.testing.assert_allclose(found[name], expected)
+        expected = plain * (dataset.normal_force * dataset.velocity**2 / dataset.spacing)
+        np.testing.assert_allclose(dataset[name], expected)
 
 
 def test_power_law_uses_fitted_points_beyond_one_only(made, dataset):
@@ -99,7 +99,7 @@ def test_provenance_is_in_the_attributes(made, dataset):
     assert dataset.attrs["Conventions"] == "CF-1.8"
 
 
-def test_an_estimate_that_is_not_what_it_is_declared_to_be_is_no_result(made):
+def test_an_estimate_that_differs_from_its_declaration_is_refused(made):
     plan, estimates, _ = made
     variant = plan.variants[0]
     with pytest.raises(TypeError, match="realizations is of type float64, but declared as int32"):

@@ -1,4 +1,4 @@
-"""Result files: whole or not at all, the same bytes for the same numbers, while others read."""
+"""Result files: atomic writes, reproducible bytes, and readers during a write."""
 
 import errno
 import os
@@ -13,7 +13,7 @@ import xarray as xr
 
 from elastomer_friction.workflow.ground import UserError
 from elastomer_friction.workflow.result.netcdf import (
-    MARKS,
+    REQUIRED_ATTRIBUTES,
     open_tree,
     result_file,
     write_datasets,
@@ -50,22 +50,22 @@ def test_a_result_opens_as_a_tree_and_its_curves_over_time_in_s(tmp_path, with_m
             assert line.get_xdata()[0] == 0.0
 
 
-def test_a_group_with_an_axis_of_its_own_opens_as_well(tmp_path):
+def test_a_group_with_other_axis_values_opens_in_a_tree(tmp_path):
     path = tmp_path / "sphere.nc"
-    marks = dict.fromkeys(MARKS, "") | {"study": "{}"}
+    required = dict.fromkeys(REQUIRED_ATTRIBUTES, "") | {"study": "{}"}
     sizes = {"": 4, "published": 3, "fine": 4}
-    each = {
+    groups = {
         label: xr.Dataset(
             {"half_space": ("speed", np.arange(size) / 10.0)}, {"speed": np.arange(size) + 1.0}
         )
         for label, size in sizes.items()
     }
-    write_datasets(path, each | {"": each[""].assign_attrs(marks)})
+    write_datasets(path, groups | {"": groups[""].assign_attrs(required)})
     with open_tree(path) as tree:
-        xr.testing.assert_equal(tree.to_dataset(), each[""])
-        xr.testing.assert_equal(tree["fine"].to_dataset(), each["fine"])
-        own = tree["published"].to_dataset(inherit=False)
-        xr.testing.assert_equal(own.rename(published_speed="speed"), each["published"])
+        xr.testing.assert_equal(tree.to_dataset(), groups[""])
+        xr.testing.assert_equal(tree["fine"].to_dataset(), groups["fine"])
+        published = tree["published"].to_dataset(inherit=False)
+        xr.testing.assert_equal(published.rename(published_speed="speed"), groups["published"])
 
 
 def test_results_of_a_scale_lie_beside_that_of_the_study(tmp_path):
@@ -89,14 +89,16 @@ def test_failed_write_keeps_the_old_file_and_leaves_nothing(tmp_path, monkeypatc
     assert list(tmp_path.iterdir()) == [path]
 
 
-def test_the_disk_itself_is_asked_why_where_hdf5_does_not_know(tmp_path, monkeypatch, dataset):
+def test_the_error_of_a_full_disk_is_reported_instead_of_that_of_hdf5(
+    tmp_path, monkeypatch, dataset
+):
     def refuse(*_, **__):
         raise PermissionError(errno.EACCES, "Permission denied")
 
     monkeypatch.setattr(type(dataset), "dump_to_store", refuse)
     with pytest.raises(UserError, match=r"cannot be written: .*Permission denied") as error:
         write_datasets(tmp_path / "small.nc", {"": dataset})
-    assert isinstance(error.value.__cause__, RuntimeError)  # which may pass
+    assert isinstance(error.value.__cause__, RuntimeError)  # the run retries it
     with mounted(tmp_path / "disk", "64k") as disk:
         fill(disk)
         with pytest.raises(UserError, match=r"cannot be written: No space left on device$"):
@@ -112,8 +114,8 @@ def test_a_place_that_cannot_be_written_is_reported(tmp_path, dataset, place):
     assert list(tmp_path.iterdir()) == [tmp_path / "folder"]
 
 
-# Says on every line it gets: two numbers of the file it opened first, read only now, and the
-# largest mu_1 of the study and of its comparison in the file that is there now.
+# For every line of input, prints two numbers of the file opened first, read lazily, and the largest
+# mu_1 of the study and of its comparison in the current file.
 READER = """
 import sys, dask, xarray as xr
 with dask.config.set(scheduler="synchronous"), xr.open_dataset(sys.argv[1], chunks={}) as data:
@@ -129,13 +131,13 @@ with dask.config.set(scheduler="synchronous"), xr.open_dataset(sys.argv[1], chun
 
 @pytest.fixture
 def few(dataset):
-    """Return a result of few variables, which is quick to write."""
+    """Return a result with few variables, which is quick to write."""
     return dataset[["mu", "mu_1", "mu_2"]]
 
 
 @pytest.fixture
 def ask(tmp_path, few):
-    """Return a function that asks a reader in another process, which opened the result of run 1."""
+    """Return a function that queries a reader process, which opened the result of run 1."""
     write_datasets(tmp_path / "small.nc", numbered(few, 1))
     words = [sys.executable, "-c", READER, str(tmp_path / "small.nc")]
     with subprocess.Popen(
@@ -153,26 +155,26 @@ def ask(tmp_path, few):
 
 
 def numbered(dataset, number):
-    """Return the result of a run that differs from all others."""
+    """Return the result of a run, scaled by its number."""
     return {"": dataset * float(number), "coarse": dataset * -float(number)}
 
 
 def test_a_reader_keeps_the_file_it_opened_and_sees_one_run_whole(tmp_path, few, ask, monkeypatch):
     largest = float(abs(few.mu_1).max())
     first = [float((few.mu - few.mu_2).sum()), float(few.mu_1.max())]
-    seen = []
+    largest_read = []
 
     def look(_):
-        """Ask the reader when the file is written, and again when it has got its name."""
+        """Query the reader once the file is written, and again after the rename."""
         *lazy, study, coarse = ask()
         np.testing.assert_allclose(lazy, first, rtol=1e-12)
-        assert study == coarse  # of one and the same run
-        seen.append(study / largest)
+        assert study == coarse  # of the same run
+        largest_read.append(study / largest)
 
     monkeypatch.setattr(os, "fsync", look)
     for number in (2, 3):
         write_datasets(tmp_path / "small.nc", numbered(few, number))
-    np.testing.assert_allclose(seen, [1.0, 2.0, 2.0, 3.0], rtol=1e-12)
+    np.testing.assert_allclose(largest_read, [1.0, 2.0, 2.0, 3.0], rtol=1e-12)
     with xr.open_dataset(tmp_path / "small.nc") as last:
         xr.testing.assert_equal(last.load(), numbered(few, 3)[""])
 

@@ -1,4 +1,4 @@
-"""Where a result comes from: enough to make it again, nothing that changes between runs."""
+"""Provenance: sufficient to repeat a run, and the same in each run."""
 
 import json
 import re
@@ -6,26 +6,26 @@ import subprocess
 
 import pytest
 
-from elastomer_friction.workflow.result.provenance import commit, made_by, provenance
+from elastomer_friction.workflow.result.provenance import commit, maker_attributes, provenance
 from elastomer_friction.workflow.simulate.code_hash import CODE_HASH
 from elastomer_friction.workflow.study.read import read_study
 from elastomer_friction.workflow.system.packages import Maker, package_versions, this_maker
 from tests.support.small import small_study, write_study
 
 STUDY = small_study("study.seed=7", "scene.indentation_rate=false", scale="wide")
-FOUND = provenance(STUDY, STUDY.variants[""])
+ATTRIBUTES = provenance(STUDY, STUDY.variants[""])
 
 
 def test_settings_in_force_make_the_same_study_again(tmp_path):
-    tables = json.loads(FOUND["study"])
+    tables = json.loads(ATTRIBUTES["study"])
     del tables["compare"]
-    said = [f"{t}.{key}={json.dumps(tables[t][key])}" for t in tables for key in tables[t]]
-    again = read_study(write_study(tmp_path, ""), settings=said)
+    settings = [f"{t}.{key}={json.dumps(tables[t][key])}" for t in tables for key in tables[t]]
+    again = read_study(write_study(tmp_path, ""), settings=settings)
     assert (again.grid, again.seed, again.scene) == (STUDY.grid, 7, STUDY.scene)
     assert again.variants[""] == STUDY.variants[""]
 
 
-def test_settings_and_surroundings_are_attributes_of_their_own_too():
+def test_settings_and_environment_are_separate_attributes():
     expected = {
         "seed": 7,
         "scheme": "exponential",
@@ -40,8 +40,8 @@ def test_settings_and_surroundings_are_attributes_of_their_own_too():
         "versions": this_maker().versions,
         "processor": this_maker().processor,
     }
-    assert expected.items() <= FOUND.items()
-    assert "doi:10.1038/srep05795" in FOUND["references"]
+    assert expected.items() <= ATTRIBUTES.items()
+    assert "doi:10.1038/srep05795" in ATTRIBUTES["references"]
     coarse = provenance(STUDY, STUDY.variants["coarse"])
     assert (coarse["scheme"], coarse["steps_per_spacing"]) == ("implicit-euler", "1")
 
@@ -52,9 +52,9 @@ def test_commit_is_a_full_hash_or_unknown(monkeypatch):
 
 
 def git(folder, *command):
-    """Run git in a folder, as anybody."""
-    known = ("-c", "user.name=a", "-c", "user.email=a@b")
-    subprocess.run(["git", "-C", str(folder), *known, *command], check=True, capture_output=True)
+    """Run git in a folder under a test identity."""
+    identity = ("-c", "user.name=a", "-c", "user.email=a@b")
+    subprocess.run(["git", "-C", str(folder), *identity, *command], check=True, capture_output=True)
 
 
 def test_commit_is_not_that_of_a_repository_that_the_program_lies_in(tmp_path, monkeypatch):
@@ -77,12 +77,14 @@ def test_commit_is_not_that_of_a_repository_that_the_program_lies_in(tmp_path, m
     assert re.fullmatch(r"[0-9a-f]{40}-dirty", commit(program))
 
 
-def test_what_computed_the_records_is_listed_and_called_mixed_where_it_is():
+def test_several_makers_of_the_records_are_listed_as_mixed():
     one, other = Maker("numpy 2.0", "a processor"), Maker("numpy 2.1", "a processor")
-    assert made_by({one}) == {"versions": "numpy 2.0", "processor": "a processor"}
-    both = made_by({other, one})
+    assert maker_attributes({one}) == {"versions": "numpy 2.0", "processor": "a processor"}
+    both = maker_attributes({other, one})
     assert both == {"versions": "mixed: numpy 2.0 | numpy 2.1", "processor": "a processor"}
-    assert made_by({one, Maker("numpy 2.0", "another")})["processor"].startswith("mixed: a proc")
+    assert maker_attributes({one, Maker("numpy 2.0", "another")})["processor"].startswith(
+        "mixed: a proc"
+    )
 
 
 @pytest.mark.parametrize(
@@ -98,5 +100,5 @@ def test_commit_is_unknown_without_git_or_repository(monkeypatch, error):
 
 def test_nothing_depends_on_when_or_where():
     again = provenance(STUDY, STUDY.variants[""])
-    assert {**again, "commit": FOUND["commit"]} == FOUND
-    assert not {"date", "host", "user", "folder"} & set(FOUND)
+    assert {**again, "commit": ATTRIBUTES["commit"]} == ATTRIBUTES
+    assert not {"date", "host", "user", "folder"} & set(ATTRIBUTES)

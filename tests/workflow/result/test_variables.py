@@ -1,4 +1,4 @@
-"""Every variable of a result: declared, described, in the unit of its scale, with its error."""
+"""Variables of a result: declarations, descriptions, units and standard errors."""
 
 import re
 from pathlib import Path
@@ -36,8 +36,8 @@ def test_every_declared_variable_is_there_as_it_is_declared_and_described(with_m
     for variable in with_models.variables.values():
         assert variable.attrs["units"]
         assert variable.attrs["long_name"]
-    whole = {name for name, variable in VARIABLES.items() if variable.dtype != "float64"}
-    assert set(FLAGS) - set(SCENES) < whole
+    integers = {name for name, variable in VARIABLES.items() if variable.dtype != "float64"}
+    assert set(FLAGS) - set(SCENES) < integers
 
 
 def test_every_error_is_described_like_its_estimate(with_models):
@@ -73,7 +73,7 @@ def test_coordinates_are_in_si_units(with_models):
 
 
 def test_every_flag_says_what_its_values_mean():
-    assert set(FLAGS) == {name for name, each in VARIABLES.items() if each.dtype == "int8"}
+    assert set(FLAGS) == {name for name, variable in VARIABLES.items() if variable.dtype == "int8"}
 
 
 # Metres, seconds and newtons of a unit, of h, dx, tau and 4 G L.
@@ -101,8 +101,8 @@ ENTRIES = dict(zip(PARTS[::2], map(str.strip, PARTS[1::2]), strict=True))
 
 def test_the_page_explains_every_variable_once_and_every_dimension():
     assert sorted(PARTS[::2]) == sorted(VARIABLES)
-    for name, (unit, said) in AXIS_ATTRIBUTES.items():
-        assert f"\n| `{name}` | {said} | {unit} |\n" in PAGE
+    for name, (unit, long_name) in AXIS_ATTRIBUTES.items():
+        assert f"\n| `{name}` | {long_name} | {unit} |\n" in PAGE
     paragraph = " ".join(PAGE.partition("**Dimensions.**")[2].partition("\n\n")[0].split())
     assert re.findall("`(\\w+)`", paragraph) == list(EVERY_AXIS)
 
@@ -125,9 +125,10 @@ def test_an_entry_says_what_flags_mean_or_where_that_is_said(name):
     if other:
         assert FLAGS[other[1]] == FLAGS[name]
         return
-    said = dict(re.findall(r"(?:^|; )(\w+): ([^;]+)", VARIABLES[name].comment))
+    meanings = dict(re.findall(r"(?:^|; )(\w+): ([^;]+)", VARIABLES[name].comment))
     rows = [
-        f"`{flag}`: {said[flag]}" if flag in said else f"`{flag}`" for flag in FLAGS[name].split()
+        f"`{flag}`: {meanings[flag]}" if flag in meanings else f"`{flag}`"
+        for flag in FLAGS[name].split()
     ]
     table = "\n".join(f"| {value} | {row} |" for value, row in enumerate(rows))
     assert ENTRIES[name].endswith(f"\n| flag | meaning |\n|---|---|\n| −1 | `failed` |\n{table}")

@@ -37,14 +37,14 @@ def test_a_measured_result_that_was_edited_is_named(powers, tmp_path, capsys):
     commands = (["table", study, "--out", str(result.parent)], ["verify", str(result.parent)])
     run_measured(read_study(study), result, TYPICAL)
     assert [main(command) for command in commands] == [0, 0]
-    said = "is not as a run wrote it"
-    assert said not in "".join(capsys.readouterr())
+    note = "was changed or replaced since a run wrote it"
+    assert note not in "".join(capsys.readouterr())
     with netCDF4.Dataset(result, "a") as file:
         file["found"][:] = 2.0 * file["found"][:]
     assert [main(command) for command in commands] == [0, 3]
     out, err = capsys.readouterr()
-    assert f"fault       {result}: {said}" in out
-    assert f"note: {result}: {said}" in err
+    assert f"fault       {result}: {note}" in out
+    assert f"note: {result}: {note}" in err
     run_measured(read_study(study), result, TYPICAL)
     assert [main(command) for command in commands] == [0, 0]
 

@@ -8,7 +8,7 @@ import xarray as xr
 
 from elastomer_friction.workflow.cli import main
 from elastomer_friction.workflow.ground import UserError
-from elastomer_friction.workflow.result.netcdf import edited
+from elastomer_friction.workflow.result.netcdf import change_note
 from elastomer_friction.workflow.run import store_key
 from elastomer_friction.workflow.run.failures import Failures
 from elastomer_friction.workflow.run.grid_run import require_one
@@ -85,14 +85,14 @@ EDITED = {
 def test_an_edited_result_is_named_and_written_anew(copy, finished, change, capsys, tmp_path):
     study = write_study(tmp_path)
     commands = (["table", study, "--out", str(copy)], ["verify", str(copy.parent)])
-    said = "is not as a run wrote it"
+    note = "was changed or replaced since a run wrote it"
     assert [main(command) for command in commands] == [0, 0]
-    assert said not in "".join(capsys.readouterr())
+    assert note not in "".join(capsys.readouterr())
     change(copy)
     assert [main(command) for command in commands] == [0, 3]
     out, err = capsys.readouterr()
-    assert f"fault       {copy}: {said}" in out
-    assert f"note: {copy}: {said}" in err
+    assert f"fault       {copy}: {note}" in out
+    assert f"note: {copy}: {note}" in err
     assert not unchanged(copy)
     assert run(copy.parent).path.read_bytes() == finished.path.read_bytes()
     assert unchanged(copy)
@@ -100,13 +100,13 @@ def test_an_edited_result_is_named_and_written_anew(copy, finished, change, caps
 
 
 def test_a_result_is_judged_by_a_store_beside_it_alone(copy, finished):
-    assert not edited(copy)
+    assert not change_note(copy)
     copy.with_name("another.nc").write_bytes(copy.read_bytes())
     in_place(doubled)(copy.with_name("another.nc"))
-    assert not edited(copy.with_name("another.nc"))  # of a study that has no store
+    assert not change_note(copy.with_name("another.nc"))  # of a study that has no store
     alone = copy.parent.parent / "alone.nc"
     in_place(doubled)(shutil.copy(copy, alone))
-    assert not edited(alone)
+    assert not change_note(alone)
 
 
 SPOILT = [lambda result: result.unlink(), cut_short, spoil, of_another_program]

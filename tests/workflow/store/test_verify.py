@@ -103,7 +103,9 @@ def test_a_result_that_was_edited_is_a_fault(tmp_path):
     enter_result(result)
     assert verified(tmp_path / "store").faults == []
     result.write_bytes(b"by hand")
-    assert verified(tmp_path / "store").faults == [f"{result}: is not as a run wrote it"]
+    assert verified(tmp_path / "store").faults == [
+        f"{result}: was changed or replaced since a run wrote it"
+    ]
 
 
 def test_every_key_is_compared_with_what_the_journal_tells(store):

@@ -269,7 +269,7 @@ def test_a_result_that_is_not_as_a_run_wrote_it_says_so(tmp_path):
     (tmp_path / "store").mkdir()
     journal.append(tmp_path / "store", [{"result": "fig6.nc", "digest": "0"}])
     shown = section(read_study("fig6"), {"": result("fig6")}, tmp_path)
-    assert shown["troubles"][0].startswith("fig6.nc is not as a run wrote it: ")
+    assert shown["troubles"][0].startswith("fig6.nc was changed or replaced since a run wrote it")
 
 
 @pytest.mark.parametrize(
