@@ -17,8 +17,8 @@ from typing import Any
 import numpy as np
 from numba.core import event
 
-from .compile.cache import WAITING, compiling
-from .compile.garbage import nothing_collected
+from .compile.cache import WAITING_EVENT, compile_in_turn
+from .compile.garbage import garbage_collection_paused
 from .control.printed_eq3 import PrintedForce
 from .lines.line import Line
 from .lines.self_affine import amplitudes
@@ -57,7 +57,7 @@ def load(scheme: str, asked: Quantities) -> None:
         Case(*WIDE, (1.2,), (FEW,), scheme),
         Case(*NARROW, (1.2,), (MANY,), scheme),
     ]
-    with compiling(), nothing_collected():  # a sixth of a compiler's time went there
+    with compile_in_turn(), garbage_collection_paused():  # a sixth of a compiler's time went there
         with _helped(scheme, asked):
             at_speed, nobody = AtSpeed.of(scheme, STEPS, WIDE[1], (1.2,)), np.empty(0)
             how = How(float(STEPS), at_speed.share, True, True)
@@ -124,7 +124,7 @@ def _helped(scheme: str, asked: Quantities) -> Iterator[None]:
         with event.install_listener("numba:compile", Once()):
             yield
         for helper in helpers:  # none where all was found
-            with event.trigger_event(WAITING):
+            with event.trigger_event(WAITING_EVENT):
                 helper.wait()
     finally:
         for helper in helpers:
@@ -140,5 +140,5 @@ def _cores() -> int:
 
 
 if __name__ == "__main__":
-    with nothing_collected():
+    with garbage_collection_paused():
         load_half(sys.argv[1], sys.argv[2] == "1")

@@ -19,7 +19,7 @@ from functools import cached_property
 
 import numpy as np
 
-from ..compile.jit import borrowing, kernel
+from ..compile.jit import kernel, refcount_free_kernel
 from ..model.contact import solve_indentation
 from ..rheology.forms import Form
 from ..rheology.law import Elements, law_of, memories, rest
@@ -195,7 +195,7 @@ def _residual(excess, x, load):
     return state if np.isnan(load) else max(state, abs(excess[-1]) / load)
 
 
-@borrowing
+@refcount_free_kernel
 def _turn(law, line, x, powers, forces):
     """Take an element round the line, from before the first of the heights (n,) to after the last.
 

@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ..compile.jit import borrowing, kernel
+from ..compile.jit import kernel, refcount_free_kernel
 from ..rheology.law import predict, settle
 
 RADIX = 32  # of the powers of a step that are kept
@@ -59,7 +59,7 @@ def powers_of_steps(law, size, most):
     return Powers(of, alone, known, np.empty((wide, wide)), size)
 
 
-@borrowing
+@refcount_free_kernel
 def _spread(step):
     """Return whether a matrix is a diagonal, of which all its rows are then made."""
     for r in range(step.shape[0]):
@@ -94,7 +94,7 @@ def tangents_of(powers, forces):
     return tangents[:, :size].copy(), spells
 
 
-@borrowing
+@refcount_free_kernel
 def _forgotten(tangents):
     """Return whether none of them matters any more."""
     for row in tangents:
@@ -104,7 +104,7 @@ def _forgotten(tangents):
     return True
 
 
-@borrowing
+@refcount_free_kernel
 def carry_rows(powers, touching, length, tangents):
     """Take rows of tangents (c, W) over so many steps in which an element touches, or not."""
     kind, place = 1 if touching else 0, -1
@@ -124,7 +124,7 @@ def carry_rows(powers, touching, length, tangents):
         length //= RADIX
 
 
-@borrowing
+@refcount_free_kernel
 def _next_power(of, alone, known, power):
     """Fill in the first of the powers that lead to one: of half as many steps, or of one less."""
     before = other = power
@@ -136,7 +136,7 @@ def _next_power(of, alone, known, power):
     known[power] = True
 
 
-@borrowing
+@refcount_free_kernel
 def _multiply(rows, by, alone, product):
     """Fill in the product of rows (c, W) with a matrix, or a diagonal that all rows are."""
     count, wide = rows.shape

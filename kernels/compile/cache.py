@@ -36,7 +36,7 @@ PACKAGE = Path(__file__).parents[1]
 SHIPPED = Path(__file__).with_name("shipped")  # in a wheel alone
 V3 = "x86-64-v3"
 V3_HAS = {"avx2", "bmi", "bmi2", "f16c", "fma", "lzcnt", "movbe", "popcnt", "sse4.2", "xsave"}
-WAITING = f"{NAME}:waiting"  # kind of event: this process waits for one that compiles
+WAITING_EVENT = f"{NAME}:waiting"  # kind of event: this process waits for one that compiles
 OTHERS_WRITE = stat.S_IWGRP | stat.S_IWOTH
 LOCK_SECONDS, POLL_SECONDS = 600.0, 0.05  # to wait for whoever compiles
 
@@ -138,13 +138,13 @@ class CheckedCache(FunctionCache):
     """numba's cache on disk, for which a damaged file is one that is not there."""
 
     def __init__(self, function: Callable) -> None:
-        numba.config.CACHE_DIR = FOLDER  # numba forgets it where a variable NUMBA_... changes
+        numba.config.CACHE_DIR = CACHE_FOLDER  # numba forgets it where a variable NUMBA_... changes
         super().__init__(function)
         stamp = self._impl.locator.get_source_stamp()
         room = Path(function.__code__.co_filename).parent
         if room.is_relative_to(PACKAGE):  # the folder tells the sources, wherever they lie
             stamp = room.relative_to(PACKAGE).as_posix()
-            self._cache_path = str(Path(FOLDER, f"{stamp.replace('/', '.')}-{COMPILER}"))
+            self._cache_path = str(Path(CACHE_FOLDER, f"{stamp.replace('/', '.')}-{COMPILER}"))
         self._cache_file = _CheckedFile(self._cache_path, self._impl.filename_base, stamp)
 
     def load_overload(self, sig: Any, target_context: Any) -> Any:
@@ -198,15 +198,15 @@ def serve_many() -> None:
 
 
 COMPILER = f"numba{numba.__version__}"
-FOLDER = _cache_folder()
+CACHE_FOLDER = _cache_folder()
 serve_many()
 
 
-_turns: list[contextlib.ExitStack] = []  # blocks of ``compiling`` in which nothing was missing yet
+_turns: list[contextlib.ExitStack] = []  # blocks of compile_in_turn that have no lock yet
 
 
 @contextlib.contextmanager
-def compiling() -> Iterator[None]:
+def compile_in_turn() -> Iterator[None]:
     """Let one process of a machine at a time compile: the others then find its machine code.
 
     From the first kernel on that is not found, to the end of this block. Who finds all that it
@@ -234,7 +234,7 @@ def _one_process(name: str) -> Iterator[None]:
     """Wait until no other process of this machine holds the lock of a name, or it is stopped."""
     with contextlib.ExitStack() as stack:
         with contextlib.suppress(OSError):  # no lock: each works for itself
-            file = stack.enter_context(Path(FOLDER, name).open("a"))
+            file = stack.enter_context(Path(CACHE_FOLDER, name).open("a"))
             _lock(file)
         yield
 
@@ -244,7 +244,7 @@ def _lock(file: IO[str]) -> None:
     try:
         fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
     except BlockingIOError:
-        with event.trigger_event(WAITING):
+        with event.trigger_event(WAITING_EVENT):
             _wait(file)
     file.truncate(0)
     os.write(file.fileno(), str(os.getpid()).encode())

@@ -32,7 +32,7 @@ own = _Thread()
 event.register(KIND, _Listener())
 
 
-def working_time() -> float:
+def computing_seconds() -> float:
     """Return the CPU seconds of this thread that went into computing.
 
     The first realization of a process loads machine code, which tells nothing of the next ones.

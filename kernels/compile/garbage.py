@@ -7,7 +7,7 @@ from collections.abc import Iterator
 
 
 @contextlib.contextmanager
-def nothing_collected() -> Iterator[None]:
+def garbage_collection_paused() -> Iterator[None]:
     """Let Python collect no cyclic garbage within this block; after it all is as it was."""
     before = gc.isenabled()
     gc.disable()

@@ -12,14 +12,14 @@ from numba.extending import overload, register_jitable
 from .cache import CheckedCache
 from .linking import PartCompiler
 
-FLAGS = {
+NUMBA_OPTIONS = {
     "nogil": True,  # a scheduler must be able to talk to a worker while a kernel runs
     "no_cfunc_wrapper": True,  # nobody calls them from C; a tenth of the time to compile
     "error_model": "numpy",  # division by zero gives inf as in numpy, loops stay vectorizable
     "_nrt": True,  # said, or it would be as in the caller that is compiled first
 }
 
-PART = {**FLAGS, "no_cpython_wrapper": True, "pipeline_class": PartCompiler}
+PART = {**NUMBA_OPTIONS, "no_cpython_wrapper": True, "pipeline_class": PartCompiler}
 BORROWING = {**PART, "_nrt": False}
 
 
@@ -28,7 +28,7 @@ def kernel(function: Callable) -> Callable:
     return _compiled(function, PART)
 
 
-def borrowing(function: Callable) -> Callable:
+def refcount_free_kernel(function: Callable) -> Callable:
     """Compile a function that neither makes an array nor returns one: what it is given outlives it.
 
     It counts no references. To count those of all arrays of some NamedTuples takes as long as to
@@ -37,8 +37,8 @@ def borrowing(function: Callable) -> Callable:
     return _compiled(function, BORROWING)
 
 
-def inlined(function: Callable) -> Callable:
-    """Compile a ``borrowing`` function into each that calls it, however long it is.
+def inlined_kernel(function: Callable) -> Callable:
+    """Compile a ``refcount_free_kernel`` function into each that calls it, however long it is.
 
     To hand over many arrays takes longer than short loops. Long ones are quicker by themselves.
     """
@@ -46,7 +46,7 @@ def inlined(function: Callable) -> Callable:
 
 
 def _compiled(function: Callable, options: dict[str, Any]) -> Callable:
-    compiled = numba.njit(**FLAGS | {"_nrt": options["_nrt"]})(function)
+    compiled = numba.njit(**NUMBA_OPTIONS | {"_nrt": options["_nrt"]})(function)
     if compiled is not function:  # Python calls it as usual, kernels link its part in
         part = numba.njit(**options)(function)
         compiled.get_call_template = _by_types_alone(part.get_call_template)
@@ -56,7 +56,7 @@ def _compiled(function: Callable, options: dict[str, Any]) -> Callable:
     return compiled
 
 
-def either_way(function: Callable) -> Callable:
+def jitable(function: Callable) -> Callable:
     """Leave a function to Python as it is; kernels that call it compile it.
 
     So it reaches arguments that are not compiled as well, and does not cross to machine code and
@@ -79,14 +79,15 @@ def _by_types_alone(template_of: Callable) -> Callable:
     return found
 
 
-class by_type:
-    """A function of which every NamedTuple type of its first argument has its own body.
+class dispatch_on_type:
+    """Function with a separate body for each NamedTuple type of its first argument.
 
-    It decorates a declaration, which gives the name, the arguments and what the function is
-    for; ``.of(type)`` decorates a body. Kernels are compiled for the types they are called with:
-    a body of another type is not in their machine code. A jitted function as an argument would
-    do the same, but numba finds no kernel with one in its cache. Bodies belong in files of this
-    package, whose hash tells states of the cache apart. Raises TypeError for a type without one.
+    It decorates a declaration, which gives the name, the arguments and the docstring;
+    ``.register(type)`` decorates a body, as in functools.singledispatch. A kernel is compiled for
+    the types it is called with, so bodies of other types leave nothing in its machine code. A
+    jitted function passed as an argument would do the same, but numba does not find kernels with
+    such arguments in its cache. Bodies belong in files of this package: the cache folder carries a
+    hash of these files. Raises TypeError for a type without a body.
     """
 
     def __init__(self, declared: Callable, counts: bool = True) -> None:
@@ -100,8 +101,8 @@ class by_type:
             return self.bodies.get(getattr(first, "instance_class", None))
 
     @classmethod
-    def borrowing(cls, declared: Callable) -> "by_type":
-        """Decorate a declaration whose bodies are all as ``borrowing`` functions."""
+    def refcount_free(cls, declared: Callable) -> "dispatch_on_type":
+        """Decorate a declaration whose bodies are all as ``refcount_free_kernel`` functions."""
         return cls(declared, counts=False)
 
     def __call__(self, first: Any, *others: Any) -> Any:
@@ -110,11 +111,11 @@ class by_type:
             raise TypeError(f"{self.name} is not defined for {type(first).__name__}")
         return self.bodies[type(first)](first, *others)
 
-    def of(self, kind: type) -> Callable[[Callable], Callable]:
+    def register(self, argument_type: type) -> Callable[[Callable], Callable]:
         """Return a decorator that makes a function the body for a type."""
 
-        def register(body: Callable) -> Callable:
-            self.bodies[kind] = body
+        def add(body: Callable) -> Callable:
+            self.bodies[argument_type] = body
             return body
 
-        return register
+        return add

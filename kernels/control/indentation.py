@@ -17,17 +17,17 @@ class PrescribedIndentation(NamedTuple):
     indentation: np.ndarray  # at the end of every step, in h over the deepest point
 
 
-@note.of(PrescribedIndentation)
+@note.register(PrescribedIndentation)
 def _note(control, c, d, first, rings):
     return None
 
 
-@balance.of(PrescribedIndentation)
+@balance.register(PrescribedIndentation)
 def _balance(control, law, z, c, noted, d, step):
     return control.indentation[step - 1], 0
 
 
-@balance_rows.of(PrescribedIndentation)
+@balance_rows.register(PrescribedIndentation)
 def _balance_rows(control, law, rows, d, step):
     rows.highest[0] = control.indentation[step - 1]
     return control.indentation[step - 1], 0

@@ -18,7 +18,7 @@ class PrintedForce(NamedTuple):
     load: float  # sum of the forces of all elements, n Fbar
 
 
-@note.of(PrintedForce)
+@note.register(PrintedForce)
 def _held(control, c, d, first, rings):
     """Return which samples an element reaches straight from contact one sample upstream."""
     held = np.zeros(c.size, np.bool_)
@@ -30,7 +30,7 @@ def _held(control, c, d, first, rings):
     return held
 
 
-@balance.of(PrintedForce)
+@balance.register(PrintedForce)
 def _balance(control, law, z, c, noted, d, step):
     """Balance the load where held elements move with the line but not with the indentation.
 

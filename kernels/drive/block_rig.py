@@ -49,7 +49,7 @@ def block_rig(form: Any, control: Any, line: PosedLine, elements: Elements) -> B
     return BlockRig(form, control, line, state.blocks, p, *room)
 
 
-@attempt.of(BlockRig)
+@attempt.register(BlockRig)
 def _attempt(rig, places, dt):
     law, n, old = law_of(rig.form, dt), rig.z.size, rig.d[D]
     begin, t = seen_from(rig.line, places.after)
@@ -100,7 +100,7 @@ def _balance(rig, law, begin, t):
     rig.d[TRIED] = balance_rows(rig.control, law, rows, old, rig.number[TAKEN] + 1)[0]
 
 
-@accept.of(BlockRig)
+@accept.register(BlockRig)
 def _accept(rig, dt):
     law = law_of(rig.form, dt)
     memory, seen, scales = rig.blocks
@@ -121,6 +121,6 @@ def _accept(rig, dt):
     return rig.sums[0] / rig.z.size, d, rig.sums[1] / rig.z.size
 
 
-@patch_width.of(BlockRig)
+@patch_width.register(BlockRig)
 def _patch_width(rig):
     return samples_per_contact(rig.p.reshape(-1)[: rig.z.size])

@@ -9,7 +9,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from ..compile.jit import by_type, kernel
+from ..compile.jit import dispatch_on_type, kernel
 from ..model.balance import balance
 from ..model.friction import weighed
 from ..rheology.law import Elements, law_of, predict, settle
@@ -17,7 +17,7 @@ from ..scene.samples import samples_per_contact
 from .posed_line import PosedLine, heights_at, seen_from, slope_at
 
 
-@by_type
+@dispatch_on_type
 def attempt(rig, places, dt):
     """Return (friction, lag) of a step between two Places; the rig keeps what is found.
 
@@ -26,7 +26,7 @@ def attempt(rig, places, dt):
     """
 
 
-@by_type
+@dispatch_on_type
 def accept(rig, dt):
     """Take the step that was tried last; return (normal force, indentation, share in contact).
 
@@ -35,7 +35,7 @@ def accept(rig, dt):
     """
 
 
-@by_type
+@dispatch_on_type
 def patch_width(rig):
     """Return how many samples a patch of contact had in the step that was taken last."""
 
@@ -61,7 +61,7 @@ def plain_rig(form: Any, control: Any, line: PosedLine, elements: Elements) -> R
     return Rig(form, control, line, memory.copy(), p.copy(), *room)
 
 
-@attempt.of(Rig)
+@attempt.register(Rig)
 def _attempt(rig, places, dt):
     law, n = law_of(rig.form, dt), rig.p.size
     z = np.empty(n)
@@ -93,7 +93,7 @@ def friction_of(rig, places, lag, some, p):
     return friction / n
 
 
-@accept.of(Rig)
+@accept.register(Rig)
 def _accept(rig, dt):
     law = law_of(rig.form, dt)
     settle(law, rig.memory, rig.w, rig.p, rig.new)
@@ -103,6 +103,6 @@ def _accept(rig, dt):
     return rig.sums[0] / rig.p.size, d, rig.sums[1] / rig.p.size
 
 
-@patch_width.of(Rig)
+@patch_width.register(Rig)
 def _patch_width(rig):
     return samples_per_contact(rig.p)

@@ -14,7 +14,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from ..compile.jit import either_way, kernel
+from ..compile.jit import jitable, kernel
 from ..motion.path import NEAR, WHOLE
 from .posed_line import Places
 from .rig import accept, attempt, patch_width
@@ -67,7 +67,7 @@ class BalancedStep(NamedTuple):
     friction: float
 
 
-@either_way
+@jitable
 def follow_leg(pulled: Pulled, course: Course, going: Going) -> Going:
     """Follow the drive through a leg; the last step ends with it."""
     end, m = course.time[-1], pulled.steps_per_spacing
@@ -101,7 +101,7 @@ def expected_speed(motion, dt):
     return way * min(max(way * expected, speed / CHANGE), speed * CHANGE)
 
 
-@either_way
+@jitable
 def time_of(pulled, places, course, motion, longest, guess):
     """Find the time of a step between two places, from a guess.
 
@@ -128,7 +128,7 @@ def time_of(pulled, places, course, motion, longest, guess):
         x = min(max(ahead, low), high)
 
 
-@either_way
+@jitable
 def creep(pulled, course, going, place, edges, dt):
     """Go as far as the slider goes in a time dt, between two samples; or when it is there."""
     motion, m = going.motion, pulled.steps_per_spacing
@@ -154,7 +154,7 @@ def creep(pulled, course, going, place, edges, dt):
     return go(pulled, course, going, x / m, found)
 
 
-@either_way
+@jitable
 def go(pulled, course, going, moved, found):
     """Take the step that was tried last."""
     motion, pull, dt = going.motion, found.pull, found.dt

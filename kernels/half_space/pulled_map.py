@@ -40,7 +40,7 @@ class MapRig:
     found: TriedStep | None = None
 
 
-@attempt.of(MapRig)
+@attempt.register(MapRig)
 def _attempt(rig, places, dt):
     law = law_of(rig.space.form, dt)
     whole = math.floor(places.after)
@@ -55,7 +55,7 @@ def _attempt(rig, places, dt):
     return normal * mean_slope(contact.p, weight), law.lag
 
 
-@accept.of(MapRig)
+@accept.register(MapRig)
 def _accept(rig, dt):
     old, (law, *found) = rig.body.d, rig.found
     rig.body = settled_on(rig.body, law, *found)
@@ -64,7 +64,7 @@ def _accept(rig, dt):
     return float(p.mean()) * side_of(rig.space), d, np.count_nonzero(p > 0.0) / p.size
 
 
-@patch_width.of(MapRig)
+@patch_width.register(MapRig)
 def _patch_width(rig):
     return samples_per_patch(rig.body.p)
 

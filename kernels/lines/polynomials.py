@@ -8,7 +8,7 @@ its height. It is gone through as elements go, against the motion: t runs from 0
 
 import numpy as np
 
-from ..compile.jit import borrowing, inlined, kernel
+from ..compile.jit import inlined_kernel, kernel, refcount_free_kernel
 
 
 @kernel
@@ -27,7 +27,7 @@ def bends(z, slope, spacing):
     return found
 
 
-@inlined
+@inlined_kernel
 def bend_at(z, slope, spacing, near, found):
     """Fill in ``found``, as ``bends`` returns it, at the middle one of five samples ``near``."""
     before, left, j, right, after = near
@@ -42,7 +42,7 @@ def bend_at(z, slope, spacing, near, found):
     found[1, j] = odd / spacing**3 - even / spacing**2
 
 
-@borrowing
+@refcount_free_kernel
 def septic(z, slope, bend, h, j):
     """Return the eight coefficients of the height in interval j, a polynomial in t.
 
@@ -51,7 +51,7 @@ def septic(z, slope, bend, h, j):
     return septic_between(z, slope, bend, h, j + 1 if j + 1 < z.size else 0, j)
 
 
-@inlined
+@inlined_kernel
 def septic_between(z, slope, bend, h, k, j):
     """Return the coefficients as ``septic`` does, of the interval between samples j and k = j + 1.
 
@@ -75,7 +75,7 @@ def septic_between(z, slope, bend, h, k, j):
     )
 
 
-@inlined
+@inlined_kernel
 def bernstein(c):
     """Return eight numbers between whose extremes the polynomial stays from t = 0 to 1."""
     c0, c1, c2, c3, c4, c5, c6, c7 = c

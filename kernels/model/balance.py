@@ -4,10 +4,10 @@ A control is a NamedTuple of what it prescribes. The functions declared here are
 type.
 """
 
-from ..compile.jit import by_type
+from ..compile.jit import dispatch_on_type
 
 
-@by_type
+@dispatch_on_type
 def note(control, c, d, first, rings):
     """Return what ``balance`` needs to know of the step before, or None.
 
@@ -15,7 +15,7 @@ def note(control, c, d, first, rings):
     """
 
 
-@by_type
+@dispatch_on_type
 def balance(control, law, z, c, noted, d, step):
     """Return (d, passes): the new indentation, and the number of passes over c it took.
 
@@ -25,7 +25,7 @@ def balance(control, law, z, c, noted, d, step):
     """
 
 
-@by_type.borrowing
+@dispatch_on_type.refcount_free
 def balance_rows(control, law, rows, d, step):
     """Return the same of elements with internal variables.
 

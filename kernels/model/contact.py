@@ -23,10 +23,10 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ..compile.jit import borrowing, by_type, kernel
+from ..compile.jit import dispatch_on_type, kernel, refcount_free_kernel
 
 
-@by_type.borrowing
+@dispatch_on_type.refcount_free
 def excess_at(contact, load, d):
     """Return (what it carries at d beyond the load, the derivative with respect to d, number).
 
@@ -34,12 +34,12 @@ def excess_at(contact, load, d):
     """
 
 
-@by_type
+@dispatch_on_type
 def lowest_of(contact, load):
     """Return (the lowest threshold, d at which some element alone would carry the load)."""
 
 
-@borrowing
+@refcount_free_kernel
 def indentation_under(contact, load, guess):
     """Return (d, passes) at which a contact carries load > 0 (eq. 4), from any ``guess``.
 
@@ -80,25 +80,25 @@ class UnlikeSprings(NamedTuple):
     stiffness: np.ndarray  # s_i > 0, shape (n,)
 
 
-@excess_at.of(Springs)
+@excess_at.register(Springs)
 def _excess_of_springs(contact, load, d):
     force, count = overlap(contact.c, d)
     return force - load, count, count
 
 
-@excess_at.of(UnlikeSprings)
+@excess_at.register(UnlikeSprings)
 def _excess_of_unlike_springs(contact, load, d):
     force, slope, count = weighted_overlap(contact.c, contact.stiffness, d)
     return force - load, slope, count
 
 
-@lowest_of.of(Springs)
+@lowest_of.register(Springs)
 def _lowest_of_springs(contact, load):
     lowest = contact.c.min()
     return lowest, lowest + load
 
 
-@lowest_of.of(UnlikeSprings)
+@lowest_of.register(UnlikeSprings)
 def _lowest_of_unlike_springs(contact, load):
     at = np.argmin(contact.c)
     return contact.c[at], contact.c[at] + load / contact.stiffness[at]

@@ -12,16 +12,16 @@ class ConstantForce(NamedTuple):
     load: float  # sum of the forces of all elements, n Fbar
 
 
-@note.of(ConstantForce)
+@note.register(ConstantForce)
 def _note(control, c, d, first, rings):
     return None
 
 
-@balance.of(ConstantForce)
+@balance.register(ConstantForce)
 def _balance(control, law, z, c, noted, d, step):
     return solve_indentation(c, control.load / law.stiffness, d)
 
 
-@balance_rows.of(ConstantForce)
+@balance_rows.register(ConstantForce)
 def _balance_rows(control, law, rows, d, step):
     return indentation_under(rows, control.load / law.stiffness, d)

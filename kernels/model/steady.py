@@ -62,7 +62,7 @@ class PlainSliding(NamedTuple):
     w: np.ndarray  # free displacements, shape (n,): filled
 
 
-@excess_at.of(PlainSliding)
+@excess_at.register(PlainSliding)
 def _excess_of_plain_sliding(contact, load, d):
     law, z, deepest, w = contact
     total, slope, touching = sweep(law, z, d, deepest, w)

@@ -4,7 +4,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ..compile.clock import working_time
+from ..compile.clock import computing_seconds
 from ..rheology.spectrum import KELVIN, Spectrum
 
 
@@ -72,11 +72,11 @@ class PhaseClocks:
 
     def __init__(self, cases: int = 1) -> None:
         self.spent = [[0.0] * cases for _ in Seconds._fields]
-        self.last = working_time()
+        self.last = computing_seconds()
 
     def lap(self, steady: np.ndarray, jump: np.ndarray | float = 0.0) -> None:
         """Book the time: work of the steady state of every case, and of the jumps."""
-        now = working_time()
+        now = computing_seconds()
         jumps = np.broadcast_to(jump, steady.shape)
         each = (now - self.last) / max(float(steady.sum() + jumps.sum()), 1.0)
         for case in range(steady.size):
@@ -86,7 +86,7 @@ class PhaseClocks:
 
     def lap_phase(self, phase: int, case: int = 0) -> None:
         """Book the time to a phase of one case."""
-        now = working_time()
+        now = computing_seconds()
         self.spent[phase][case] += now - self.last
         self.last = now
 

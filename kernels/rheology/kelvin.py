@@ -19,7 +19,7 @@ class Kelvin(NamedTuple):
     lag: float  # (law.py)
 
 
-@reach.of(Kelvin)
+@reach.register(Kelvin)
 def _reach(law, u):
     return law.decay * u
 

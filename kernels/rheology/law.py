@@ -17,7 +17,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ..compile.jit import by_type
+from ..compile.jit import dispatch_on_type
 
 # What decays below this is zero: subnormal numbers would slow a sweep tenfold. Below its root
 # so is the decay of one step, whose product with what is left then stays a normal number.
@@ -39,37 +39,37 @@ class Elements(NamedTuple):
     d: float  # indentation, in h
 
 
-@by_type
+@dispatch_on_type
 def reach(law, u):
     """Return the displacement of an element one step after u, if no force acts on it."""
 
 
-@by_type
+@dispatch_on_type
 def law_of(form, dt):
     """Return the law of a step of length dt (in tau) of the material in this form."""
 
 
-@by_type
+@dispatch_on_type
 def memories(form):
     """Return M, the number of internal variables of an element."""
 
 
-@by_type
+@dispatch_on_type
 def rest(form, p):
     """Return the memory, shape (M, n), of elements that have carried forces p (n,) for ever."""
 
 
-@by_type
+@dispatch_on_type
 def displacement(form, memory, p):
     """Return the displacements (n,) of elements with this memory under forces p (n,)."""
 
 
-@by_type
+@dispatch_on_type
 def lasting(form, memory):
     """Return (viscosity, pressures (n,) without the dashpot's part, at no rate, in G h)."""
 
 
-@by_type
+@dispatch_on_type
 def predict(law, memory, p, w):
     """Fill w (n,) with the displacements that elements would reach in the step without force.
 
@@ -77,7 +77,7 @@ def predict(law, memory, p, w):
     """
 
 
-@by_type
+@dispatch_on_type
 def settle(law, memory, w, p, new):
     """Take memory (M, n) over the step, in place. Linear in all that follows the law.
 

@@ -17,7 +17,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ..compile.jit import by_type, inlined
+from ..compile.jit import dispatch_on_type, inlined_kernel
 from .law import NEGLIGIBLE, predict, settle
 from .prony import Prony
 from .relaxed import Relaxed, predict_one, settle_one
@@ -25,17 +25,17 @@ from .relaxed import Relaxed, predict_one, settle_one
 BLOCK = 8  # samples; their forces are taken from the v_k by fours
 
 
-@by_type
+@dispatch_on_type
 def foreseen(law):
     """Return a law of the same step whose predictions need no force of the step before."""
 
 
-@by_type
+@dispatch_on_type
 def from_memory(law, memory, p):
     """Return what is counted of an element (M,) with this memory (M,) after a step with force p."""
 
 
-@by_type.borrowing
+@dispatch_on_type.refcount_free
 def slide_one(law, y, d, heights, forces):
     """Take an element over samples of these heights (n,) at the indentation d.
 
@@ -44,7 +44,7 @@ def slide_one(law, y, d, heights, forces):
     """
 
 
-@by_type.borrowing
+@dispatch_on_type.refcount_free
 def fill_memory(law, y, p, memory, at, way, count):
     """Fill what an element remembers at samples at, at + way, ... of ``memory`` (M, n).
 
@@ -66,7 +66,7 @@ class Foreseen(NamedTuple):
     taken: np.ndarray  # shape (BLOCK, K): what a force at every sample takes from that
 
 
-@foreseen.of(Prony)
+@foreseen.register(Prony)
 def _foreseen_of_units(law):
     due, powers = law.decay * law.fresh + law.stale, np.ones((BLOCK + 1, law.decay.size))
     for m in range(BLOCK):
@@ -80,22 +80,22 @@ def _foreseen_of_units(law):
     return Foreseen(law.decay, due, law.fresh, law.stiffness, ahead, echo, powers[BLOCK], taken)
 
 
-@foreseen.of(Relaxed)
+@foreseen.register(Relaxed)
 def _foreseen_of_branches(law):
     return law
 
 
-@from_memory.of(Foreseen)
+@from_memory.register(Foreseen)
 def _from_memory(law, memory, p):
     return law.decay * (memory + law.fresh * p) - law.due * p
 
 
-@from_memory.of(Relaxed)
+@from_memory.register(Relaxed)
 def _from_memory_of_branches(law, memory, p):
     return memory.copy()
 
 
-@predict.of(Foreseen)
+@predict.register(Foreseen)
 def _predict(law, memory, p, w):
     w[:] = 0.0
     for k in range(law.decay.size):
@@ -103,7 +103,7 @@ def _predict(law, memory, p, w):
             w[i] += memory[k, i]
 
 
-@settle.of(Foreseen)
+@settle.register(Foreseen)
 def _settle(law, memory, w, p, new):
     for k in range(law.decay.size):
         decay, due = law.decay[k], law.due[k]
@@ -112,7 +112,7 @@ def _settle(law, memory, w, p, new):
             memory[k, i] = v if abs(v) > NEGLIGIBLE else 0.0
 
 
-@slide_one.of(Foreseen)
+@slide_one.register(Foreseen)
 def _slide_one(law, y, d, heights, forces):
     total, whole = 0.0, heights.size // BLOCK * BLOCK
     for i in range(0, whole, BLOCK):
@@ -151,7 +151,7 @@ def _slide_one(law, y, d, heights, forces):
     return total
 
 
-@inlined
+@inlined_kernel
 def _foretell(ahead, y, block):
     """Add to the forces of a block what internal variables y (K,) alone would make of them.
 
@@ -170,7 +170,7 @@ def _foretell(ahead, y, block):
             block[m] += ahead[k, m] * y[k]
 
 
-@slide_one.of(Relaxed)
+@slide_one.register(Relaxed)
 def _slide_of_branches(law, y, d, heights, forces):
     total = 0.0
     for i in range(heights.size):
@@ -181,7 +181,7 @@ def _slide_of_branches(law, y, d, heights, forces):
     return total
 
 
-@fill_memory.of(Foreseen)
+@fill_memory.register(Foreseen)
 def _fill_memory(law, y, p, memory, at, way, count):
     for k in range(y.size):
         decay, due, fresh, v, j = law.decay[k], law.due[k], law.fresh[k], y[k], at
@@ -192,7 +192,7 @@ def _fill_memory(law, y, p, memory, at, way, count):
         y[k] = v if abs(v) > NEGLIGIBLE else 0.0
 
 
-@fill_memory.of(Relaxed)
+@fill_memory.register(Relaxed)
 def _fill_memory_of_branches(law, y, p, memory, at, way, count):
     for j in range(at, at + way * count, way):
         settle_one(law, y, predict_one(law, y), p[j])

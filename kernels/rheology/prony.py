@@ -19,7 +19,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ..compile.jit import borrowing, inlined
+from ..compile.jit import inlined_kernel, refcount_free_kernel
 from .law import (
     NEGLIGIBLE,
     displacement,
@@ -48,7 +48,7 @@ class Prony(NamedTuple):
     linear: float  # kappa: 1 where the force is linear, 0 where it is constant
 
 
-@inlined
+@inlined_kernel
 def moments(x):
     """Return (E, 1 - E, beta, alpha): E = exp(-x), weights of the end and the start force."""
     if x > HALF_GONE:
@@ -66,13 +66,13 @@ def moments(x):
     return 1.0 - gone, gone, end, gone - end
 
 
-@law_of.of(Retardation)
+@law_of.register(Retardation)
 def _law_of(form, dt):
     constants = np.empty((5, form.times.size))  # to make one array takes as long as ten samples
     return Prony(constants[0], constants[1], constants[2], *fill_law(form, dt, constants))
 
 
-@borrowing
+@refcount_free_kernel
 def fill_law(form, dt, constants):
     """Return (stiffness, lag, linear); the first rows of ``constants`` (5, K) get the others."""
     decay, fresh, stale = constants[0], constants[1], constants[2]
@@ -99,22 +99,22 @@ def fill_law(form, dt, constants):
     return 1.0 / softness, (1.0 - linear) * ramp / answered, linear
 
 
-@memories.of(Retardation)
+@memories.register(Retardation)
 def _memories(form):
     return form.times.size
 
 
-@rest.of(Retardation)
+@rest.register(Retardation)
 def _rest(form, p):
     return -form.compliances.reshape(-1, 1) * p
 
 
-@displacement.of(Retardation)
+@displacement.register(Retardation)
 def _displacement(form, memory, p):
     return memory.sum(0) - form.glass * p
 
 
-@lasting.of(Retardation)
+@lasting.register(Retardation)
 def _lasting(form, memory):
     """Without a glassy spring the units' rates add up to du/dt: p = -eta (du/dt + sum y/lambda)."""
     viscosity = 1.0 / (form.compliances / form.times).sum() if form.glass == 0.0 else 0.0
@@ -124,7 +124,7 @@ def _lasting(form, memory):
     return viscosity, pressure
 
 
-@predict.of(Prony)
+@predict.register(Prony)
 def _predict(law, memory, p, w):
     total = law.stale.sum()
     for i in range(w.size):
@@ -135,7 +135,7 @@ def _predict(law, memory, p, w):
             w[i] += decay * memory[k, i]
 
 
-@settle.of(Prony)
+@settle.register(Prony)
 def _settle(law, memory, w, p, new):
     for k in range(law.decay.size):
         decay, fresh, stale = law.decay[k], law.fresh[k], law.stale[k]

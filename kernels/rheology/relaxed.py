@@ -11,7 +11,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ..compile.jit import borrowing
+from ..compile.jit import refcount_free_kernel
 from .law import (
     NEGLIGIBLE,
     displacement,
@@ -51,7 +51,7 @@ def relaxation(spectrum: Spectrum) -> RelaxationForm:
     return RelaxationForm(*merged(spectrum), spectrum.viscosity)
 
 
-@law_of.of(RelaxationForm)
+@law_of.register(RelaxationForm)
 def _law_of(form, dt):
     count = form.times.size
     decay, gain = np.empty(count), np.empty(count)
@@ -67,29 +67,29 @@ def _law_of(form, dt):
     return Relaxed(decay, gain, drag, stiffness, 0.0)
 
 
-@memories.of(RelaxationForm)
+@memories.register(RelaxationForm)
 def _memories(form):
     return form.times.size + 1
 
 
-@rest.of(RelaxationForm)
+@rest.register(RelaxationForm)
 def _rest(form, p):
     memory = np.zeros((form.times.size + 1, p.size))
     memory[-1] -= p
     return memory
 
 
-@displacement.of(RelaxationForm)
+@displacement.register(RelaxationForm)
 def _displacement(form, memory, p):
     return memory[-1].copy()
 
 
-@lasting.of(RelaxationForm)
+@lasting.register(RelaxationForm)
 def _lasting(form, memory):
     return form.viscosity, -memory.sum(0)
 
 
-@predict.of(Relaxed)
+@predict.register(Relaxed)
 def _predict(law, memory, p, w):
     count = law.decay.size
     keep = (law.drag + law.gain.sum()) / law.stiffness
@@ -101,7 +101,7 @@ def _predict(law, memory, p, w):
             w[i] -= share * memory[b, i]
 
 
-@settle.of(Relaxed)
+@settle.register(Relaxed)
 def _settle(law, memory, w, p, new):
     count = law.decay.size
     for i in range(w.size):
@@ -115,7 +115,7 @@ def _settle(law, memory, w, p, new):
             memory[b, i] = s if abs(s) > NEGLIGIBLE else 0.0
 
 
-@borrowing
+@refcount_free_kernel
 def predict_one(law, y):
     """Return what predict gives for one element; y (M,) : its memory."""
     count = law.decay.size
@@ -126,7 +126,7 @@ def predict_one(law, y):
     return (keep * y[count] - carried) / law.stiffness
 
 
-@borrowing
+@refcount_free_kernel
 def settle_one(law, y, w, new):
     """Take the memory y (M,) of one element over the step, as settle."""
     count = law.decay.size

@@ -19,7 +19,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ..compile.jit import inlined, kernel
+from ..compile.jit import inlined_kernel, kernel
 
 BLOCK = 64
 SHRUNK = 2.0**-512
@@ -44,7 +44,7 @@ def as_it_is(units, step):
     return Scales(np.ones(units), steps[0], steps[1], zeros[0], zeros[1])
 
 
-@inlined
+@inlined_kernel
 def go_on(law, scales, step):
     """Go on to a step; law : a Prony, of that step."""
     for k in range(law.decay.size):
@@ -60,7 +60,7 @@ def go_on(law, scales, step):
         scales.fresh[k] = law.fresh[k]
 
 
-@inlined
+@inlined_kernel
 def catch_up(scales, memory, seen, some, step):
     """Shrink the memory of some blocks by what they have not seen until a step.
 
@@ -81,7 +81,7 @@ def catch_up(scales, memory, seen, some, step):
         seen[b] = max(seen[b], step)
 
 
-@inlined
+@inlined_kernel
 def predict_block(share, memory, b, total):
     """Fill ``total`` (BLOCK,) with sum_k share_k a_k of block b."""
     for i in range(BLOCK):
@@ -99,14 +99,14 @@ class Pressing(NamedTuple):
     stiffness: float
 
 
-@inlined
+@inlined_kernel
 def force_on(pressing, c):
     """Return the force of an element of threshold c."""
     depth = pressing.level - c
     return pressing.stiffness * depth if depth > 0.0 else 0.0
 
 
-@inlined
+@inlined_kernel
 def settle_and_predict(due, share, memory, b, pressing, c, room):
     """Take due_k p from the memory of block b, and do the same; c : thresholds, shape (BLOCK,).
 
@@ -127,7 +127,7 @@ def settle_and_predict(due, share, memory, b, pressing, c, room):
             room[i] += of_unit * y
 
 
-@inlined
+@inlined_kernel
 def all_settled(scales):
     """Note that all memory knows of the force of the last step."""
     for k in range(scales.due.size):

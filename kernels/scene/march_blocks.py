@@ -18,7 +18,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from ..compile.jit import inlined, kernel
+from ..compile.jit import inlined_kernel, kernel
 from ..model.balance import balance_rows
 from ..motion.track import Track
 from ..rheology.law import NEGLIGIBLE, Elements, law_of
@@ -151,7 +151,7 @@ def _memory(blocks, p):
     return memory
 
 
-@inlined
+@inlined_kernel
 def _known(scale, fresh, scaled, p):
     """Return memory as it is, which knows of the force p of the last step."""
     y = scale * scaled - fresh * p
@@ -210,13 +210,13 @@ def follow_blocks(
     return BlockElements(blocks, c, last, d), now.passes
 
 
-@inlined
+@inlined_kernel
 def _number(numbers, k):
     """Return number k of some, or one above all steps where there is none."""
     return numbers[k] if k < numbers.size else 2**62
 
 
-@inlined
+@inlined_kernel
 def _march(march, now, s, until):
     """Go on from step s of the track to another; return Progress."""
     dt, constants = march.track.dt, march.constants
@@ -231,7 +231,7 @@ def _march(march, now, s, until):
     return Progress(passes, old, d, last, of_law, choice)
 
 
-@inlined
+@inlined_kernel
 def _step(march, law, t, old, last, choice):
     """Take some blocks over step t from the indentation ``old``; return (d, passes, Choice).
 
@@ -252,7 +252,7 @@ def _step(march, law, t, old, last, choice):
         count = _choose(rows, lowest, at, n, cap, last.level)
 
 
-@inlined
+@inlined_kernel
 def _balance(march, law, t, old, last, count):
     """Return (d, passes) of a step, taken with the first blocks that are chosen alone."""
     (memory, seen, scales), room, track = march.blocks, march.room, march.track
@@ -280,7 +280,7 @@ def _lowest(z):
     return lowest
 
 
-@inlined
+@inlined_kernel
 def cap_over(d, before, lowest):
     """Return a cap above the indentation, and above some of the line.
 
@@ -293,14 +293,14 @@ def cap_over(d, before, lowest):
     return max(d, deepest) + max(spare, 1e-9)
 
 
-@inlined
+@inlined_kernel
 def round_apart(one, other, n):
     """Return how many samples lie between two, round the period."""
     apart = abs(one - other)
     return min(apart, n - apart)
 
 
-@inlined
+@inlined_kernel
 def can_touch(lowest, begin, b, n, cap):
     """Return whether the line is below the cap over block b, while it moves by SLACK."""
     first = (begin + b * BLOCK - SLACK) % n
@@ -311,7 +311,7 @@ def can_touch(lowest, begin, b, n, cap):
     return below
 
 
-@inlined
+@inlined_kernel
 def _choose(rows, lowest, begin, n, cap, level):
     """List the blocks that can touch, or did in the last step; return their number."""
     count = 0
@@ -343,7 +343,7 @@ def _count_as_it_is(blocks, p, step):
         scales.scale[k], scales.fresh[k] = 1.0, 0.0
 
 
-@inlined
+@inlined_kernel
 def _keep_trace(trace, k, march, now, s):
     """Keep what there is to know of the last of s steps."""
     lag, track = now.law[1], march.track
@@ -353,7 +353,7 @@ def _keep_trace(trace, k, march, now, s):
     keep_motion(trace, k, lag, track, s - 1)
 
 
-@inlined
+@inlined_kernel
 def _sums(march, now, s):
     """Return the sums of eq. 5 of the last of s steps (model/friction.py), and a number.
 

@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ..compile.jit import inlined, kernel
+from ..compile.jit import inlined_kernel, kernel
 from ..model.friction import weighed
 from .samples import samples_per_contact
 
@@ -60,7 +60,7 @@ def keep_trace(trace, k, lag, before, now, old, new, p):
     trace.samples_per_contact[k] = samples_per_contact(p)
 
 
-@inlined
+@inlined_kernel
 def keep_forces(trace, k, lag, sums, n, old, new):
     """Keep the sums of eq. 5 over n elements (model/friction.py); the others as of keep_trace."""
     normal, tangential, touching = sums
@@ -71,7 +71,7 @@ def keep_forces(trace, k, lag, sums, n, old, new):
     trace.contact_fraction[k] = touching / n
 
 
-@inlined
+@inlined_kernel
 def keep_motion(trace, k, lag, track, s):
     """Keep when and where the force of step s of a track acts, and the velocity of the step."""
     moved = track.place[s + 1] - track.place[s]

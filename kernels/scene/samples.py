@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from ..compile.jit import borrowing, kernel
+from ..compile.jit import kernel, refcount_free_kernel
 
 
 @kernel
@@ -16,7 +16,7 @@ def samples_per_contact(force):
     return median_over_load(force, np.zeros(force.size))
 
 
-@borrowing
+@refcount_free_kernel
 def median_over_load(force, carried):
     """Return the samples per contact, as samples_per_contact does, without an array made.
 

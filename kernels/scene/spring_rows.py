@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ..compile.jit import inlined, kernel
+from ..compile.jit import inlined_kernel, kernel
 from ..model.contact import excess_at, lowest_of
 from ..rheology.scaled import BLOCK
 
@@ -32,13 +32,13 @@ def spring_rows_of(c):
     return SpringRows(c, np.empty(c.shape[0], np.int64), *room)
 
 
-@inlined
+@inlined_kernel
 def refilled(rows):
     """Note that other thresholds fill the rows."""
     rows.highest[0], rows.found[0] = -np.inf, np.nan
 
 
-@inlined
+@inlined_kernel
 def add_overlap(rows, row, d):
     """Add that of a row.
 
@@ -57,7 +57,7 @@ def add_overlap(rows, row, d):
         sums[1, i] += count
 
 
-@inlined
+@inlined_kernel
 def fold(sums):
     """Add up the columns of every row, in the first of them."""
     half = COLUMNS // 2
@@ -68,7 +68,7 @@ def fold(sums):
         half //= 2
 
 
-@excess_at.of(SpringRows)
+@excess_at.register(SpringRows)
 def _excess_of_spring_rows(contact, load, d):
     sums, found = contact.sums, contact.found
     if d != found[0]:
@@ -82,7 +82,7 @@ def _excess_of_spring_rows(contact, load, d):
     return found[1] - load, found[2], found[2]
 
 
-@lowest_of.of(SpringRows)
+@lowest_of.register(SpringRows)
 def _lowest_of_spring_rows(contact, load):
     lowest = np.inf
     for row in contact.some:

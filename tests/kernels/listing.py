@@ -18,9 +18,9 @@ import numpy as np
 
 def instructions(function: Callable, *arguments: object) -> list[str]:
     """Return the machine instructions of a kernel, compiled anew for arguments of these types."""
-    from elastomer_friction.kernels.compile.jit import FLAGS
+    from elastomer_friction.kernels.compile.jit import NUMBA_OPTIONS
 
-    compiled = numba.njit(**FLAGS)(getattr(function, "py_func", function))
+    compiled = numba.njit(**NUMBA_OPTIONS)(getattr(function, "py_func", function))
     compiled(*arguments)
     (assembly,) = compiled.inspect_asm().values()
     lines = [line for line in assembly.splitlines() if re.match(r"\t[^.]", line)]

@@ -9,7 +9,7 @@ import pytest
 from numba.core import event
 
 from elastomer_friction.kernels import Quantities, loading
-from elastomer_friction.kernels.compile.cache import WAITING
+from elastomer_friction.kernels.compile.cache import WAITING_EVENT
 from tests.sizes import PLAIN_PYTHON
 from tests.support.python import printed
 
@@ -69,7 +69,10 @@ def test_it_is_started_once_and_waited_for_where_anything_is_compiled(helped):
         compile_something()
         assert len(helped) == 1
     assert helped[0].returncode == 0
-    with event.install_recorder(WAITING) as waits, loading._helped("exponential", Quantities()):
+    with (
+        event.install_recorder(WAITING_EVENT) as waits,
+        loading._helped("exponential", Quantities()),
+    ):
         pass
     assert len(helped) == 1
     assert waits.buffer == []  # all was found: nobody is waited for

@@ -7,7 +7,7 @@ from typing import NamedTuple
 import numpy as np
 
 from ...kernels import START, Origin, Quantities
-from ...kernels.compile.garbage import nothing_collected
+from ...kernels.compile.garbage import garbage_collection_paused
 from ..ground import UserError
 from ..simulate import REFINEMENT_FACTOR, Batch, Task, max_leg_counts, row_layout, row_width
 from ..study import HALF_SPACE, Study
@@ -137,7 +137,7 @@ def make_plan(study: Study, pace: Pace = TYPICAL, origin: Origin = START) -> Pla
     origin : where a programme that is resumed begins.
     """
     asked = asked_of(study)
-    with nothing_collected():  # of 1e5 tasks none is garbage, and a fifth of the time went there
+    with garbage_collection_paused():  # saves a fifth of the time with 1e5 tasks
         problems = problems_of(study)
         variants = [
             variant_of(study, asked, pace, label, problems[label], origin)

@@ -32,7 +32,7 @@ from ..system import (
     clear_leftovers,
     hold,
     import_dask,
-    saying_what_compiles,
+    report_compilation,
 )
 from .collect import Collector, Rounds
 from .failures import Failures
@@ -56,7 +56,9 @@ def run_plan(plan: Plan, result: Path, how: RunOptions) -> Summary:
     """
     import_dask()
     began = time.monotonic()
-    says = saying_what_compiles("the kernels needed", "10 to 60 s", cache.FOLDER, cache.WAITING)
+    says = report_compilation(
+        "the kernels needed", "10 to 60 s", cache.CACHE_FOLDER, cache.WAITING_EVENT
+    )
     with hold(store_folder(result), without=how.no_lock), says:
         run = _Run(plan, result, how)
         if not run.is_done():

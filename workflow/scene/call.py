@@ -27,7 +27,7 @@ from ..study import (
     positive,
     read_grid_study,
 )
-from ..system import import_dask, saying_what_compiles
+from ..system import import_dask, report_compilation
 
 NAME = "scene"
 OF_GRID = ("hurst", "roughness", "spacing")  # keys of random lines that a study has in [grid]
@@ -173,8 +173,8 @@ def computed(study: Study, resumed: Saved | None = None) -> xr.Dataset:
     """
     plan = make_plan(study, origin=resumed.origin if resumed else START)
     (variant,) = plan.variants
-    with saying_what_compiles(
-        "the kernels of this scene", "5 to 60 s", cache.FOLDER, cache.WAITING
+    with report_compilation(
+        "the kernels of this scene", "5 to 60 s", cache.CACHE_FOLDER, cache.WAITING_EVENT
     ):
         estimates = _estimates(plan, variant, resumed)
     dataset = build_dataset(plan, variant, estimates, {})

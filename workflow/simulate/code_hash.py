@@ -40,7 +40,7 @@ def cached_code_hash(folders: tuple[Path, ...] = FOLDERS) -> str:
     for folder in folders:
         for source in sorted(folder.rglob("*.py")):
             digest.update(str(source.relative_to(folder.parent)).encode() + source.read_bytes())
-    file = Path(cache.FOLDER, f"code-{digest.hexdigest()[:32]}")
+    file = Path(cache.CACHE_FOLDER, f"code-{digest.hexdigest()[:32]}")
     with contextlib.suppress(OSError, UnicodeDecodeError):
         found = file.read_text(encoding="ascii")
         if len(found) == DIGITS and set(found) <= set(string.hexdigits):

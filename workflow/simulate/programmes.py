@@ -6,7 +6,7 @@ from typing import Any
 import numpy as np
 
 from ...kernels import MOTION, Case, Quantities, SceneCase
-from ...kernels.compile.clock import working_time
+from ...kernels.compile.clock import computing_seconds
 from .bodies import body_of
 from .layout import EDGES, Layout
 from .recorded_steps import trace_steps
@@ -26,7 +26,7 @@ def add_programme(
     """
     seconds = 0.0
     if batch.recording.requested:
-        began = working_time()
+        began = computing_seconds()
         scene = scene_of(task, batch.scheme, batch.recording)
         body, drive = body_of(batch), task.problem.drive
         found = (
@@ -37,7 +37,7 @@ def add_programme(
                 continue
             own, value = values[first : first + math.prod(shape)], np.ravel(found[name])
             own += (value - own) / lines if name in MOTION else value
-        seconds = working_time() - began
+        seconds = computing_seconds() - began
     return seconds
 
 

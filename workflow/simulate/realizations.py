@@ -10,7 +10,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from ...kernels import MOTION, Case, Outcome, Quantities
-from ...kernels.compile.clock import working_time
+from ...kernels.compile.clock import computing_seconds
 from ..system import keep_memory, peak_bytes, this_maker
 from .bodies import BODIES, body_of
 from .drawing import Draw
@@ -46,7 +46,7 @@ def block_means(batch: Batch) -> BatchResult:
     keep_memory()
     if batch.quantities.anything:
         load_kernels(batch.tasks[0].problem.surface.body, batch.scheme, batch.quantities)
-    began = working_time()
+    began = computing_seconds()
     layouts = [row_layout(t, batch.quantities, batch.scheme, batch.recording) for t in batch.tasks]
     widths = [row_width(own) for own in layouts]
     scalars = np.zeros((len(batch.tasks), batch.blocks, len(SCALARS)))
@@ -70,7 +70,7 @@ def block_means(batch: Batch) -> BatchResult:
             if name not in MOTION:
                 curves[row, :, first : first + math.prod(shape)] /= batch.realizations_per_block
     scalars /= batch.realizations_per_block
-    used = working_time() - began
+    used = computing_seconds() - began
     return BatchResult(scalars, curves, spent, used, peak_bytes(), this_maker())
 
 
@@ -92,9 +92,9 @@ def _add_realizations(
             for count, line in enumerate(draw(steps), start=1)
         )
         while True:
-            began = working_time()
+            began = computing_seconds()
             some = list(islice(lines, several))
-            drawing += working_time() - began
+            drawing += computing_seconds() - began
             if not some:
                 break
             found: Iterable = repeat([None] * len(shared))

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 from ..ground import public_names
 
 if TYPE_CHECKING:
-    from .compiling import COMPILING_MIB, saying_what_compiles
+    from .compiling import COMPILING_MIB, report_compilation
     from .disk_retry import DiskRetry
     from .durable_files import (
         append_durably,

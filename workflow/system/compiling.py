@@ -15,7 +15,7 @@ WAITING = "Waiting for another process that compiles."
 
 
 @contextlib.contextmanager
-def saying_what_compiles(what: str, usual: str, folder: str, waits: str) -> Iterator[None]:
+def report_compilation(what: str, usual: str, folder: str, waits: str) -> Iterator[None]:
     """Say so once if numba compiles anything within this block; what it finds is no compiling.
 
     what : is compiled. usual : how long that takes, where it is not known of this machine. folder :

@@ -10,7 +10,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ...compile.jit import borrowing, kernel
+from ...compile.jit import kernel, refcount_free_kernel
 from ...lines.polynomials import height, septic, steepness
 from ..steady.sliding import power_step
 from ..steady.spans import SPAN
@@ -72,7 +72,7 @@ def slide_between(line, speed, others, loads, guesses):
     return table, jumps, rates
 
 
-@borrowing
+@refcount_free_kernel
 def _balanced(line, speed, load, guess, patches):
     """Return (Contact that carries the load, eq. 4, turns), by Newton's method; no turns: none.
 
@@ -95,13 +95,13 @@ def _balanced(line, speed, load, guess, patches):
             return contact, 0
 
 
-@borrowing
+@refcount_free_kernel
 def _interval(first, i, n):
     """Return which of n intervals is the i-th that elements come to, from ``first`` on."""
     return first - i if i <= first else first - i + n
 
 
-@borrowing
+@refcount_free_kernel
 def _sums(line, contact, patches):
     """Return the Integrals over the patches of a contact."""
     z, slope, bend, h, each, spans, (first, _, _) = line
@@ -125,7 +125,7 @@ def _sums(line, contact, patches):
     return Integrals(length, rise, square)
 
 
-@borrowing
+@refcount_free_kernel
 def _after_jump(line, speeds, contact, sums, left, patches):
     """Return by how much the integral of p z' changes as one speed jumps to another, and d'.
 
@@ -149,7 +149,7 @@ def _after_jump(line, speeds, contact, sums, left, patches):
     return rate * sums.rise + more * sums.square - lost[1] + grown, rate - change - left
 
 
-@borrowing
+@refcount_free_kernel
 def _grown(line, speed, deep, left, patches, count):
     """Return integrals of p and p z' over what patches grow by once d rises by ``left``.
 
@@ -168,7 +168,7 @@ def _grown(line, speed, deep, left, patches, count):
     return force, work
 
 
-@borrowing
+@refcount_free_kernel
 def _unpressed(line, speed, deep, patches, count):
     """Return integrals of p, p z', 1 and z' over what of a contact would have a pressure p < 0.
 

@@ -13,7 +13,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ...compile.jit import borrowing, kernel
+from ...compile.jit import kernel, refcount_free_kernel
 from ...lines.polynomials import height, septic, steepness
 from ...rheology.law import NEGLIGIBLE
 from ..steady.spans import SPAN
@@ -52,7 +52,7 @@ def room_for_patches(n):
     return Patches(np.empty((most, 2), np.int64), np.empty((most, 7)))
 
 
-@borrowing
+@refcount_free_kernel
 def turn(line, speed, d, patches):
     """Return the Contact at the indentation d; fill in the patches.
 

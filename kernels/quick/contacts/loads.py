@@ -10,7 +10,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ...compile.jit import borrowing, kernel
+from ...compile.jit import kernel, refcount_free_kernel
 from ...model.contact import indentation_under
 from ..steady.contacts import first, room_for
 from ..steady.sliding import STEPS, approach, indentation
@@ -115,7 +115,7 @@ def _weigh(at, speeds, contacts, load, d, full, how, rooms, jumps, rates):
     return mu, contact, least
 
 
-@borrowing
+@refcount_free_kernel
 def _list_whole_line(z, d, contacts):
     """Make one piece of the whole line."""
     contacts.ends[0, 0], contacts.ends[0, 1], contacts.ends[0, 2] = z.size - 1, 0, 1
@@ -125,7 +125,7 @@ def _list_whole_line(z, d, contacts):
         contacts.entered[b] = z[above if above < z.size else 0] - d
 
 
-@borrowing
+@refcount_free_kernel
 def _friction(contact, full, highest, load, guess):
     """Return (mu, samples under pressure, d + d'). highest : threshold of all samples."""
     if full:

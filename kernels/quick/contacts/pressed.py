@@ -9,7 +9,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ...compile.jit import borrowing, kernel
+from ...compile.jit import kernel, refcount_free_kernel
 from ..steady.spans import FIRST, HEIGHT, SLOPE, SPAN, STEEP, Spans
 from .touching import Touching
 
@@ -72,7 +72,7 @@ def pressed(line, touching, guess, room):
     return Pressed(line, touching, threshold, *some, numbers[:whole], first[:whole], sums[:whole])
 
 
-@borrowing
+@refcount_free_kernel
 def span_under(line, b, deep):
     """Return (sum of p, sum of p z', number) over the samples of span b with pressure p > 0."""
     normal = tangential = count = 0.0
@@ -117,7 +117,7 @@ def weighed_side_by_side(threshold, weight, slope, deep):
     return normal, tangential, count
 
 
-@borrowing
+@refcount_free_kernel
 def _at_sample(threshold, weight, slope, i, deep):
     """Return (w p, w p z', w) of a sample, or zeros where p is not positive."""
     p = deep - threshold[i]

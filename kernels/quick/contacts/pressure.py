@@ -8,7 +8,7 @@ Source: Li et al. (2014), doi:10.1038/srep05795.
 
 import numpy as np
 
-from ...compile.jit import borrowing, kernel
+from ...compile.jit import kernel, refcount_free_kernel
 from ...model.contact import excess_at, lowest_of
 from ...model.friction import LEAST_REACH, MOST_REACH
 from ..steady.contacts import AHEAD, BEHIND
@@ -17,7 +17,7 @@ from .pressed import Pressed, span_under, weighed_side_by_side
 from .touching import covered
 
 
-@excess_at.of(Pressed)
+@excess_at.register(Pressed)
 def _excess_of_pressed(contact, load, d):
     threshold, weight = contact.threshold, contact.touching.weight
     force, _, count = weighed_side_by_side(threshold, weight, None, d)
@@ -35,7 +35,7 @@ def _excess_of_pressed(contact, load, d):
     return force - load, count, count
 
 
-@lowest_of.of(Pressed)
+@lowest_of.register(Pressed)
 def _lowest_of_pressed(contact, load):
     lowest = bound = np.inf
     for i in range(contact.threshold.size):
@@ -44,7 +44,7 @@ def _lowest_of_pressed(contact, load):
     return lowest, bound
 
 
-@borrowing
+@refcount_free_kernel
 def friction(contact, deep):
     """Return (mu, samples under pressure): eq. 5, in h/dx. deep : d + d'.
 
@@ -80,7 +80,7 @@ def _uneven(p, sums, speed):
     return p * slope - (work - speed * square)
 
 
-@borrowing
+@refcount_free_kernel
 def friction_everywhere(z, slope, spans, speed, load):
     """Return (mu, d + d') where the whole line touches and is pressed: its sums are known.
 
@@ -93,7 +93,7 @@ def friction_everywhere(z, slope, spans, speed, load):
     return slope[0] + uneven / load, p + (z[0] - speed * slope[0])
 
 
-@borrowing
+@refcount_free_kernel
 def elastic_part(contact, contacts, deep, steps):
     """Return what sum p z' misses of the friction of steady sliding (friction.py).
 
@@ -120,7 +120,7 @@ def elastic_part(contact, contacts, deep, steps):
     return missing
 
 
-@borrowing
+@refcount_free_kernel
 def _elastic_sum(contact, deep):
     """Return the sum of (z - d - d') z' under pressure and of vbar z'^2 over what else touches."""
     (z, slope, spans, speed, press), touching = contact.line, contact.touching

@@ -5,7 +5,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ...compile.jit import borrowing, inlined, kernel
+from ...compile.jit import inlined_kernel, kernel, refcount_free_kernel
 from ...lines.polynomials import (
     bending,
     bends,
@@ -75,13 +75,13 @@ def smooth_line(z, slope, spacing):
     return SmoothLine(z, slope, bend, spacing, each, spans, deepest)
 
 
-@inlined
+@inlined_kernel
 def lower(one, other):
     """Return the lower of two numbers, without the branch that min takes for NaN."""
     return one if one < other else other
 
 
-@inlined
+@inlined_kernel
 def _fill_interval(z, slope, bend, spacing, k, j, each):
     """Fill in the Pieces ``each`` of the interval from sample j to k, the next."""
     c = septic_between(z, slope, bend, spacing, k, j)
@@ -141,7 +141,7 @@ def integral(c, start, stop):
     )
 
 
-@inlined
+@inlined_kernel
 def squared(c, start, stop):
     """Return the integral of the square of the derivative from t = start to stop."""
     total = 0.0
@@ -163,7 +163,7 @@ def products(p, c, start, stop):
     return one * (stop - start), other * (stop - start)
 
 
-@borrowing
+@refcount_free_kernel
 def _deepest_point(z, slope, bend, spacing, low):
     """Return (interval, t, height) of the deepest point of the line."""
     best = 0
@@ -239,7 +239,7 @@ def first_zero(c, u, a, start, stop, fresh):
     return t
 
 
-@inlined
+@inlined_kernel
 def three_at(c, u, a, start, t):
     """Return c(t) - u e^(-a (t - start)), its derivative and the second one."""
     if u == 0.0:

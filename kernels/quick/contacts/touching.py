@@ -4,7 +4,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ...compile.jit import borrowing, kernel
+from ...compile.jit import kernel, refcount_free_kernel
 from ...model.friction import LEAST_COVERED, weighed
 from ..steady.contacts import AHEAD, BEHIND, FREE, SUM
 from ..steady.spans import SPAN
@@ -19,7 +19,7 @@ class Touching(NamedTuple):
     spans: np.ndarray  # number of every span that is all within a piece of contact
 
 
-@borrowing
+@refcount_free_kernel
 def covered(contacts, i):
     """Return how much of the top and of the bottom sample of a piece the contact covers.
 
@@ -62,7 +62,7 @@ def list_touching(z, slope, contacts, room):
     return Touching(weight[:count], height[:count], steep[:count], spans[:whole])
 
 
-@borrowing
+@refcount_free_kernel
 def steepest(spans, touching):
     """Return the largest |z'| among the touching samples."""
     most = 0.0
@@ -120,7 +120,7 @@ def median_width(z, d, decay, contacts):
     return float(by_width.size - 1)
 
 
-@borrowing
+@refcount_free_kernel
 def _carried(z, d, decay, contacts, i):
     """Return sum (w - u) over a piece: inside it every w is E times the u ahead."""
     bottom = z[contacts.ends[i, 1]] - d

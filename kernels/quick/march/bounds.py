@@ -4,7 +4,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ...compile.jit import borrowing, kernel
+from ...compile.jit import kernel, refcount_free_kernel
 from .given import advance
 
 LEAST_SPREAD = 1e-11  # of d: rounding stays far below it
@@ -41,7 +41,7 @@ def bounds_of(law, lowest, highest, least, most, margin):
     return Bounds(low, high, least - wide, most + wide)
 
 
-@borrowing
+@refcount_free_kernel
 def first_bounds(march, d, margin):
     """Return the Bounds of a whole march, of which the first step takes d to ``d`` or nearby."""
     one, two = march.start.d, march.end.d

@@ -10,7 +10,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ...compile.jit import borrowing, by_type, kernel
+from ...compile.jit import dispatch_on_type, kernel, refcount_free_kernel
 from ...rheology.law import NEGLIGIBLE
 from .given import a_of
 
@@ -47,7 +47,7 @@ class Steady(NamedTuple):
     d: float  # indentation
 
 
-@by_type.borrowing
+@dispatch_on_type.refcount_free
 def launch(aloft, values, begin, end, powers, line, top, distance, u):
     """Fill in the displacements, at their arrival, of the elements now upstream of sample top.
 
@@ -132,7 +132,7 @@ def _crossings(lists, runs, far, aloft, line, powers):
     return Crossings(at, begin, place, goes, values, source, height, left)
 
 
-@launch.of(Steady)
+@launch.register(Steady)
 def _launch_at_first(aloft, values, begin, end, powers, line, top, distance, u):
     count = min(end - begin, powers.size - 1)
     u *= aloft.once ** float(distance - count)
@@ -142,7 +142,7 @@ def _launch_at_first(aloft, values, begin, end, powers, line, top, distance, u):
         u *= aloft.once
 
 
-@borrowing
+@refcount_free_kernel
 def arrive(law, lists, arrivals, d):
     """Set the thresholds where elements enter the lists. d : indentation before the step."""
     neighbours, crossings = arrivals
@@ -153,7 +153,7 @@ def arrive(law, lists, arrivals, d):
         lists.c[i] = lists.z[i] - crossings.values[crossings.place[f]]
 
 
-@borrowing
+@refcount_free_kernel
 def depart(lists, crossings, d):
     """Send elements across the gaps at the end of a step, and go on to the next slots."""
     for f in range(crossings.at.size):

@@ -12,7 +12,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ...compile.jit import borrowing, kernel
+from ...compile.jit import kernel, refcount_free_kernel
 from .crossings import FORGOTTEN
 
 SAME = 2e-15  # of d: displacements that differ by rounding
@@ -36,7 +36,7 @@ def no_landings(reference, d, steps):
     return Landings(reference, np.zeros(4), np.zeros((2, steps + 1)), np.empty(0, np.int64), past)
 
 
-@borrowing
+@refcount_free_kernel
 def land(law, landings, gap, behind, past, w, steps):
     """Return whether elements land behind a gap by the past of d alone; if so, add the sample.
 
@@ -90,7 +90,7 @@ def put_back(landings, before):
     return Landings(before.reference, before.tally, crossing, before.distances, before.past)
 
 
-@borrowing
+@refcount_free_kernel
 def beside(landings, step, d, row):
     """Return (how many samples there are, the sum over them) at the indentation d in a step.
 
@@ -109,7 +109,7 @@ def beside(landings, step, d, row):
     return tally[0], (tally[2 * row] * (d - reference) + tally[2 * row + 1]) - (one + other)
 
 
-@borrowing
+@refcount_free_kernel
 def left_contact(law, gap, past, w, steps):
     """Return E^q if all elements in a gap left contact at its source, in the last steps, else 0.
 

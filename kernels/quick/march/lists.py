@@ -13,7 +13,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ...compile.jit import borrowing, kernel
+from ...compile.jit import kernel, refcount_free_kernel
 from ..steady.spans import FIRST, HEIGHT, RISE, SLOPE, SPAN, STEEP, TURN, WORK
 
 
@@ -60,7 +60,7 @@ def lists_of(runs, met):
     return Lists(first, z, weight, c)
 
 
-@borrowing
+@refcount_free_kernel
 def add_span(march, level, b, tally):
     """Add a span all of whose samples always touch to a tally: samples, depth, weight, moment."""
     rows, law = march.spans.rows, march.law
@@ -76,7 +76,7 @@ def add_span(march, level, b, tally):
     tally[3] += moment + law.lag * lagging + law.decay * ((one + s * up) + law.lag * other)
 
 
-@borrowing
+@refcount_free_kernel
 def add_sample(depth, weight, tally):
     """Add one sample that always touches to a tally. depth : level - a_j. weight : lagged slope."""
     tally[0] += 1.0
@@ -85,7 +85,7 @@ def add_sample(depth, weight, tally):
     tally[3] += depth * weight
 
 
-@borrowing
+@refcount_free_kernel
 def lagged(slope, lag, j):
     """Return the lagged slope of one sample (friction.py)."""
     return slope[j] + lag * (slope[j + 1 if j + 1 < slope.size else 0] - slope[j])

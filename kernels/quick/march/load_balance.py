@@ -4,7 +4,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ...compile.jit import borrowing, kernel
+from ...compile.jit import kernel, refcount_free_kernel
 from ...model.contact import excess_at, indentation_under, lowest_of, overlap
 from ..contacts.pressed import weighed_side_by_side
 from .given import advance
@@ -13,7 +13,7 @@ FEW = 128  # samples, below which overlap is quicker
 NEARER, FARTHER = 0.1, 1.2  # of d, and of what its rate after the jump foretells of the first step
 
 
-@borrowing
+@refcount_free_kernel
 def foresee(control, march):
     """Return d after the first step, or a little beyond.
 
@@ -37,7 +37,7 @@ class PartlyListed(NamedTuple):
     samples: float  # how many these are
 
 
-@excess_at.of(PartlyListed)
+@excess_at.register(PartlyListed)
 def _excess_of_partly_listed(contact, load, d):
     force, count = overlap_of(contact.c, d)
     more = contact.samples * (d - contact.old)
@@ -45,13 +45,13 @@ def _excess_of_partly_listed(contact, load, d):
     return force + more + (contact.carried - load), slope, slope
 
 
-@lowest_of.of(PartlyListed)
+@lowest_of.register(PartlyListed)
 def _lowest_listed(contact, load):
     lowest = contact.c.min() if contact.c.size > 0 else np.inf
     return lowest, lowest + load
 
 
-@borrowing
+@refcount_free_kernel
 def next_indentation(control, law, lists, sums, more, d, guess):
     """Return (d, advanced, passes): the new indentation, D of the samples in sums, passes over c.
 

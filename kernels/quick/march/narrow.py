@@ -11,7 +11,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ...compile.jit import borrowing, kernel
+from ...compile.jit import kernel, refcount_free_kernel
 from ...rheology.law import State
 from .bounds import Bounds, are_within, bounds_of
 from .crossings import arrivals_of, launch, powers_of
@@ -84,7 +84,7 @@ def march_shortening(march, control, where, bounds, stand, last, into, worth):
         due += due // 2
 
 
-@borrowing
+@refcount_free_kernel
 def gain(bounds, closer, lists, crossings, steps):
     """Return what shorter lists save over what it costs to make them, by numbers alone."""
     saved = 1.0 - (closer.most - closer.least) / (bounds.most - bounds.least)
@@ -171,7 +171,7 @@ def narrowed(law, line, bounds, where, past, aloft, steps):
     return runs, _part(lists, first[:count], last[:count]), more, landed(landings)
 
 
-@borrowing
+@refcount_free_kernel
 def _entering(law, line, bounds, runs, r, over, above):
     """Return bounds of the displacements with which elements come to run r, and the Reach ahead.
 
@@ -187,7 +187,7 @@ def _entering(law, line, bounds, runs, r, over, above):
     return w, Reach(0.0, UNKNOWN, above.least, above.most)
 
 
-@borrowing
+@refcount_free_kernel
 def _at(line, j):
     """Return the height of sample j, counted on round the period."""
     return line[j - line.size if j >= line.size else j]
@@ -248,7 +248,7 @@ def elements_aloft(law, lists, runs, crossings, d, w, steps):
             w[runs.bottom[r] + i - lists.first[r]] = lists.z[i] - max(lists.c[i], d)
 
 
-@borrowing
+@refcount_free_kernel
 def arriving(crossings, f, least, most, steps):
     """Return bounds of the displacements with which elements arrive in the steps to come.
 
@@ -266,7 +266,7 @@ def arriving(crossings, f, least, most, steps):
     return low, high
 
 
-@launch.of(State)
+@launch.register(State)
 def _launch(aloft, values, begin, end, powers, line, top, distance, u):
     w, d = aloft
     count = min(end - begin, powers.size - 1)

@@ -14,7 +14,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ...compile.jit import borrowing, kernel
+from ...compile.jit import kernel, refcount_free_kernel
 from ..steady.spans import SPAN
 from .given import a_of
 from .lists import Met, Sums, add_sample, add_span, lagged
@@ -88,7 +88,7 @@ def _room(n):
     return runs, Met(np.empty(n), np.empty(n), np.empty(n), np.empty(n))
 
 
-@borrowing
+@refcount_free_kernel
 def _visit(march, bounds, levels, first, b, at, runs, met, level, tally):
     """Walk through the samples of a span one by one; ``at`` is what walk knows, and comes back."""
     z, slope, law, (start, end) = (
@@ -134,7 +134,7 @@ def _visit(march, bounds, levels, first, b, at, runs, met, level, tally):
     return kind, source, from_sure, low, high, count, size
 
 
-@borrowing
+@refcount_free_kernel
 def _meet(met, i, z, highest, weight, w, after):
     """Note a sample in place i. w, after : displacements without force at v1 and v2."""
     # What lies higher cannot touch at any height: low, it costs w no digits.

@@ -6,7 +6,7 @@ E at one of the speeds or the other, and in contact they are z - d.
 
 from typing import NamedTuple
 
-from ...compile.jit import borrowing, kernel
+from ...compile.jit import kernel, refcount_free_kernel
 from ...rheology.law import NEGLIGIBLE
 from ..steady.spans import SPAN
 from .given import SteadyState, a_of
@@ -35,13 +35,13 @@ def levels_of(march, bounds):
     return Levels(near, early, near_slack, decay * max(bounds.high - far.d, 0.0))
 
 
-@borrowing
+@refcount_free_kernel
 def reached(decay, u):
     """Return the displacement of an element one sample after u, if no force acts on it."""
     return decay.once * u if u < -NEGLIGIBLE else 0.0
 
 
-@borrowing
+@refcount_free_kernel
 def never(march, bounds, levels, b):
     """Return whether the lowest sample of a whole span lies too high for any of it to touch."""
     near = levels.near
@@ -49,14 +49,14 @@ def never(march, bounds, levels, b):
     return march.spans.lowest[b] - w >= bounds.high + levels.near_slack
 
 
-@borrowing
+@refcount_free_kernel
 def always(march, bounds, b):
     """Return whether a whole span always touches, as the sample upstream of it does."""
     steep = march.end.stay[b] / march.law.stiffness  # the largest a_j
     return march.start.d > march.start.stay[b] and steep < bounds.least
 
 
-@borrowing
+@refcount_free_kernel
 def kind_of_first(march, bounds, levels):
     """Return the kind of the first sample of the line, at which a walk ends."""
     z, (start, end) = march.z, (march.start, march.end)

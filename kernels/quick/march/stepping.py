@@ -2,7 +2,7 @@
 
 from typing import NamedTuple
 
-from ...compile.jit import borrowing
+from ...compile.jit import refcount_free_kernel
 from ..contacts.pressed import weighed_side_by_side
 from .bounds import NOTHING, are_within, including
 from .crossings import arrive, depart
@@ -20,7 +20,7 @@ class Stand(NamedTuple):
     advanced: float  # D
 
 
-@borrowing
+@refcount_free_kernel
 def march_on(march, control, where, bounds, stand, last, into):
     """March on to step ``last`` as long as the bounds hold; return (inside, stand, seen, work).
 
@@ -52,7 +52,7 @@ def march_on(march, control, where, bounds, stand, last, into):
     return True, Stand(last, kept, d, guess, advanced), seen, work
 
 
-@borrowing
+@refcount_free_kernel
 def move_listed(law, lists, d):
     """Move every element to the next sample, of those that stay in their run (motion/slide.py)."""
     c, z = lists.c, lists.z
@@ -60,7 +60,7 @@ def move_listed(law, lists, d):
         c[i] = z[i] - law.decay * (z[i + 1] - max(c[i + 1], d))
 
 
-@borrowing
+@refcount_free_kernel
 def average(lists, sums, more, d, advanced):
     """Return mu averaged over a step: eq. 5, as step_average of model/friction.py has it.
 

@@ -9,7 +9,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ...compile.jit import borrowing, kernel
+from ...compile.jit import kernel, refcount_free_kernel
 from ...rheology.law import NEGLIGIBLE, reach
 from .contacts import begin_sum, end_sum, enter_span, join_pieces, leave_piece, open_piece
 from .spans import SPAN
@@ -34,7 +34,7 @@ def decay_of(law):
     return Decay(once, span, within)
 
 
-@borrowing
+@refcount_free_kernel
 def carry(decay, z, spans, stay, d, contacts, w):
     """Carry the elements once round the line, from its deepest sample against the motion.
 
@@ -87,7 +87,7 @@ def carry(decay, z, spans, stay, d, contacts, w):
     return total, slope, touching, pieces
 
 
-@borrowing
+@refcount_free_kernel
 def _samples(decay, z, d, first, stop, element, contacts, w):
     """Carry elements from sample ``first`` down to ``stop``, one by one, as carry does."""
     u, du, held, total, slope, touching, pieces = element
@@ -119,7 +119,7 @@ def _samples(decay, z, d, first, stop, element, contacts, w):
     return u, du, held, total, slope, touching, pieces
 
 
-@borrowing
+@refcount_free_kernel
 def _cut(contacts, pieces, z, d, j, last, free, total):
     """Cut a patch that goes on at the end of the array; return the number of pieces."""
     if last <= j and z[j] - d < free:
@@ -130,7 +130,7 @@ def _cut(contacts, pieces, z, d, j, last, free, total):
     return pieces
 
 
-@borrowing
+@refcount_free_kernel
 def _arrive(decay, z, d, deepest, u, held, pieces, contacts, w):
     """Come back to the deepest sample, with which the first piece begins."""
     if deepest % SPAN == SPAN - 1 or deepest == z.size - 1:
@@ -145,7 +145,7 @@ def _arrive(decay, z, d, deepest, u, held, pieces, contacts, w):
         open_piece(contacts, 0, z, d, deepest, free, u)
 
 
-@borrowing
+@refcount_free_kernel
 def _hold(decay, z, d, u, w, low):
     """Fill w, if it is given, over a span that is all in contact, entered with u."""
     if w is not None:
@@ -154,7 +154,7 @@ def _hold(decay, z, d, u, w, low):
         w[low + SPAN - 1] = decay.once * u
 
 
-@borrowing
+@refcount_free_kernel
 def _release(decay, u, w, low):
     """Fill w, if it is given, over a span that is all free, entered with u."""
     if w is not None:

@@ -4,7 +4,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ...compile.jit import borrowing, kernel
+from ...compile.jit import kernel, refcount_free_kernel
 from ...model.friction import trailing_reach
 from .spans import SPAN
 
@@ -40,7 +40,7 @@ def first(contacts, pieces):
     return Contacts(ends, edges, contacts.slope, contacts.speed, contacts.entered)
 
 
-@borrowing
+@refcount_free_kernel
 def open_piece(contacts, piece, z, d, top, free, u):
     """Begin a piece of contact at sample ``top``, whose free displacement is ``free``.
 
@@ -55,7 +55,7 @@ def open_piece(contacts, piece, z, d, top, free, u):
         contacts.edges[piece, FREE] = free
 
 
-@borrowing
+@refcount_free_kernel
 def leave_piece(contacts, piece, z, d, j):
     """End a piece of contact in front of sample j, which is free.
 
@@ -68,7 +68,7 @@ def leave_piece(contacts, piece, z, d, j):
         contacts.ends[piece, 1], contacts.edges[piece, BEHIND] = bottom, behind
 
 
-@borrowing
+@refcount_free_kernel
 def join_pieces(contacts, above, piece, bottom, top, free):
     """End the piece ``above`` at its ``bottom`` and go on with ``piece`` from ``top``."""
     if contacts is not None:
@@ -77,21 +77,21 @@ def join_pieces(contacts, above, piece, bottom, top, free):
         contacts.edges[piece, AHEAD], contacts.edges[piece, FREE] = 0.5, free
 
 
-@borrowing
+@refcount_free_kernel
 def begin_sum(contacts, piece, total):
     """Begin the sum of d - z over a piece. total : -sum u over the samples before it."""
     if contacts is not None:
         contacts.edges[piece, SUM] = -total
 
 
-@borrowing
+@refcount_free_kernel
 def end_sum(contacts, piece, total):
     """End the sum of d - z over a piece. total : -sum u over the samples up to its bottom."""
     if contacts is not None:
         contacts.edges[piece, SUM] += total
 
 
-@borrowing
+@refcount_free_kernel
 def enter_span(contacts, b, u):
     """Note with which displacement the element enters that comes to span b from upstream."""
     if contacts is not None:

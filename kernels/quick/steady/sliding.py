@@ -9,7 +9,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ...compile.jit import borrowing, kernel
+from ...compile.jit import kernel, refcount_free_kernel
 from ...model.contact import excess_at, solve_indentation
 from ...model.steady import steady_indentation
 from .carry import Decay, carry
@@ -34,7 +34,7 @@ def elastic_guess(z, deepest, load):
     return d
 
 
-@borrowing
+@refcount_free_kernel
 def power_step(depth, force, rate, load):
     """Return the depth after a step of Halley's method for force = load.
 
@@ -71,7 +71,7 @@ class Carried(NamedTuple):
     pieces: np.ndarray  # of contact, shape (1,): filled
 
 
-@excess_at.of(Carried)
+@excess_at.register(Carried)
 def _excess_of_carried(contact, load, d):
     decay, z, spans, stay, contacts, pieces = contact
     total, slope, touching, pieces[0] = carry(decay, z, spans, stay, d, contacts, None)

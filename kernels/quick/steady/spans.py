@@ -14,7 +14,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ...compile.jit import borrowing
+from ...compile.jit import refcount_free_kernel
 
 SPAN = 16
 # Columns of what is known of a span, as many as the processor fetches at once: height z0 and slope
@@ -40,7 +40,7 @@ class Spans(NamedTuple):
     deepest: int  # sample, the lowest one
 
 
-@borrowing
+@refcount_free_kernel
 def fill_spans(z, slope, spans):
     """Fill the arrays of Spans with what they are of a line; return the deepest sample."""
     n, count = z.size, z.size // SPAN
@@ -76,7 +76,7 @@ def fill_spans(z, slope, spans):
     return int(np.argmin(z))
 
 
-@borrowing
+@refcount_free_kernel
 def add_rises(rows, z, slope):
     """Fill in RISE and TURN of the rows of Spans. Only a march asks for them."""
     for b in range(rows.shape[0] - 1):

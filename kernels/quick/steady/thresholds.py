@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ...compile.jit import borrowing, kernel
+from ...compile.jit import kernel, refcount_free_kernel
 from .spans import SPAN
 
 
@@ -72,7 +72,7 @@ def presses_at(z, slope, speeds):
     return press
 
 
-@borrowing
+@refcount_free_kernel
 def _largest(each):
     """Return the largest number of a span; they change. By halves: many are compared at once."""
     for half in (8, 4, 2, 1):

@@ -254,8 +254,8 @@ def test_temporary_files_in_a_folder_of_another_user_are_no_place_for_it(
 
 @pytest.mark.skipif(PLAIN_PYTHON, reason="NUMBA_DISABLE_JIT=1: nothing compiled")
 def test_numba_caches_in_that_folder_whatever_it_forgets(monkeypatch):
-    assert cache._cache_folder() == cache.FOLDER
+    assert cache._cache_folder() == cache.CACHE_FOLDER
     monkeypatch.setenv("NUMBA_ANYTHING", "1")
     numba.config.reload_config()
     late = kernel(test_hash_does_not_depend_on_the_place)
-    assert {Path(k._cache.cache_path).parent for k in (march, late)} == {Path(cache.FOLDER)}
+    assert {Path(k._cache.cache_path).parent for k in (march, late)} == {Path(cache.CACHE_FOLDER)}

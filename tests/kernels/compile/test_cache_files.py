@@ -14,7 +14,7 @@ import pytest
 from elastomer_friction.kernels.compile.cache import (
     CheckedCache,
     _CheckedFile,
-    compiling,
+    compile_in_turn,
     take_turn,
 )
 from elastomer_friction.kernels.compile.jit import kernel
@@ -36,7 +36,7 @@ def compiled(monkeypatch):
 @pytest.fixture
 def cache(tmp_path, monkeypatch):
     """Let machine code be kept in an empty folder."""
-    monkeypatch.setattr("elastomer_friction.kernels.compile.cache.FOLDER", str(tmp_path))
+    monkeypatch.setattr("elastomer_friction.kernels.compile.cache.CACHE_FOLDER", str(tmp_path))
     return tmp_path
 
 
@@ -73,7 +73,7 @@ def test_damaged_machine_code_is_made_again(cache, suffix, damage):
 
 def test_a_full_disk_costs_a_warning(tmp_path, monkeypatch):
     with mounted(tmp_path / "disk", "8k") as disk:
-        monkeypatch.setattr("elastomer_friction.kernels.compile.cache.FOLDER", str(disk))
+        monkeypatch.setattr("elastomer_friction.kernels.compile.cache.CACHE_FOLDER", str(disk))
         for _ in range(2):
             with pytest.warns(RuntimeWarning, match="not cached: .Errno 28. No space left"):
                 assert hits() == 0
@@ -98,7 +98,7 @@ def test_two_that_keep_machine_code_at_once_lose_none(cache, monkeypatch):
 
 def test_one_process_of_a_machine_at_a_time_compiles(cache):
     with (cache / "lock").open("w") as other:
-        with compiling():
+        with compile_in_turn():
             assert hits() == 0
             with pytest.raises(BlockingIOError):
                 fcntl.flock(other, fcntl.LOCK_EX | fcntl.LOCK_NB)
@@ -109,7 +109,7 @@ def test_who_finds_all_machine_code_waits_for_nobody(cache):
     hits()
     with (cache / "lock").open("w") as other:
         fcntl.flock(other, fcntl.LOCK_EX | fcntl.LOCK_NB)
-        with compiling():
+        with compile_in_turn():
             assert hits() == 1
 
 
@@ -118,21 +118,21 @@ def test_who_has_waited_finds_what_the_other_has_compiled(cache, monkeypatch):
 
     def other_compiles(name):
         monkeypatch.undo()
-        monkeypatch.setattr("elastomer_friction.kernels.compile.cache.FOLDER", str(cache))
+        monkeypatch.setattr("elastomer_friction.kernels.compile.cache.CACHE_FOLDER", str(cache))
         monkeypatch.setattr(numba.config, "DISABLE_JIT", 0)
         assert (name, hits()) == ("lock", 0)
         return contextlib.nullcontext()
 
     monkeypatch.setattr("elastomer_friction.kernels.compile.cache._one_process", other_compiles)
-    with compiling():
+    with compile_in_turn():
         assert hits() == 1
 
 
 HOLDER = """
 import sys, time
 from elastomer_friction.kernels.compile import cache
-cache.FOLDER = sys.argv[1]
-with cache.compiling():
+cache.CACHE_FOLDER = sys.argv[1]
+with cache.compile_in_turn():
     cache.take_turn()
     print("holds it", flush=True)
     time.sleep(600)
@@ -143,7 +143,7 @@ def test_a_process_that_was_stopped_while_it_compiled_is_not_waited_for(cache):
     """As long as it runs, it is."""
 
     def compile_too():
-        with compiling():
+        with compile_in_turn():
             take_turn()
 
     with standing(HOLDER, str(cache)) as (holder, _):
@@ -157,7 +157,7 @@ def test_a_process_that_was_stopped_while_it_compiled_is_not_waited_for(cache):
 
 
 def test_without_a_folder_to_lock_each_compiles_for_itself(monkeypatch):
-    monkeypatch.setattr("elastomer_friction.kernels.compile.cache.FOLDER", "/nowhere/at/all")
-    with compiling():
+    monkeypatch.setattr("elastomer_friction.kernels.compile.cache.CACHE_FOLDER", "/nowhere/at/all")
+    with compile_in_turn():
         assert take_turn()
         assert not take_turn()

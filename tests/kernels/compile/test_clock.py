@@ -7,8 +7,8 @@ from threading import Thread
 import numba
 import pytest
 
-from elastomer_friction.kernels.compile.clock import own, working_time
-from elastomer_friction.kernels.compile.garbage import nothing_collected
+from elastomer_friction.kernels.compile.clock import computing_seconds, own
+from elastomer_friction.kernels.compile.garbage import garbage_collection_paused
 from tests.sizes import PLAIN_PYTHON
 from tests.support.python import printed
 
@@ -22,19 +22,19 @@ def compile_two():
 @pytest.mark.skipif(PLAIN_PYTHON, reason="NUMBA_DISABLE_JIT=1: nothing compiled")
 def test_it_stands_still_while_kernels_are_compiled():
     lost = own.lost
-    with nothing_collected():  # of what other tests have left, which would be work
-        began, working = time.thread_time(), working_time()
+    with garbage_collection_paused():  # of what other tests have left, which would be work
+        began, working = time.thread_time(), computing_seconds()
         compile_two()
-        used, whole = working_time() - working, time.thread_time() - began
+        used, whole = computing_seconds() - working, time.thread_time() - began
     assert own.depth == 0
     assert own.lost > lost
     assert 0.0 <= used < 0.5 * whole
 
 
 def test_it_runs_while_python_works():
-    began, working = time.thread_time(), working_time()
+    began, working = time.thread_time(), computing_seconds()
     sum(range(200_000))
-    end, last = working_time(), time.thread_time()
+    end, last = computing_seconds(), time.thread_time()
     assert 0.0 < end - working <= last - began
 
 
@@ -48,7 +48,7 @@ def test_threads_have_clocks_of_their_own():
 
 def fail():
     """Fail while nothing is collected."""
-    with nothing_collected():
+    with garbage_collection_paused():
         assert not gc.isenabled()
         raise ZeroDivisionError
 

@@ -10,7 +10,7 @@ import pytest
 from numba.core.dispatcher import Dispatcher
 
 from elastomer_friction.kernels import SCHEMES, Quantities, run_case
-from elastomer_friction.kernels.compile.jit import by_type, kernel
+from elastomer_friction.kernels.compile.jit import dispatch_on_type, kernel
 from tests.cases import CASE, line_of
 from tests.sizes import PLAIN_PYTHON
 from tests.support.python import printed
@@ -74,17 +74,17 @@ class Unknown(NamedTuple):
     number: float
 
 
-@by_type
+@dispatch_on_type
 def change(law, u):
     """Return u changed."""
 
 
-@change.of(Scaled)
+@change.register(Scaled)
 def _scale(law, u):
     return law.factor / u
 
 
-@change.of(Shifted)
+@change.register(Shifted)
 def _shift(law, u):
     return u + law.first - law.second
 
@@ -109,12 +109,12 @@ def test_a_type_without_a_body_is_refused():
         changed_twice(Unknown(1.0), 5.0)
 
 
-@by_type
+@dispatch_on_type
 def note(law, number, flag):
     """Return a number."""
 
 
-@note.of(Scaled)
+@note.register(Scaled)
 def _note(law, number, flag):
     return number if flag else 0
 
@@ -158,12 +158,12 @@ class Pair(NamedTuple):
     second: np.ndarray
 
 
-@by_type
+@dispatch_on_type
 def weigh(pair, i):
     """Return the weight of element i."""
 
 
-@weigh.of(Pair)
+@weigh.register(Pair)
 def _weigh(pair, i):
     return pair.first[i] * pair.second[i]
 

@@ -77,7 +77,7 @@ def test_time_is_booked_to_the_cases_that_took_it(monkeypatch):
         return found, updates
 
     monkeypatch.setattr(module, "_curves", marched)
-    monkeypatch.setattr(clocks, "working_time", lambda: next(readings) + updated[0])
+    monkeypatch.setattr(clocks, "computing_seconds", lambda: next(readings) + updated[0])
     found = run_cases(LINE, CASES[:20], Quantities())
     assert found[0].seconds.marching > found[-1].seconds.marching
     assert found[-1].seconds.steady > 0.0  # of the line, that all share

@@ -16,7 +16,7 @@ from elastomer_friction.kernels import (
     march,
     steady_sliding,
 )
-from elastomer_friction.kernels.compile.cache import FOLDER
+from elastomer_friction.kernels.compile.cache import CACHE_FOLDER
 from elastomer_friction.kernels.model import steady
 from elastomer_friction.kernels.rheology.law import reach
 from tests.sizes import PLAIN_PYTHON
@@ -34,7 +34,7 @@ class Squared(NamedTuple):
     lag: float
 
 
-@reach.of(Squared)
+@reach.register(Squared)
 def _reach(law, u):
     return law.root * (law.root * u)
 
@@ -60,7 +60,7 @@ def slide(marches):
 def test_a_second_process_compiles_nothing_whatever_the_law_and_the_control(tmp_path, marches):
     """Of the law of a new file neither; its numbers are those of the Kelvin element."""
     cache = tmp_path / "cache"
-    shutil.copytree(FOLDER, cache, ignore=shutil.ignore_patterns("*.tmp*"))
+    shutil.copytree(CACHE_FOLDER, cache, ignore=shutil.ignore_patterns("*.tmp*"))
     code = f"from tests.kernels.rheology import test_law; print(test_law.slide({marches}))"
     (numbers, misses), second = (
         ast.literal_eval(printed("-c", code, NUMBA_CACHE_DIR=str(cache))) for _ in range(2)

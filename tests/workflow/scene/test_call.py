@@ -243,7 +243,7 @@ def test_a_state_of_another_scene_or_none_is_refused(first, changed, words):
 def test_it_is_said_that_kernels_are_compiled(monkeypatch, tmp_path, capsys):
     run()  # where nothing was compiled yet, it is now
     capsys.readouterr()
-    monkeypatch.setattr(cache, "FOLDER", str(tmp_path / "code"))  # beside it times are noted
+    monkeypatch.setattr(cache, "CACHE_FOLDER", str(tmp_path / "code"))  # beside it times are noted
     own = call._estimates
 
     def compiling(*given):

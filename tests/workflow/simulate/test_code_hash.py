@@ -16,7 +16,7 @@ from elastomer_friction.workflow.simulate.code_hash import (
 from tests.support.imports import module_of
 from tests.support.python import printed
 
-FOLDER = "elastomer_friction.kernels.compile.cache.FOLDER"
+FOLDER = "elastomer_friction.kernels.compile.cache.CACHE_FOLDER"
 HASHED = [path for folder in FOLDERS for path in folder.rglob("*.py")]
 WORKFLOW = "elastomer_friction.workflow"
 BEYOND = (WORKFLOW, "elastomer_friction.studies", "tests")
@@ -50,7 +50,7 @@ EDITS = {
     "the steps that a record keeps": ("recorded_steps.py", "np.linspace", "np.geomspace"),
     "a number": ("rheology/spectrum.py", "1e-10", "1e-11"),
     "an operator": ("kernels/model/steady.py", "w[j] = free", "w[j] = -free"),
-    "a body chosen by type": ("kelvin.py", "@reach.of(Kelvin)", "@reach.of(State)"),
+    "a body chosen by type": ("kelvin.py", "@reach.register(Kelvin)", "@reach.register(State)"),
     "a default": ("self_affine.py", '= "modal"', '= "integral"'),
     "a flag of the compiler": ("jit.py", '"numpy"', '"python"'),
 }
@@ -147,7 +147,7 @@ def test_the_hash_is_kept_until_a_byte_changes_and_made_anew_where_it_is_damaged
             file.write_bytes(spoilt)
         assert cached_code_hash((folder,)) == code_hash((folder,))
     monkeypatch.setattr(
-        "elastomer_friction.kernels.compile.cache.FOLDER", str(tmp_path / "nowhere")
+        "elastomer_friction.kernels.compile.cache.CACHE_FOLDER", str(tmp_path / "nowhere")
     )
     assert cached_code_hash((folder,)) == code_hash((folder,))
 

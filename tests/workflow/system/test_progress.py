@@ -11,7 +11,7 @@ import pytest
 from numba.core import event
 
 from elastomer_friction.workflow.system import compiling
-from elastomer_friction.workflow.system.compiling import FILE, WAITING, saying_what_compiles
+from elastomer_friction.workflow.system.compiling import FILE, WAITING, report_compilation
 from elastomer_friction.workflow.system.progress import Reporter, core_time, duration
 
 SECONDS = (0.0, 0.4, 12.3, 119.0, 120.0, 204.0, 7199.0, 20160.0, 674000.0)
@@ -99,7 +99,7 @@ def test_an_interval_is_in_one_unit_and_two_digits():
 @pytest.fixture
 def saying(tmp_path):
     """Return what says it; times are kept in a folder of the test."""
-    return lambda: saying_what_compiles("a toy", "1 to 2 s", str(tmp_path / "code"), "waiting")
+    return lambda: report_compilation("a toy", "1 to 2 s", str(tmp_path / "code"), "waiting")
 
 
 def compile_one():
@@ -157,6 +157,6 @@ def test_waiting_for_another_process_is_said_unless_this_one_compiles_too(saying
 
 
 def test_where_no_note_can_be_kept_nothing_else_is_lost(tmp_path, capsys):
-    with saying_what_compiles("a toy", "1 to 2 s", str(tmp_path / "no" / "where"), "waiting"):
+    with report_compilation("a toy", "1 to 2 s", str(tmp_path / "no" / "where"), "waiting"):
         compile_one()
     assert capsys.readouterr().err == "Compiling a toy, 1 to 2 s and about 300 MiB, once.\n"

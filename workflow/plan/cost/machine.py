@@ -26,7 +26,7 @@ from ....kernels.compile import cache
 from ....kernels.compile.cache import source_hash
 from ...ground import UserError
 from ...simulate import load_kernels
-from ...system import ROOT, THREADS, make_folder, processor, saying_what_compiles, write_durably
+from ...system import ROOT, THREADS, make_folder, processor, report_compilation, write_durably
 from . import timing, work
 from .work import PARTS, PLAIN
 
@@ -136,7 +136,7 @@ def pace_file() -> Path:
     method = b"".join(Path(str(m.__file__)).read_bytes() for m in (timing, work))
     what = (source_hash(), processor(), np.__version__, numba.__version__, numba.config.DISABLE_JIT)
     name = hashlib.sha256(repr(what).encode() + method).hexdigest()[:16]
-    return Path(cache.FOLDER) / f"pace-{name}.json"
+    return Path(cache.CACHE_FOLDER) / f"pace-{name}.json"
 
 
 def known_machine() -> Machine | None:
@@ -149,8 +149,8 @@ def this_machine() -> Machine:
     """Return the pace of this machine, measured now if it is not known yet."""
     if known := known_machine():
         return known
-    how = "the numerical core", "20 to 60 s", cache.FOLDER, cache.WAITING
-    with saying_what_compiles(*how):
+    how = "the numerical core", "20 to 60 s", cache.CACHE_FOLDER, cache.WAITING_EVENT
+    with report_compilation(*how):
         load_kernels("foundation", "exponential", Quantities())
     print("Measuring the speed of this machine, about 3 s, once.", file=sys.stderr)
     data = _parsed(_measured())

@@ -10,7 +10,7 @@ from datetime import UTC, datetime
 import numpy as np
 
 from ....kernels import Quantities
-from ....kernels.compile.clock import working_time
+from ....kernels.compile.clock import computing_seconds
 from ...simulate import Batch, Problem, Recording, Task, block_means
 from ...system import processor
 from .work import DRAWING, PARTS, Work, drawing_seconds, typical_seconds
@@ -62,9 +62,9 @@ def typical(probe: Batch) -> np.ndarray:
 
 def used(probe: Batch) -> np.ndarray:
     """Return the CPU seconds that the parts of a probe take."""
-    began = working_time()
+    began = computing_seconds()
     spent = block_means(probe).spent.sum(axis=0)
-    return np.append(spent, max(working_time() - began - spent.sum(), 1e-6))
+    return np.append(spent, max(computing_seconds() - began - spent.sum(), 1e-6))
 
 
 def factors(rounds: int = ROUNDS) -> dict[str, tuple[float, float]]:

@@ -45,7 +45,9 @@ def timed(tmp_path, monkeypatch):
     monkeypatch.setattr(machine, "pace_file", pace_file)  # not that of all tests
     monkeypatch.setattr(machine, "_measured", measure)
     monkeypatch.setattr(machine, "load_kernels", lambda *_: None)
-    monkeypatch.setattr("elastomer_friction.kernels.compile.cache.FOLDER", str(tmp_path / "cache"))
+    monkeypatch.setattr(
+        "elastomer_friction.kernels.compile.cache.CACHE_FOLDER", str(tmp_path / "cache")
+    )
     return calls
 
 
