@@ -10,7 +10,7 @@ import pytest
 from matplotlib import pyplot as plt
 
 from elastomer_friction.workflow.cli import command_parser
-from elastomer_friction.workflow.study import EVERY_TABLE, known_studies
+from elastomer_friction.workflow.study import ALL_TABLES, known_studies
 from tests.support.snippets import PAGES, PROGRAM, ROOT, Block, blocks, commands, provide, run_block
 
 BLOCKS = [block for page in PAGES for block in blocks(page)]
@@ -34,8 +34,8 @@ def test_a_block_is_of_a_known_kind(block: Block):
         compile(block.text, str(block), "exec")
     if block.language == "toml":
         tables = tomllib.loads(block.text)
-        for name in tables.keys() & EVERY_TABLE.keys():
-            assert tables[name].keys() <= EVERY_TABLE[name].keys(), name
+        for name in tables.keys() & ALL_TABLES.keys():
+            assert tables[name].keys() <= ALL_TABLES[name].keys(), name
 
 
 def told() -> list[tuple[str, str]]:

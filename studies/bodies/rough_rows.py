@@ -19,7 +19,7 @@ import xarray as xr
 
 from elastomer_friction.kernels import equivalent_amplitudes
 from elastomer_friction.kernels.half_space.surface import ring_amplitudes, rms_slope_of
-from elastomer_friction.workflow.scene import computed
+from elastomer_friction.workflow.scene import compute
 from elastomer_friction.workflow.study import FOUNDATION, HALF_SPACE, given_profile, read_grid_study
 
 HURST, SIDE, HEIGHT, SPEED, MODULUS = 0.7, 1e-3, 1e-6, 1e-2, 1e6  # SI; E* = 4 G
@@ -82,14 +82,14 @@ class Rough(NamedTuple):
         if lines is not None:
             tables["study"]["realizations"] = len(lines)
             given = given_profile(lines, SIDE)
-            return computed(read_grid_study("rough", Path(), tables, True, given)).squeeze()
+            return compute(read_grid_study("rough", Path(), tables, True, given)).squeeze()
         if body == FOUNDATION:
             tables["study"]["realizations"] = max(200, 1600 // self.lengths)
         tables["surface"] = {"length": SIDE, "rolloff": SIDE / self.lengths}
         grid |= {"hurst": HURST, "roughness": HEIGHT, "spacing": SIDE / (2 * self.shortest)}
         fine: int | str = self.samples if body == HALF_SPACE else "auto"
         tables["numerics"] = {"steps_per_spacing": fine}
-        return computed(read_grid_study("rough", Path(), tables)).squeeze()
+        return compute(read_grid_study("rough", Path(), tables)).squeeze()
 
     def equivalent(self) -> np.ndarray:
         """Return random lines with C_1D = pi q C_2D at all wave numbers, in m."""

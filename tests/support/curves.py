@@ -8,7 +8,7 @@ from elastomer_friction.workflow.reduce.complete import exponents_of
 from elastomer_friction.workflow.reduce.estimates import reduce_blocks
 from elastomer_friction.workflow.reduce.resolution import resolution
 from elastomer_friction.workflow.result.dataset import build_dataset
-from elastomer_friction.workflow.study.effects.quantities import judged
+from elastomer_friction.workflow.study.effects.quantities import accuracy_estimates
 from tests.support.small import small_plan
 
 QUANTITIES = ("steady", "jump", "relaxation", "models")
@@ -56,7 +56,7 @@ def assembled(*settings):
     estimates["speed_ratio"] = np.array([speed_ratio(t.problem) for t in variant.tasks])
     steps = [task.steps_per_spacing for task in variant.tasks]
     estimates["steps_per_spacing"] = np.array(steps, np.int32)
-    names = judged(plan.study.scene.quantities)
+    names = accuracy_estimates(plan.study.scene.quantities)
     estimates |= resolution(variant.tasks, estimates, names, variant.numerics)
     exponents = exponents_of(plan, variant, estimates)
     return plan, estimates, build_dataset(plan, variant, estimates, exponents)

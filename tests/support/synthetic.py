@@ -7,7 +7,7 @@ from elastomer_friction.workflow.reduce.fits import FITTED
 from elastomer_friction.workflow.result.netcdf import write_datasets
 from elastomer_friction.workflow.result.provenance import provenance
 from elastomer_friction.workflow.result.variables import AXIS_ATTRIBUTES
-from elastomer_friction.workflow.study.axes import AXES
+from elastomer_friction.workflow.study.axes import COMMON_AXES
 from elastomer_friction.workflow.study.read import read_study
 
 RELAXATION_TIME, SLOPE = 1e-3, 0.02
@@ -24,10 +24,10 @@ def result(study="fig7", error=0.01, **axes):
         "velocity_step": [0.2],
     }
     chosen = usual | axes
-    coords = {axis: (axis, np.asarray(chosen[axis], dtype=float)) for axis in AXES}
+    coords = {axis: (axis, np.asarray(chosen[axis], dtype=float)) for axis in COMMON_AXES}
     settings = read_study(study)
     dataset = xr.Dataset(coords=coords, attrs=provenance(settings, settings.variants[""]))
-    for axis in AXES:
+    for axis in COMMON_AXES:
         units, long_name = AXIS_ATTRIBUTES[axis]
         dataset[axis].attrs = {"units": units, "long_name": long_name}
     constants = {
@@ -45,10 +45,10 @@ def result(study="fig7", error=0.01, **axes):
 
 def add(dataset, relative_error=0.01, **estimates):
     """Return the dataset with estimates on the whole grid, and their standard errors."""
-    shape = tuple(dataset.sizes[axis] for axis in AXES)
+    shape = tuple(dataset.sizes[axis] for axis in COMMON_AXES)
     for name, values in estimates.items():
-        full = xr.DataArray(np.zeros(shape), dims=AXES) + values
-        dataset[name] = full.transpose(*AXES)
+        full = xr.DataArray(np.zeros(shape), dims=COMMON_AXES) + values
+        dataset[name] = full.transpose(*COMMON_AXES)
         dataset[f"{name}_error"] = np.abs(dataset[name]) * relative_error
     return dataset
 

@@ -162,7 +162,7 @@ def _run_options(command: argparse.ArgumentParser) -> None:
 
 
 def _prony_options(command: argparse.ArgumentParser) -> None:
-    from ..study import FREQUENCIES, INCOMPRESSIBLE, LAWS_OF_SHIFT, MODULI
+    from ..study import FREQUENCIES, INCOMPRESSIBLE, MODULI, SHIFT_KEYS
 
     add = command.add_argument
     add("file", help="text file with frequency, G' and G'' or tan delta, or E; or time and G or E")
@@ -171,7 +171,7 @@ def _prony_options(command: argparse.ArgumentParser) -> None:
     command._negative_number_matcher = re.compile(r"-[\d.][\d.,eE+-]*$")
     add("--temperatures", help="of sweeps in their order, as -20,0,20 in °C (as the file says)")
     add("--reference", type=float, help="temperature to which sweeps are shifted, in °C (middle)")
-    add("--law", choices=LAWS_OF_SHIFT, help="of the shifts (the one that describes them)")
+    add("--law", choices=SHIFT_KEYS, help="of the shifts (the one that describes them)")
     add("--vertical", action="store_true", help="shift moduli too, by b_T")
     add("--frequency", choices=FREQUENCIES, help="unit of frequencies (header, else rad/s)")
     add("--modulus", choices=MODULI, help="unit of moduli (header, else Pa)")

@@ -118,7 +118,7 @@ def _animate(options: argparse.Namespace) -> int:
     path = Path(options.out or f"results/{study.name}.gif")
     report.check_animation(path)
     make_folder(path.parent)
-    print(report.animate(scene.computed(study), path))
+    print(report.animate(scene.compute(study), path))
     return DONE
 
 

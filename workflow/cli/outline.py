@@ -34,9 +34,9 @@ from ..study import (
     RampSegment,
     SlideSegment,
     Study,
+    accuracy_estimates,
     axes_of,
-    judged,
-    why_not,
+    unavailable_reason,
 )
 from ..system import COMPILING_MIB, core_time
 
@@ -269,7 +269,7 @@ def _realizations(plan: Plan) -> list[str]:
     block = study.realizations_per_block
     runs = plan.records * block
     if not any(variant.goals for variant in plan.variants):
-        asked = study.realizations_asked
+        asked = study.realizations_requested
         rounded = asked < study.realizations
         up = f" ({asked} rounded up to whole quartets of lines)" if rounded else ""
         return [f"realizations {study.realizations} each{up}, {runs} in all"]
@@ -287,7 +287,7 @@ def _realizations(plan: Plan) -> list[str]:
             for goal in variant.goals.values()
         ]
         coarse = sum(max(bias.values()) > 0.5 * wanted for bias in sought)
-        names = len(judged(plan.study.scene.quantities))
+        names = len(accuracy_estimates(plan.study.scene.quantities))
         nothing = sum(len(bias) < names for bias in sought)
         given = " (given: its error is not counted)" if numerics.steps_per_spacing else ""
         lines += [
@@ -361,7 +361,7 @@ def _rheology(each: list[Material]) -> str:
     number = len(material.branches)
     kind = "standard linear solid" if number == 1 else f"Prony series of {number} branches"
     dashpot = "with a dashpot" if material.jumps else "without a dashpot"
-    times = [own.own_shift * time for own in each for _, time in own.branches]
+    times = [own.shift_factor * time for own in each for _, time in own.branches]
     spread = f"times {min(times):.3g} ... {max(times):.3g} s"
     return f"{kind} {dashpot}, {spread}, {tau}"
 
@@ -427,5 +427,8 @@ def _quantities(study: Study) -> Iterator[tuple[bool, str]]:
         if name in study.scene.quantities:
             yield True, f"{name}: {quantity.effect}"
         else:
-            reason = why_not(name, study.scene, study.materials, alone) or "it is not asked for"
+            reason = (
+                unavailable_reason(name, study.scene, study.materials, alone)
+                or "it is not asked for"
+            )
             yield False, f"{name}: {reason}"

@@ -44,7 +44,7 @@ class UserErrors(UserError):
         return self._errors
 
 
-class Complaints:
+class ErrorCollector:
     """Collects what is wrong: each ``with complaints:`` goes on after it, ``end`` raises it all."""
 
     def __init__(self) -> None:

@@ -18,7 +18,7 @@ class Shifting(NamedTuple):
     """What is asked for of a master curve."""
 
     reference: float | None = None  # °C; None: the temperature of the sweep in the middle
-    law: str | None = None  # one of LAWS_OF_SHIFT; None: the one that describes the shifts
+    law: str | None = None  # one of SHIFT_KEYS; None: the one that describes the shifts
     vertical: bool = False  # whether moduli are shifted too
 
 

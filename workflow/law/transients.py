@@ -10,11 +10,11 @@ import numpy as np
 
 from ..ground import UserError
 from ..reduce import RESOLVED, UNRESOLVED
-from ..study import LAWS_OF_SHIFT, LISTED
+from ..study import PROGRAMME_AXES, SHIFT_KEYS
 
 PIECE = 0.1  # change of the velocity, as a share of it, that a step takes at most
 COARSE = 0.05  # of a whole way, that sampled velocities may miss
-MOVED = ("velocity", *LISTED, "normal_force")  # axes along which motions of one law differ
+MOVED = ("velocity", *PROGRAMME_AXES, "normal_force")  # axes along which motions of one law differ
 NEEDED = ("trace_time", "trace_velocity", "trace_distance", "trace_segment", "trace_mu")
 
 
@@ -97,8 +97,8 @@ def _material(dataset: Any) -> tuple[float, str]:
     """Return the temperature of the material of a result (NaN) and how its times shift ("")."""
     study = json.loads(dataset.attrs.get("study", "{}"))
     material, others = study.get("material", {}), study.get("compare", {}).values()
-    laws = {key: material[key] for key in LAWS_OF_SHIFT if key in material}
-    if not laws or any(key in other for other in others for key in LAWS_OF_SHIFT):
+    laws = {key: material[key] for key in SHIFT_KEYS if key in material}
+    if not laws or any(key in other for other in others for key in SHIFT_KEYS):
         return math.nan, ""  # or which of several it is cannot be told
     temperature = dataset.coords.get("temperature", material["temperature"])
     return float(np.squeeze(temperature)), json.dumps(laws)

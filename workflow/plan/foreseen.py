@@ -5,7 +5,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ..study import judged
+from ..study import accuracy_estimates
 from .error_laws import known
 from .goal import FIRST_ORDER
 from .half_space import laws_of
@@ -35,7 +35,7 @@ def expected_errors(plan: Plan) -> dict[str, ExpectedErrors]:
         return found
     refines = variant.numerics.refines
     first_order = variant.numerics.scheme == "implicit-euler"
-    for name in judged(plan.study.scene.quantities):
+    for name in accuracy_estimates(plan.study.scene.quantities):
         if name not in laws_of(tasks[0].problem):
             continue
         chance, bound = np.empty(len(tasks)), np.full(len(tasks), np.nan)

@@ -14,7 +14,7 @@ from ...kernels.quick.contacts.between_samples import LEAST_STEPS
 from ...kernels.rheology.spectrum import shortest_step
 from ..ground import UserError
 from ..simulate import Problem
-from ..study import HALF_SPACE, MOST_BLOCKS, Numerics, Scene, Study, judged
+from ..study import HALF_SPACE, MAX_BLOCKS, Numerics, Scene, Study, accuracy_estimates
 from .cost import touchable_share
 from .error_laws import allowed_share, contact_width, rate_error, relaxing_share, window_rate
 from .half_space import LEAST_OF_MAPS, MOST_SAMPLES, laws_of, may_be_so_fine, steps_for
@@ -55,7 +55,7 @@ def goal_of(problem: Problem, scene: Scene, numerics: Numerics) -> Goal:
     counted: the accuracy is then that of the discretisation chosen. Nor is b counted where next to
     nothing is expected to relax.
     """
-    names = judged(scene.quantities)
+    names = accuracy_estimates(scene.quantities)
     wanted, laws = numerics.accuracy or 0.0, laws_of(problem)
     counted = {name: np.ones(np.shape(problem.load)) for name in names}
     if "relaxation_rate" in counted:
@@ -116,12 +116,12 @@ def least_blocks(names: tuple[str, ...]) -> int:
 def most_blocks(study: Study, most: int) -> int:
     """Return the cap on the blocks of a point."""
     blocks = most // study.realizations_per_block
-    if blocks > MOST_BLOCKS:
+    if blocks > MAX_BLOCKS:
         raise UserError(
             f"numerics.max_realizations = {most}: up to {blocks} blocks of a problem, more than "
-            f"{MOST_BLOCKS}; set study.realizations_per_block to {-(-most // MOST_BLOCKS)} or more"
+            f"{MAX_BLOCKS}; set study.realizations_per_block to {-(-most // MAX_BLOCKS)} or more"
         )
-    least = least_blocks(judged(study.scene.quantities))
+    least = least_blocks(accuracy_estimates(study.scene.quantities))
     if blocks < least:
         raise UserError(
             f"numerics.max_realizations = {most}: must be at least {least} blocks of "
@@ -133,7 +133,7 @@ def most_blocks(study: Study, most: int) -> int:
 def whole_blocks(study: Study, realizations: Numbers, most: int) -> Numbers:
     """Return the number of blocks for at least so many realizations, within the cap."""
     blocks = np.ceil(realizations / study.realizations_per_block - 1e-9)
-    least = least_blocks(judged(study.scene.quantities))
+    least = least_blocks(accuracy_estimates(study.scene.quantities))
     return np.clip(blocks, least, most_blocks(study, most)).astype(np.int64)
 
 

@@ -33,7 +33,7 @@ from ..study import (
     Study,
     Surface,
     Velocity,
-    judged,
+    accuracy_estimates,
 )
 
 MANTISSA_BITS = 40  # values closer than 1e-12 are one: rounding of the input must not split them
@@ -237,5 +237,5 @@ def recording_of(study: Study, label: str) -> Recording:
         every=numerics.trace or 0,
         requested=tuple(each for each in ASKED if (traced if each == "trace" else each in asked)),
         dense=tuple(name for name in ("loop", "healing") if name in asked),
-        refined_blocks=FINER if lawless and numerics.refines and judged(asked) else 0,
+        refined_blocks=FINER if lawless and numerics.refines and accuracy_estimates(asked) else 0,
     )

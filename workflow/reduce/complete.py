@@ -17,7 +17,7 @@ from ..plan import (
     speed_ratio,
 )
 from ..simulate import LineShape, Task
-from ..study import HALF_SPACE, Surface, judged
+from ..study import HALF_SPACE, Surface, accuracy_estimates
 from .blocks import Estimates, columns, enter
 from .fits import FITTED
 from .resolution import UNRESOLVED, resolution, trace_resolution
@@ -33,7 +33,7 @@ def completed(
     where it differs from line to line.
     """
     tasks = variant.tasks
-    names = judged(plan.study.scene.quantities)
+    names = accuracy_estimates(plan.study.scene.quantities)
     done = [tasks[row] for row in sound]
     estimates = estimates | resolution(done, estimates, names, variant.numerics)
     if "trace_samples_per_contact" in estimates:

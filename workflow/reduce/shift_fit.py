@@ -10,7 +10,7 @@ from typing import NamedTuple
 import numpy as np
 from scipy.optimize import minimize_scalar
 
-from ..study import GAS, Arrhenius, ShiftLaw, ShiftTable, Wlf, inverse_temperature
+from ..study import GAS_CONSTANT, Arrhenius, ShiftLaw, ShiftTable, Wlf, inverse_temperature
 
 POLES = np.log(np.geomspace(1.0, 2000.0, 80))  # K below the coldest sweep, at which T_0 is tried
 LEAST = {"wlf": 4, "arrhenius": 3}  # temperatures: one more than there are constants
@@ -41,7 +41,7 @@ def fit_shifts(
 
     temperatures : °C, ascending, shape (sweeps,). decades : log10 a_T, 0 at one of them.
     covariance : shape (sweeps, sweeps). reference : °C, at which a_T is to be 1, within the
-    temperatures. law : one of LAWS_OF_SHIFT, to have that one. Raises ValueError for fewer
+    temperatures. law : one of SHIFT_KEYS, to have that one. Raises ValueError for fewer
     temperatures than it has constants, and for shifts that rise with the temperature.
     """
     laws = {"wlf": _wlf_fit, "arrhenius": _arrhenius_fit}
@@ -106,7 +106,7 @@ def _arrhenius_fit(
 ) -> ShiftFit | None:
     """Return the best law of Arrhenius; None where shifts rise with the temperature."""
     wanted = own.off(decades)
-    slope = own.off(inverse_temperature(temperatures, reference) / (GAS * np.log(10.0)))
+    slope = own.off(inverse_temperature(temperatures, reference) / (GAS_CONSTANT * np.log(10.0)))
     energy = float(slope @ wanted / (slope @ slope))
     if not energy > 0.0:
         return None

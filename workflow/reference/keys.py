@@ -1,6 +1,6 @@
 """The page of every key of study.toml."""
 
-from ..study import EVERY_TABLE, QUANTITIES, Key, default_of, values_of
+from ..study import ALL_TABLES, QUANTITIES, Key, default_of, values_of
 
 INTRODUCTIONS = {
     "study": "What the study is called and how many lines it averages over.",
@@ -23,7 +23,7 @@ SEGMENT = "The keys of a segment `[[scene.programme]]` with `{0} = {{…}}`."
 def keys_page() -> str:
     """Return the entries of all keys as Markdown."""
     lines: list[str] = []
-    for table, keys in EVERY_TABLE.items():
+    for table, keys in ALL_TABLES.items():
         name = table.rpartition(".")[2]
         introduction = INTRODUCTIONS.get(table) or SEGMENT.format(name)
         lines += [f"## The table [{table}]\n", f"{introduction}\n"]

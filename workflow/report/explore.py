@@ -15,7 +15,7 @@ from markupsafe import Markup
 
 from ..ground import UserError
 from ..result import open_tree
-from ..study import EVERY_AXIS
+from ..study import ALL_AXES
 from ..system import make_folder, write_durably
 from .in_words import SYMBOLS, unit_in_words
 from .my_rubber import scaled_friction
@@ -53,7 +53,7 @@ def explorer_page(tree: xr.DataTree, name: str) -> str:
         raise UserError(f"{name}: holds nothing that varies; there is nothing to explore")
     first = next((each for each in FIRST if each in shown), shown[0])
     content = {
-        "axes": [_described(data[axis]) for axis in EVERY_AXIS if axis in data.dims],
+        "axes": [_described(data[axis]) for axis in ALL_AXES if axis in data.dims],
         "groups": held,
         "first": first,
         "status": STATUS,
@@ -77,10 +77,10 @@ def _held(dataset: xr.Dataset) -> dict[str, dict[str, Any]]:
     numbers = 0
     for key, variable in sorted(dataset.variables.items(), key=lambda each: each[1].size):
         name = str(key)
-        long = [dim for dim in variable.dims if dim not in EVERY_AXIS]
+        long = [dim for dim in variable.dims if dim not in ALL_AXES]
         varied = any(dataset.sizes[dim] > 1 for dim in variable.dims)
         numeric = variable.dtype.kind in "fiu"
-        if not numeric or not varied or len(long) > 1 or name in EVERY_AXIS:
+        if not numeric or not varied or len(long) > 1 or name in ALL_AXES:
             continue
         numbers += variable.size
         if numbers > MOST_NUMBERS:

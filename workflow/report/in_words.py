@@ -6,7 +6,7 @@ import numpy as np
 import xarray as xr
 from matplotlib.ticker import EngFormatter
 
-from ..study import EVERY_AXIS
+from ..study import ALL_AXES
 
 SYMBOLS = {
     "hurst": "H",
@@ -65,7 +65,7 @@ def mathematical(text: str) -> str:
 
 def axes_in(data: xr.Dataset) -> list[str]:
     """Return the axes of the grid that are dimensions of a result, in their order."""
-    return [axis for axis in EVERY_AXIS if axis in data.dims]
+    return [axis for axis in ALL_AXES if axis in data.dims]
 
 
 def model_in_words(data: xr.Dataset) -> str:

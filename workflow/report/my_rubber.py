@@ -13,7 +13,15 @@ from typing import Any
 import numpy as np
 import xarray as xr
 
-from ..study import AXES, FOUNDATION, INCOMPRESSIBLE, MOST_SHIFT, Wlf, material_like, shift_law_of
+from ..study import (
+    COMMON_AXES,
+    FOUNDATION,
+    INCOMPRESSIBLE,
+    MAX_SHIFT_DECADES,
+    Wlf,
+    changed_material,
+    shift_law_of,
+)
 
 NEEDED = ("mu_1", "rms_slope", "tau", "q_max", "shear_modulus", "length", "speed_ratio")
 USUAL = Wlf(8.86, 101.6, 0.0)  # about T_s, some 50 K above the glass transition
@@ -33,7 +41,9 @@ def scaled_friction(groups: Mapping[str, xr.Dataset]) -> dict[str, Any] | None:
     for name, data in groups.items():
         if "mu_1" not in data:
             continue
-        table = material_like(tables.get("material", {}), tables.get("compare", {}).get(name, {}))
+        table = changed_material(
+            tables.get("material", {}), tables.get("compare", {}).get(name, {})
+        )
         body = data.attrs.get("body", groups[""].attrs.get("body"))
         called = name or "the study"
         why = _why_not(data, body) or ""
@@ -54,7 +64,7 @@ def _why_not(data: xr.Dataset, body: str | None) -> str | None:
         return f"the result has no {missing[0]}"
     if body != FOUNDATION:
         return f"the kinetic law and its scaling are those of the foundation, this is a {body}"
-    others = set(map(str, data.mu_1.dims)) - {*AXES, "temperature"}
+    others = set(map(str, data.mu_1.dims)) - {*COMMON_AXES, "temperature"}
     if others:
         return f"its friction depends on {', '.join(sorted(others))} as well"
     if data.sizes["velocity"] < 2:
@@ -129,7 +139,7 @@ def _temperatures(
         words, unit, own = "temperature", "°C", float(first.temperature)
     known = [own + step for step in AROUND if not law.outside(own + step)]
     decades = np.array([law.decades(each) for each in known]) - law.decades(own)
-    kept = np.abs(decades) <= MOST_SHIFT
+    kept = np.abs(decades) <= MAX_SHIFT_DECADES
     return _stops(words, unit, np.array(known)[kept], 10.0 ** decades[kept], own)
 
 

@@ -10,7 +10,7 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
 
-from ..study import EVERY_AXIS
+from ..study import ALL_AXES
 from .in_words import said, unit_in_words, with_unit
 from .unresolved import not_resolved, why_hollow
 
@@ -168,7 +168,7 @@ def remember(ax: Axes, points: xr.Dataset, name: str, over: str, error: np.ndarr
     """
     estimate = points[name]
     # Of an exponent per H alone there is no velocity to name.
-    places = [a for a in EVERY_AXIS if a in points.coords and {*points[a].dims} <= {*estimate.dims}]
+    places = [a for a in ALL_AXES if a in points.coords and {*points[a].dims} <= {*estimate.dims}]
     values = {
         each: np.ravel(points[each].broadcast_like(estimate).transpose(*estimate.dims).values)
         for each in (name, over, *places)

@@ -17,7 +17,7 @@ from matplotlib.figure import Figure
 
 from ..reduce import NARROW, OFF
 from ..result import Groups
-from ..study import AXES
+from ..study import COMMON_AXES
 from .in_words import axes_in, mathematical, model_in_words, said, unit_in_words, with_unit
 from .panels import COLOURS, band, error_bars, foot_line, legend_in_room
 from .unresolved import TRACE_STATUS, not_resolved
@@ -109,7 +109,7 @@ def _shown(data: xr.Dataset) -> list[str]:
     known = [
         str(name)
         for name, values in data.data_vars.items()
-        if f"{name}_error" in data and {*AXES} <= {*values.dims} <= {*axes_in(data)}
+        if f"{name}_error" in data and {*COMMON_AXES} <= {*values.dims} <= {*axes_in(data)}
     ]
     known = [name for name in known if np.isfinite(data[name]).any()]
     return [name for name in WANTED if name in known] or known[: len(WANTED)]

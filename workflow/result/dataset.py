@@ -10,7 +10,7 @@ from ...kernels import power_spectrum
 from ..plan import Plan, Variant
 from ..reduce import LAWS, Estimates
 from ..simulate import EDGES
-from ..study import AXES, HALF_SPACE, axes_of
+from ..study import COMMON_AXES, HALF_SPACE, axes_of
 from .provenance import provenance
 from .variables import AUXILIARY, AXIS_ATTRIBUTES, Powers, attributes, declared
 
@@ -30,7 +30,7 @@ def build_dataset(
     data = {}
     for name, values in estimates.items():
         variable = declared(name)
-        dims = (*axes, *variable.dims[len(AXES) :])
+        dims = (*axes, *variable.dims[len(COMMON_AXES) :])
         data[name] = xr.DataArray(values[variant.point_task], dims=dims)
         if variable.scaling:  # otherwise a flag would become a float
             data[name] = data[name] * _factor(variable.scaling, units)
@@ -108,7 +108,7 @@ def _spectrum(variant: Variant) -> dict[str, xr.DataArray]:
 def _units(plan: Plan, variant: Variant) -> Units:
     """Return the units of dimensionless values, in SI."""
     grid = plan.study.grid
-    units = {axis: xr.DataArray(np.array(grid[axis]), dims=axis) for axis in AXES}
+    units = {axis: xr.DataArray(np.array(grid[axis]), dims=axis) for axis in COMMON_AXES}
     modulus = _over(plan, variant, "material", lambda solid: solid.contact_modulus)
     units["modulus"] = modulus  # E*, Pa
     units["stiffness"] = modulus * plan.study.surface.length / variant.lines.copies  # E* L, N/m

@@ -12,10 +12,10 @@ from ..reduce import (
     STATUS_COMMENT,
     STATUS_MEANINGS,
 )
-from ..study import AXES, EVERY_AXIS
+from ..study import ALL_AXES, COMMON_AXES
 
-GRID_DIMS = AXES
-CURVE_DIMS = (*AXES, "sample")
+GRID_DIMS = COMMON_AXES
+CURVE_DIMS = (*COMMON_AXES, "sample")
 HURST_DIMS = ("hurst",)
 
 # Powers of grid axes, of 4 G L ("stiffness") and of tau that scale a dimensionless value to SI.
@@ -50,7 +50,7 @@ class Variable(NamedTuple):
     dtype: str = "float64"
 
 
-AXIS_ATTRIBUTES = {row.name: (row.unit, row.long_name) for row in EVERY_AXIS.values()} | {
+AXIS_ATTRIBUTES = {row.name: (row.unit, row.long_name) for row in ALL_AXES.values()} | {
     "normal_pressure": ("Pa", "nominal pressure that the normal force stands for"),
     "event": ("1", "sample of a trace; 0 is the start"),
     "bin": ("1", "lower edge of a bin of contact lengths, in spacings"),

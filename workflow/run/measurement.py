@@ -9,7 +9,7 @@ from typing import NamedTuple
 from ..plan import WHOLE, Pace, prediction
 from ..result import origin, write_datasets
 from ..store import enter_result
-from ..study import HERE, Measured
+from ..study import THIS_MACHINE, Measured
 from ..system import DiskRetry, Reporter, check_place, duration, import_dask, make_folder
 
 Took = dict[tuple[str, str], float]  # (study, WHOLE) -> CPU seconds
@@ -46,7 +46,7 @@ def run_measured(study: Measured, result: Path, pace: Pace) -> Done:
     used = sum(os.times()[:4]) - began  # of this process and of those it waited for
     origins = origin(study)
     marked = {name: data.assign_attrs(origins | data.attrs) for name, data in groups.items()}
-    patience = DiskRetry(HERE.patience)
+    patience = DiskRetry(THIS_MACHINE.patience)
     patience(partial(write_datasets, result, marked))
     patience(partial(enter_result, result))
     summary = study.script.summary(groups) if hasattr(study.script, "summary") else []

@@ -15,7 +15,7 @@ from .. import result as results
 from ..ground import counted
 from ..plan import Plan
 from ..simulate import PHASES, Batch, BatchResult
-from ..study import AXES
+from ..study import COMMON_AXES
 from ..system import duration, peak_bytes, this_maker
 from .failures import point_in_words
 
@@ -145,5 +145,5 @@ def accuracy_lines(label: str, dataset: "xr.Dataset") -> list[str]:
         return [line]
     worst = missed.argmax(...)
     index = dataset.isel(worst)
-    where = " ".join(f"{axis}={float(index[axis]):.4g}" for axis in AXES)
+    where = " ".join(f"{axis}={float(index[axis]):.4g}" for axis in COMMON_AXES)
     return [line, f"  worst: {float(index.accuracy_reached):.2g} at {where}"]

@@ -10,7 +10,7 @@ from .. import cluster
 from ..ground import UserError
 from ..plan import Plan
 from ..simulate import Batch, BatchResult, block_means
-from ..study import HERE, LOCAL, Cluster
+from ..study import LOCAL, THIS_MACHINE, Cluster
 from ..system import Watch, own_versions
 
 SECONDS_HERE = 10.0  # of predicted work that this process does by itself
@@ -27,7 +27,7 @@ class RunOptions(NamedTuple):
     work : what computes a batch; a test may let it do something else.
     """
 
-    cluster: Cluster = HERE
+    cluster: Cluster = THIS_MACHINE
     workers: int | None = None  # processes of this machine; None: one per core, if any
     dashboard: bool = False
     batch_seconds: float | None = None

@@ -9,6 +9,6 @@ from ..ground import public_names
 
 if TYPE_CHECKING:
     from ..report import animate
-    from .call import computed, run
+    from .call import compute, run
 
 __all__, __getattr__, __dir__ = public_names(__name__, __file__)

@@ -19,7 +19,7 @@ from ..simulate import block_means
 from ..study import (
     FOUNDATION,
     HALF_SPACE,
-    LISTED,
+    PROGRAMME_AXES,
     Profile,
     Study,
     given_map,
@@ -152,7 +152,9 @@ def saved_state(state: xr.Dataset, study: Study) -> Saved:
             "with those of the run before"
         )
     if study.realizations != 1:
-        raise UserError(f"realizations = {study.realizations_asked}: a state is that of one line")
+        raise UserError(
+            f"realizations = {study.realizations_requested}: a state is that of one line"
+        )
     numerics = study.variants[""]
     units = memories(form_of(study.material.spectrum(), numerics.scheme))
     memory = np.ascontiguousarray(state["state_memory"].values[:units])
@@ -164,7 +166,7 @@ PER_TAU = ("relaxation_rate", "relaxation_rate_free", "stretched_rate", "fast_ra
 IN_TAU = ("time", "fit_window")
 
 
-def computed(study: Study, resumed: Saved | None = None) -> xr.Dataset:
+def compute(study: Study, resumed: Saved | None = None) -> xr.Dataset:
     """Return the dataset of a study of one point, without dimensions of the grid, times in s.
 
     resumed : where the programme goes on, on one line; by default it starts as the study says.
@@ -178,7 +180,7 @@ def computed(study: Study, resumed: Saved | None = None) -> xr.Dataset:
     ):
         estimates = _estimates(plan, variant, resumed)
     dataset = build_dataset(plan, variant, estimates, {})
-    single = {axis: 0 for axis in study.axes if axis not in LISTED}
+    single = {axis: 0 for axis in study.axes if axis not in PROGRAMME_AXES}
     return _in_seconds(dataset.isel(single), study)
 
 
@@ -264,7 +266,7 @@ def run(
     import_dask()
     study = study_of(arguments)
     resumed = None if state is None else saved_state(state, study)
-    dataset = computed(study, resumed)
+    dataset = compute(study, resumed)
     if "state_memory" in dataset:  # it says to which scenes its state belongs
         dataset.attrs[MARK] = line_and_material(study)
     return dataset

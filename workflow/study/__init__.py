@@ -8,16 +8,16 @@ from typing import TYPE_CHECKING
 from ..ground import public_names
 
 if TYPE_CHECKING:
-    from .axes import AXES, EVERY_AXIS, Parts, axes_of
-    from .cluster import BATCH_SYSTEMS, HERE, LOCAL, Cluster, walltime_seconds
+    from .axes import ALL_AXES, COMMON_AXES, Parts, axes_of
+    from .cluster import BATCH_SYSTEMS, LOCAL, THIS_MACHINE, Cluster, walltime_seconds
     from .effects import (
         FOUNDATION,
-        GAS,
+        GAS_CONSTANT,
         HALF_SPACE,
-        LAWS_OF_SHIFT,
-        LISTED,
-        MOST_SHIFT,
+        MAX_SHIFT_DECADES,
+        PROGRAMME_AXES,
         QUANTITIES,
+        SHIFT_KEYS,
         Arrhenius,
         FromFile,
         HoldSegment,
@@ -32,11 +32,11 @@ if TYPE_CHECKING:
         Spring,
         Velocity,
         Wlf,
+        accuracy_estimates,
         inverse_temperature,
-        judged,
         shift_law_of,
         shift_of,
-        why_not,
+        unavailable_reason,
     )
     from .measured import Measured
     from .moduli import FREQUENCIES, INCOMPRESSIBLE, MODULI, Moduli, read_moduli
@@ -45,9 +45,9 @@ if TYPE_CHECKING:
     from .schema import study_schema
     from .scripts import load_script
     from .settings import Key, default_of, integer, positive, values_of
-    from .study import MOST_BLOCKS, AnyStudy, Study, read_grid_study
+    from .study import MAX_BLOCKS, AnyStudy, Study, read_grid_study
     from .surfaces import Profile, Surface, check_load, given_map, given_profile
-    from .tables import EVERY_TABLE
-    from .variants import COMPARE, material_like
+    from .tables import ALL_TABLES
+    from .variants import COMPARE, changed_material
 
 __all__, __getattr__, __dir__ = public_names(__name__, __file__)

@@ -58,38 +58,38 @@ ROWS = (
     Axis("velocity_step", "1", "relative velocity jump dv/v1"),
     Axis("prescribed_indentation", "m", "prescribed indentation d over the mean line"),
     Axis("temperature", "degree_Celsius", "temperature of the elastomer", "material"),
-    Axis("hold", "s", "duration of the hold", "scene", Scene.with_one_of),
+    Axis("hold", "s", "duration of the hold", "scene", Scene.with_axis_value),
     Axis("stiffness", "N m-1", "stiffness of the drive's spring", "scene", _pulled, "drive"),
     Axis(
         "velocity_amplitude",
         "m s-1",
         "amplitude of the velocity of the oscillation",
         "scene",
-        Scene.with_one_of,
+        Scene.with_axis_value,
     ),
-    Axis("frequency", "Hz", "frequency of the oscillation", "scene", Scene.with_one_of),
+    Axis("frequency", "Hz", "frequency of the oscillation", "scene", Scene.with_axis_value),
 )
-EVERY_AXIS = {row.name: row for row in ROWS}
-AXES = tuple(EVERY_AXIS)[:6]  # that every result has; another is there where it has values
+ALL_AXES = {row.name: row for row in ROWS}
+COMMON_AXES = tuple(ALL_AXES)[:6]  # that every result has; another is there where it has values
 
 
 def axes_of(grid: Mapping[str, Any], *tables: str) -> list[str]:
     """Return the axes of a grid whose values stand in some tables."""
-    return [axis for axis in grid if EVERY_AXIS[axis].table in tables]
+    return [axis for axis in grid if ALL_AXES[axis].table in tables]
 
 
 def parts_at(parts: Parts, grid: Grid, axes: Iterable[str]) -> list[Parts]:
     """Return the parts of a study at every point of some axes, the last of which goes fastest."""
     found = [parts]
     for axis in axes:
-        found = [EVERY_AXIS[axis].changed(own, value) for own in found for value in grid[axis]]
+        found = [ALL_AXES[axis].changed(own, value) for own in found for value in grid[axis]]
     return found
 
 
 def with_lists(table: str, keys: Mapping[str, Key]) -> dict[str, Key]:
     """Return the keys of a table, of which those of axes may have several values."""
     return {
-        name: _listed(key) if name in EVERY_AXIS and EVERY_AXIS[name].table == table else key
+        name: _listed(key) if name in ALL_AXES and ALL_AXES[name].table == table else key
         for name, key in keys.items()
     }
 
@@ -106,7 +106,7 @@ def separated(tables: Mapping[str, dict[str, Any]]) -> tuple[dict[str, dict[str,
     The table [grid] stays as it is.
     """
     single, several = dict(tables), {}
-    for row in ROWS[len(AXES) :]:
+    for row in ROWS[len(COMMON_AXES) :]:
         values = _table_of(tables, row).get(row.name)
         if row.table != "grid" and isinstance(values, tuple):
             several[row.name] = values

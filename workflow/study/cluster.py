@@ -58,7 +58,7 @@ class Cluster(NamedTuple):
         return self.lifetime / BATCHES_PER_LIFETIME if in_jobs else float("inf")
 
 
-HERE = Cluster()
+THIS_MACHINE = Cluster()
 
 
 def walltime_seconds(text: str) -> float:
@@ -112,7 +112,7 @@ CLUSTER = {
         _where,
         "Where batches are computed: on the cores of this machine, as jobs of SLURM, or by a Dask "
         "scheduler at an address.",
-        default=HERE.where,
+        default=THIS_MACHINE.where,
         values='`"local"`, `"slurm"`, `"tls://host:port"` or `"tcp://host:port"`',
         schema={"type": "string", "pattern": "^(local|slurm)$|://"},
     ),
@@ -122,25 +122,25 @@ CLUSTER = {
         "that can be written.",
         "Doubled, a run gives up after twice the time.",
         "s",
-        default=HERE.patience,
+        default=THIS_MACHINE.patience,
     ),
     "jobs": Key(
         partial(integer, least=1),
         "The number of jobs that are asked of the batch system.",
         "Doubled, twice as many workers compute, as far as the queue grants them.",
-        default=HERE.jobs,
+        default=THIS_MACHINE.jobs,
     ),
     "cores": Key(
         partial(integer, least=1),
         "The number of cores of each job. Each runs one worker of one thread.",
         "Doubled, each job has twice as many workers, which share `memory`.",
-        default=HERE.cores,
+        default=THIS_MACHINE.cores,
     ),
     "memory": Key(
         partial(matching, pattern=MEMORY, words='a size, as "4GB"'),
         "The memory of each job. `plan` predicts what a worker needs.",
         "Doubled, each worker may use twice as much before it is ended; nothing gets quicker.",
-        default=HERE.memory,
+        default=THIS_MACHINE.memory,
         values='a size such as `"4GB"`',
     ),
     "walltime": Key(
@@ -148,7 +148,7 @@ CLUSTER = {
         "The time after which the batch system ends a job. Workers retire at nine tenths of it, "
         "and no batch is predicted to take longer than a twentieth of that.",
         "Doubled, workers are replaced half as often, and jobs may wait longer in the queue.",
-        default=HERE.walltime,
+        default=THIS_MACHINE.walltime,
         values='a time such as `"12:00:00"` or `"1-00:00:00"`, at least a minute',
         schema={"type": "string", "pattern": "^([0-9]+-)?[0-9]+(:[0-9]+){0,2}$"},
     ),
@@ -168,7 +168,7 @@ CLUSTER = {
         _line,
         "The folder for what jobs print, from the working folder. Every node must see it, because "
         "certificates of a run lie beside it.",
-        default=HERE.log_folder,
+        default=THIS_MACHINE.log_folder,
         values="one line of text",
         schema=TEXT,
     ),
@@ -176,7 +176,7 @@ CLUSTER = {
         _prologue,
         'Lines of the job script before the workers start, such as `["module load python"]`. They '
         "run with your rights.",
-        default=HERE.prologue,
+        default=THIS_MACHINE.prologue,
         values="one line of text, or a list of them",
         schema={"type": ["string", "array"], "items": TEXT},
     ),

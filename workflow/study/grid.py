@@ -7,7 +7,7 @@ from functools import partial
 from typing import Any
 
 from ..ground import UserError
-from .axes import EVERY_AXIS, Grid, Parts, axes_of, parts_at
+from .axes import ALL_AXES, Grid, Parts, axes_of, parts_at
 from .effects import Scene
 from .settings import (
     Key,
@@ -137,7 +137,7 @@ def read_grid(
     for axis, (_, reason) in left_out.items():
         if axis in given:
             raise UserError(f"grid.{axis} = {written[axis]!r:.40}: {reason}; leave it out")
-    if scene.slid_before and "velocity" not in given:
+    if scene.starts_after_sliding and "velocity" not in given:
         raise UserError(
             'scene.start = "steady": the programme begins with a hold; give grid.velocity, at '
             'which it slid before, or use "relaxed"'
@@ -156,7 +156,7 @@ def read_grid(
         for each in parts_at(parts, several, axes_of(several, "surface")):
             check_cutoff(each.surface, grid["spacing"])
     grid |= several | scene.listed
-    found = {axis: grid[axis] for axis in EVERY_AXIS if grid.get(axis)}
+    found = {axis: grid[axis] for axis in ALL_AXES if grid.get(axis)}
     points = math.prod(map(len, found.values()))
     if points > MOST_POINTS:
         raise UserError(
@@ -187,14 +187,14 @@ def _left_out(surface: Surface, scene: Scene) -> dict[str, tuple[tuple[float, ..
     if scene.control == "indentation":
         free = 'scene.control = "indentation" leaves it free'
         found |= {"normal_force": ((math.nan,), free), "normal_pressure": ((), free)}
-    if not scene.takes_indentation:
+    if not scene.uses_indentation:
         found["prescribed_indentation"] = (
             (),
             'needs scene.control = "indentation", without scene.indentation_file',
         )
     if scene.programme:
         found["velocity_step"] = (0.0,), "the programme says how velocities change"
-    if not scene.takes_velocity:
+    if not scene.uses_velocity:
         found["velocity"] = (scene.typical_speed,), "no segment of the programme depends on it"
     return found
 

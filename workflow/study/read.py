@@ -13,7 +13,7 @@ from pathlib import Path
 from typing import Any
 
 from ..ground import UserError, did_you_mean, read_plain
-from .axes import AXES
+from .axes import COMMON_AXES
 from .measured import read_measured
 from .settings import as_table
 from .study import AnyStudy, Study, read_grid_study
@@ -50,7 +50,7 @@ def load_tables(path: Path, scale: str | None, settings: list[str]) -> tuple[dic
 
 def _merge(tables: dict, extra: Any, where: str) -> None:
     for key, value in as_table(where, extra).items():
-        if isinstance(value, dict) and isinstance(tables.get(key), dict) and key not in AXES:
+        if isinstance(value, dict) and isinstance(tables.get(key), dict) and key not in COMMON_AXES:
             _merge(tables[key], value, f"{where}.{key}")
         else:
             tables[key] = copy.deepcopy(value)

@@ -1,13 +1,13 @@
 """What editors and the page of keys are told of study.toml, made of the tables of keys."""
 
 from .settings import TEXT, Schema, schema_of, table_of
-from .tables import EVERY_TABLE
+from .tables import ALL_TABLES
 from .variants import COMPARE
 
 
 def study_schema() -> Schema:
     """Return the schema of a study.toml, JSON schema draft 7."""
-    tables = {name: _table(name) for name in EVERY_TABLE if "." not in name}
+    tables = {name: _table(name) for name in ALL_TABLES if "." not in name}
     both = {**tables["material"]["properties"], **tables["surface"]["properties"]}
     both |= tables["numerics"]["properties"] | tables["scene"]["properties"]
     compared = table_of({key: both[key] for key in COMPARE})
@@ -23,11 +23,11 @@ def study_schema() -> Schema:
 def _table(name: str) -> Schema:
     """Return the schema of a table."""
     found = {}
-    for key, each in EVERY_TABLE[name].items():
+    for key, each in ALL_TABLES[name].items():
         where = f"{name}.{key}"
         if where == "scene.programme":
             found[key] = _programme()
-        elif where in EVERY_TABLE:
+        elif where in ALL_TABLES:
             found[key] = _table(where) | {"description": each.means}
         else:
             found[key] = schema_of(each)
@@ -38,7 +38,7 @@ def _programme() -> Schema:
     """Return the schema of a list of segments, each a table of one kind."""
     start = "scene.programme."
     kinds = {
-        name.removeprefix(start): _table(name) for name in EVERY_TABLE if name.startswith(start)
+        name.removeprefix(start): _table(name) for name in ALL_TABLES if name.startswith(start)
     }
     segment = table_of({**kinds, "file": TEXT}) | {"minProperties": 1, "maxProperties": 1}
     return {"type": "array", "minItems": 1, "maxItems": 1000, "items": segment}

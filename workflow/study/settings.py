@@ -14,7 +14,7 @@ from typing import Any
 
 import numpy as np
 
-from ..ground import Complaints, UserError, did_you_mean
+from ..ground import ErrorCollector, UserError, did_you_mean
 
 Schema = dict[str, Any]
 REQUIRED = object()
@@ -180,7 +180,7 @@ def read_table(where: str, table: object, keys: Mapping[str, Key]) -> dict[str, 
 
 def checked(where: str, table: object, keys: Mapping[str, Key]) -> dict[str, Any]:
     """Return name -> checked value for what a table holds. Raises UserError likewise."""
-    given, complaints, found = as_table(where, table), Complaints(), {}
+    given, complaints, found = as_table(where, table), ErrorCollector(), {}
     for name, value in given.items():
         with complaints:
             check_keys(f"{where}.", [name], keys)
@@ -191,7 +191,7 @@ def checked(where: str, table: object, keys: Mapping[str, Key]) -> dict[str, Any
 
 def filled(where: str, given: Mapping[str, Any], keys: Mapping[str, Key]) -> dict[str, Any]:
     """Return checked values with the defaults of what was left out. Raises UserError for a gap."""
-    complaints = Complaints()
+    complaints = ErrorCollector()
     for name, key in keys.items():
         with complaints:
             if name not in given and key.default is REQUIRED:

@@ -9,9 +9,9 @@ from typing import Any, ClassVar
 
 from ...kernels import QUARTET
 from ..ground import UserError
-from .axes import EVERY_AXIS, Grid, Parts, parts_at, separated, with_value
-from .cluster import HERE, Cluster, read_cluster
-from .effects import FOUNDATION, LISTED, Material, Scene, check_quantities, read_scene_table
+from .axes import ALL_AXES, Grid, Parts, parts_at, separated, with_value
+from .cluster import THIS_MACHINE, Cluster, read_cluster
+from .effects import FOUNDATION, PROGRAMME_AXES, Material, Scene, check_quantities, read_scene_table
 from .grid import read_grid
 from .numerics import Numerics
 from .settings import filled
@@ -19,7 +19,7 @@ from .surfaces import Profile, Surface, read_surface
 from .tables import ONE_POINT, STUDY, checked_tables
 from .variants import check_bodies, check_numerics, read_variants
 
-MOST_BLOCKS = 100_000  # of one problem; the block means of some are in memory at a time
+MAX_BLOCKS = 100_000  # of one problem; the block means of some are in memory at a time
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -45,7 +45,7 @@ class Study(AnyStudy):
     """A checked study of a grid, in SI units."""
 
     kind: ClassVar[str] = "grid"
-    realizations_asked: int  # as the study says
+    realizations_requested: int  # as the study says
     realizations: int  # of random lines in whole quartets, whole blocks and two blocks at least
     realizations_per_block: int
     grid: Grid
@@ -54,7 +54,7 @@ class Study(AnyStudy):
     materials: dict[str, Material]  # of the same labels
     surfaces: dict[str, Surface]  # likewise; all of one length, spacing and roughness
     pressures: tuple[float, ...] = ()  # Pa, nominal, where they are given in place of forces
-    cluster: Cluster = HERE  # no part of the results' identity
+    cluster: Cluster = THIS_MACHINE  # no part of the results' identity
 
     @property
     def material(self) -> Material:
@@ -152,7 +152,7 @@ def read_grid_study(
     check_bodies(scene, surfaces)
     check_numerics(variants, materials, scene, surfaces)
     for axis, values in grid.items() if one_point else ():
-        if len(values) > 1 and axis not in LISTED:
+        if len(values) > 1 and axis not in PROGRAMME_AXES:
             raise UserError(f"grid.{axis} = {list(values)!r:.40}: a scene has one value of it")
     return Study(
         **head,
@@ -171,7 +171,7 @@ def _check_each(
 ) -> None:
     """Raise UserError where a value of an axis is refused; tables : with the first of them."""
     for axis, (_, *others) in several.items():
-        row = EVERY_AXIS[axis]
+        row = ALL_AXES[axis]
         for value in others:
             each = with_value(tables, row, value)
             own = read_surface(each["surface"], folder) if row.table == "surface" else surface
@@ -198,7 +198,7 @@ def _lines_in_blocks(
             'surface.lines = "random-phase", there may be more'
         )
     realizations = asked or lines or 1
-    found = {"realizations_asked": realizations}
+    found = {"realizations_requested": realizations}
     if realizations == 1:
         return found | {"realizations": 1, "realizations_per_block": 1}
     if block is None and profile is not None and profile.alike is not None:
@@ -247,10 +247,10 @@ def _blocks(realizations: int, block: int, drawn: bool) -> dict[str, int]:
     if drawn:
         block = QUARTET * math.ceil(block / QUARTET)
         realizations = block * max(2, math.ceil(realizations / block))
-    if realizations // block > MOST_BLOCKS:
+    if realizations // block > MAX_BLOCKS:
         raise UserError(
             f"{given}: divides realizations = {realizations} into "
-            f"more than {MOST_BLOCKS} blocks; set it to {-(-realizations // MOST_BLOCKS)} or more"
+            f"more than {MAX_BLOCKS} blocks; set it to {-(-realizations // MAX_BLOCKS)} or more"
         )
     return {"realizations": realizations, "realizations_per_block": block}
 

@@ -5,7 +5,7 @@ from dataclasses import replace
 from functools import partial
 from typing import Any
 
-from ..ground import Complaints, UserError
+from ..ground import ErrorCollector, UserError
 from .axes import with_lists
 from .cluster import CLUSTER
 from .effects import ARRHENIUS, DRIVE, MATERIAL, SCENE, SEGMENTS, WLF
@@ -72,7 +72,7 @@ WITHIN: dict[str, dict[str, Keys]] = {  # the tables that stand in one
         **{f"scene.programme.{kind}".removesuffix(".file"): SEGMENTS[kind] for kind in SEGMENTS},
     },
 }
-EVERY_TABLE: dict[str, Keys] = {  # of a study of a grid
+ALL_TABLES: dict[str, Keys] = {  # of a study of a grid
     where: keys
     for name, table in TABLES.items()
     for where, keys in {name: table, **WITHIN.get(name, {})}.items()
@@ -88,7 +88,7 @@ def checked_tables(
     points, is left to the day when they are. study : the keys of the table [study]. Raises
     UserError for the keys, types and ranges of them all at once.
     """
-    complaints, keys = Complaints(), {**TABLES, "study": study}
+    complaints, keys = ErrorCollector(), {**TABLES, "study": study}
     found = _checked("", tables, keys, complaints)
     for name, scale in scales.items():
         with complaints:
@@ -99,7 +99,7 @@ def checked_tables(
 
 
 def _checked(
-    where: str, tables: Mapping[str, Any], keys: Mapping[str, Keys], complaints: Complaints
+    where: str, tables: Mapping[str, Any], keys: Mapping[str, Keys], complaints: ErrorCollector
 ) -> dict[str, dict[str, Any]]:
     found: dict[str, dict[str, Any]] = {}
     for name, table in tables.items():

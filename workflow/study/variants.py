@@ -45,7 +45,7 @@ def read_variants(
             raise UserError(f'compare."{label}": name it by letters, digits and underscores')
         changed = {key: given[key] for key in given if key in NUMERICS}
         variants[label] = read_numerics(where, {**numerics, **changed})
-        materials[label] = read_material(where, material_like(material, given), folder)
+        materials[label] = read_material(where, changed_material(material, given), folder)
         like = {key: given[key] for key in given if key in LIKE}
         own = given.get("body", body)
         if own != body and surface.profile is not None:
@@ -57,7 +57,7 @@ def read_variants(
     return variants, materials, surfaces
 
 
-def material_like(material: Mapping[str, Any], given: Mapping[str, Any]) -> dict[str, Any]:
+def changed_material(material: Mapping[str, Any], given: Mapping[str, Any]) -> dict[str, Any]:
     """Return the table [material] with what a comparison changes of it."""
     others = {key for group in EITHER if set(group) & given.keys() for key in group}
     kept = {key: value for key, value in material.items() if key not in others}

@@ -138,7 +138,7 @@ def test_sweeps_at_several_temperatures_are_a_material_that_shifts(capsys, tmp_p
     assert found.wlf.reference == 15.0
     assert found.wlf.c2 == pytest.approx(96.6, rel=1e-3)
     assert found.shear_modulus == pytest.approx(1e6, rel=1e-3)
-    times = [found.own_shift * time for _, time in found.branches]
+    times = [found.shift_factor * time for _, time in found.branches]
     np.testing.assert_allclose(times, [time for _, time in BRANCHES], rtol=2e-3)
 
 

@@ -4,7 +4,7 @@ import pytest
 
 from elastomer_friction.workflow.ground.errors import (
     LONGEST,
-    Complaints,
+    ErrorCollector,
     UserError,
     UserErrors,
     counted,
@@ -29,7 +29,7 @@ def test_a_table_keeps_its_lines():
 
 
 def test_several_errors_are_raised_as_one_and_one_as_itself():
-    complaints, first, second = Complaints(), UserError("a = 1: wrong"), UserError("b: missing")
+    complaints, first, second = ErrorCollector(), UserError("a = 1: wrong"), UserError("b: missing")
     complaints.end()
     with complaints:
         raise first

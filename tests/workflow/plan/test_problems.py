@@ -18,7 +18,7 @@ from elastomer_friction.workflow.plan.problems import (
     viscous_pressure,
 )
 from elastomer_friction.workflow.simulate.tasks import Problem
-from elastomer_friction.workflow.study.axes import AXES, axes_of
+from elastomer_friction.workflow.study.axes import COMMON_AXES, axes_of
 from tests.support.small import (
     HOLDING,
     PROGRAMME,
@@ -63,7 +63,7 @@ def test_every_point_is_mapped_to_its_own_problem_and_copies_to_one():
     assert set(index.ravel()) == set(range(len(found)))
     assert len(found) == index.size * 5 // 6  # of six loads two are one
     for place in itertools.product(*(range(n) for n in study.shape)):
-        point = {axis: study.grid[axis][i] for axis, i in zip(AXES, place, strict=True)}
+        point = {axis: study.grid[axis][i] for axis, i in zip(COMMON_AXES, place, strict=True)}
         load = point["normal_force"] / (4 * 1e7 * 0.01 * point["roughness"])
         speed = point["velocity"] * 1e-3 / point["spacing"]
         problem = found[index[place]]
@@ -170,7 +170,7 @@ def test_material_and_programme_enter_the_key():
 def test_parts_are_those_of_every_point_the_last_axis_fastest():
     study = small_study(PROGRAMME, text=HOLDING)
     assert axes_of(study.grid, "material", "scene") == ["temperature", "hold"]
-    assert axes_of(study.grid, "grid") == list(AXES)
+    assert axes_of(study.grid, "grid") == list(COMMON_AXES)
     found = study.parts("", ["temperature", "hold"])
     values = [(own.material.temperature, own.scene.segments[1].durations) for own in found]
     assert values == [(10.0, (1e-3,)), (10.0, (1e-2,)), (20.0, (1e-3,)), (20.0, (1e-2,))]

@@ -16,7 +16,7 @@ from elastomer_friction.workflow.report.claims import (
 )
 from elastomer_friction.workflow.report.csv_tables import write_table
 from elastomer_friction.workflow.report.unresolved import not_resolved, without_unresolved
-from elastomer_friction.workflow.study.axes import AXES
+from elastomer_friction.workflow.study.axes import COMMON_AXES
 from elastomer_friction.workflow.study.read import read_study
 from tests.support.synthetic import result, with_alpha, with_rates
 
@@ -120,14 +120,14 @@ def test_every_point_is_a_row_of_the_estimates_of_the_result(shown, finished):
     assert set(both.variant) == {"study", "coarse"}
     table = both[both.variant == "study"]
     assert len(table) == len(both) / 2 == finished.plan.points
-    names = {name for name in dataset.variables if dataset[name].dims == AXES}
-    assert set(table.columns) >= names | set(AXES)
+    names = {name for name in dataset.variables if dataset[name].dims == COMMON_AXES}
+    assert set(table.columns) >= names | set(COMMON_AXES)
 
     for _, row in table.iterrows():
-        point = dataset.sel({axis: row[axis] for axis in AXES}, method="nearest")
+        point = dataset.sel({axis: row[axis] for axis in COMMON_AXES}, method="nearest")
         for name in ("mu_1", "jump", "indentation", "relaxation_rate_error"):
             assert row[name] == pytest.approx(point[name].item(), rel=1e-9, nan_ok=True)
-    coarse, row = finished.load("coarse").stack(point=AXES), both[both.variant == "coarse"]
+    coarse, row = finished.load("coarse").stack(point=COMMON_AXES), both[both.variant == "coarse"]
     assert row.mu_1.to_numpy() == pytest.approx(coarse.mu_1.values, rel=1e-9)
 
 

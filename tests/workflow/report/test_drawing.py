@@ -21,7 +21,7 @@ from elastomer_friction.workflow.report.panels import (
 )
 from elastomer_friction.workflow.report.unresolved import why_hollow
 from elastomer_friction.workflow.report.usual_figure import MOST_ROWS, draw
-from elastomer_friction.workflow.study.axes import AXES
+from elastomer_friction.workflow.study.axes import COMMON_AXES
 from tests.support.commands import besides_notes
 from tests.support.results import assert_refused, call
 from tests.support.synthetic import add, result, with_rates
@@ -236,12 +236,12 @@ def test_a_single_point_has_its_curve_alone_and_its_numbers_in_the_caption():
 
 def test_traces_that_are_not_resolved_are_dotted_and_the_caption_says_so():
     data = result("fig7", hurst=[0.7], normal_force=[0.1, 1.0], velocity=[0.1])
-    shape = tuple(data.sizes[axis] for axis in AXES)
+    shape = tuple(data.sizes[axis] for axis in COMMON_AXES)
     trace = np.full((*shape, 4), [0.1, 0.2, 0.3, 0.2])
     found = {"trace_mu": trace, "trace_mu_error": 0.1 * trace, "trace_time": trace.cumsum(-1)}
-    data = data.assign({name: ((*AXES, "event"), values) for name, values in found.items()})
+    data = data.assign({name: ((*COMMON_AXES, "event"), values) for name, values in found.items()})
     for status, dotted in (([RESOLVED] * 2, 0), ([UNRESOLVED, RESOLVED], 1), ([COARSE] * 2, 2)):
-        flags = xr.DataArray(np.reshape(status, shape).astype(np.int8), dims=AXES)
+        flags = xr.DataArray(np.reshape(status, shape).astype(np.int8), dims=COMMON_AXES)
         figure = draw({"": data.assign(trace_resolution_status=flags)})
         assert sum(line.get_linestyle() == ":" for line in figure.axes[0].lines) == dotted
         said = f"Dotted curves ({dotted}) are not resolved: contacts of fewer than 4 samples"

@@ -9,7 +9,7 @@ from elastomer_friction.workflow.reduce.fits import FITTED
 from elastomer_friction.workflow.result.dataset import build_dataset
 from elastomer_friction.workflow.result.provenance import provenance
 from elastomer_friction.workflow.result.variables import VARIABLES
-from elastomer_friction.workflow.study.axes import AXES
+from elastomer_friction.workflow.study.axes import COMMON_AXES
 from tests.support.curves import assembled
 
 ALWAYS = {"rms_slope", "speed_ratio", "realizations", "steps_per_spacing", "degrees_of_freedom"}
@@ -21,9 +21,9 @@ HURST_FITS |= {"alpha_bias", "alpha_free_bias", "alpha_unresolved"}
 def test_all_six_dims_are_there_in_order_with_the_axes_of_the_study(made, dataset):
     for name, variable in dataset.data_vars.items():
         if not str(name).startswith("alpha"):
-            assert variable.dims[:6] == AXES
+            assert variable.dims[:6] == COMMON_AXES
             assert variable.dims[6:] in ((), ("sample",))
-    for axis in AXES:
+    for axis in COMMON_AXES:
         assert dataset[axis].values.tolist() == list(made[0].study.grid[axis])
     assert dataset["sample"].values.tolist() == list(range(16))
 
@@ -50,7 +50,7 @@ def test_only_requested_variables_are_present(quantity, expected):
 
 
 POINTS = [
-    dict(zip(AXES, values, strict=True))
+    dict(zip(COMMON_AXES, values, strict=True))
     for values in [(0.3, 0.04, 1e-4, 1e-5, 0.02, 0.2), (0.7, 1.2, 2e-4, 3e-5, 0.5, 0.2)]
 ]
 SCALES = {
@@ -65,7 +65,7 @@ SCALES = {
 def test_estimates_get_their_scale(made, dataset, names, point):
     plan, estimates, _ = made
     task = plan.variants[0].point_task[
-        tuple(plan.study.grid[axis].index(point[axis]) for axis in AXES)
+        tuple(plan.study.grid[axis].index(point[axis]) for axis in COMMON_AXES)
     ]
     scale = SCALES[names](point["roughness"], point["spacing"])
     for name in names.split():
@@ -79,7 +79,7 @@ def test_a_variable_may_scale_with_any_axes(made, monkeypatch):
     monkeypatch.setitem(VARIABLES, "mu_1", power)
     dataset = build_dataset(plan, plan.variants[0], estimates, {})
     for name in ("mu_1", "mu_1_error"):
-        plain = xr.DataArray(estimates[name][plan.variants[0].point_task], dims=AXES)
+        plain = xr.DataArray(estimates[name][plan.variants[0].point_task], dims=COMMON_AXES)
         expected = plain * (dataset.normal_force * dataset.velocity**2 / dataset.spacing)
         np.testing.assert_allclose(dataset[name], expected)
 

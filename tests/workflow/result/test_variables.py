@@ -16,7 +16,7 @@ from elastomer_friction.workflow.result.variables import (
     VARIABLES,
     declared,
 )
-from elastomer_friction.workflow.study import AXES, EVERY_AXIS
+from elastomer_friction.workflow.study import ALL_AXES, COMMON_AXES
 
 # tests/workflow/plan/test_ratio_of_bodies.py and tests/workflow/reduce/test_persson.py
 OF_BODIES = {"model_ratio", "mu_persson", "area_persson"}
@@ -104,14 +104,16 @@ def test_the_page_explains_every_variable_once_and_every_dimension():
     for name, (unit, long_name) in AXIS_ATTRIBUTES.items():
         assert f"\n| `{name}` | {long_name} | {unit} |\n" in PAGE
     paragraph = " ".join(PAGE.partition("**Dimensions.**")[2].partition("\n\n")[0].split())
-    assert re.findall("`(\\w+)`", paragraph) == list(EVERY_AXIS)
+    assert re.findall("`(\\w+)`", paragraph) == list(ALL_AXES)
 
 
 @pytest.mark.parametrize("name", VARIABLES)
 def test_an_entry_begins_with_dimensions_and_unit_and_says_a_sentence(name):
     variable = VARIABLES[name]
-    of_grid = set(AXES) <= set(variable.dims)
-    dims = ["Grid"] * of_grid + [f"`{d}`" for d in variable.dims if not (of_grid and d in AXES)]
+    of_grid = set(COMMON_AXES) <= set(variable.dims)
+    dims = ["Grid"] * of_grid + [
+        f"`{d}`" for d in variable.dims if not (of_grid and d in COMMON_AXES)
+    ]
     unit = "" if variable.units == "1" else f", in {variable.units}"
     place = f"*{' × '.join(dims) or 'A single number'}{unit}.*\n\n".removeprefix("*Grid.*\n\n")
     assert ENTRIES[name].startswith(place)

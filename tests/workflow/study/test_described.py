@@ -12,20 +12,20 @@ from elastomer_friction.workflow.study.read import known_studies
 from elastomer_friction.workflow.study.schema import study_schema
 from elastomer_friction.workflow.study.scripts import OWN, load_script
 from elastomer_friction.workflow.study.settings import default_of, values_of
-from elastomer_friction.workflow.study.tables import EVERY_TABLE, HEAD, TABLES
+from elastomer_friction.workflow.study.tables import ALL_TABLES, HEAD, TABLES
 from elastomer_friction.workflow.study.variants import COMPARE
 from tests.support.small import TEXT
 
 KEYS = [
     pytest.param(key, id=f"{table}.{name}")
-    for table, keys in EVERY_TABLE.items()
+    for table, keys in ALL_TABLES.items()
     for name, key in keys.items()
 ]
 NUMBERS = ("a number", "a whole number", "two numbers", "a list of numbers")
 
 
 def test_every_key_of_a_comparison_is_among_those_of_the_tables():
-    assert {*HEAD, *COMPARE} <= {key for keys in EVERY_TABLE.values() for key in keys}
+    assert {*HEAD, *COMPARE} <= {key for keys in ALL_TABLES.values() for key in keys}
 
 
 PAGE = Path(__file__).parents[3].joinpath("docs/reference/measures.md").read_text(encoding="utf-8")

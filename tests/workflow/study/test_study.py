@@ -11,7 +11,12 @@ import pytest
 
 from elastomer_friction.workflow.ground import UserError
 from elastomer_friction.workflow.study.cluster import CLUSTER as KEYS
-from elastomer_friction.workflow.study.cluster import HERE, Cluster, read_cluster, walltime_seconds
+from elastomer_friction.workflow.study.cluster import (
+    THIS_MACHINE,
+    Cluster,
+    read_cluster,
+    walltime_seconds,
+)
 from elastomer_friction.workflow.study.effects.material import Material
 from elastomer_friction.workflow.study.numerics import Numerics
 from elastomer_friction.workflow.study.settings import checked
@@ -166,7 +171,7 @@ def test_what_files_were_read_as_is_told_once_each(tmp_path):
 def test_random_lines_are_counted_in_whole_quartets_and_blocks(asked, block, found):
     study = small_study(f"study.realizations={asked}", f"study.realizations_per_block={block}")
     assert (study.realizations, study.realizations_per_block) == found
-    assert study.realizations_asked == asked
+    assert study.realizations_requested == asked
 
 
 def test_below_one_percent_the_march_is_longer_unless_a_horizon_is_given():
@@ -246,8 +251,8 @@ def test_walltimes_are_those_of_slurm():
 
 
 def test_a_study_is_computed_here_unless_it_says_otherwise():
-    assert read_cluster({}) == HERE == Cluster(where="local")
-    assert HERE.longest_batch == float("inf")
+    assert read_cluster({}) == THIS_MACHINE == Cluster(where="local")
+    assert THIS_MACHINE.longest_batch == float("inf")
 
 
 def test_every_key_arrives():

@@ -11,7 +11,7 @@ if TYPE_CHECKING:
     from .material import MATERIAL, Material, read_material, shift_law_of, shift_of
     from .programme import (
         FORCE,
-        LISTED,
+        PROGRAMME_AXES,
         FromFile,
         HoldSegment,
         Oscillate,
@@ -22,14 +22,20 @@ if TYPE_CHECKING:
         Spring,
         Velocity,
     )
-    from .quantities import OF_ELEMENTS, QUANTITIES, check_quantities, judged, why_not
+    from .quantities import (
+        OF_ELEMENTS,
+        QUANTITIES,
+        accuracy_estimates,
+        check_quantities,
+        unavailable_reason,
+    )
     from .scene import FOUNDATION, HALF_SPACE, SCENE, read_scene_table
     from .segments import DRIVE, SEGMENTS
     from .shifting import (
         ARRHENIUS,
-        GAS,
-        LAWS_OF_SHIFT,
-        MOST_SHIFT,
+        GAS_CONSTANT,
+        MAX_SHIFT_DECADES,
+        SHIFT_KEYS,
         SHIFTS,
         WLF,
         Arrhenius,

@@ -26,7 +26,7 @@ from ..settings import (
 )
 from .branches import read_branches
 from .shifting import (
-    LAWS_OF_SHIFT,
+    SHIFT_KEYS,
     SHIFTS,
     Arrhenius,
     ShiftLaw,
@@ -66,7 +66,7 @@ class Material(NamedTuple):
     def tau(self) -> float:
         """Return the time scale (s): relaxation_time + sum_b g_b t_b / G, times shifted."""
         branches = sum(g * t for g, t in self.branches) / self.shear_modulus
-        return (self.relaxation_time + branches) * self.own_shift
+        return (self.relaxation_time + branches) * self.shift_factor
 
     @property
     def at_reference(self) -> "Material":
@@ -76,7 +76,7 @@ class Material(NamedTuple):
     @property
     def longest_time(self) -> float:
         """Return the longest of the times of branches and dashpot (s): how far memory reaches."""
-        return self.own_shift * max([self.relaxation_time, *(time for _, time in self.branches)])
+        return self.shift_factor * max([self.relaxation_time, *(time for _, time in self.branches)])
 
     @property
     def jumps(self) -> bool:
@@ -93,7 +93,7 @@ class Material(NamedTuple):
         return 10.0 ** self.shift_law.decades(temperature) if self.shift_law else 1.0
 
     @property
-    def own_shift(self) -> float:
+    def shift_factor(self) -> float:
         """Return a_T at its own temperature."""
         return 1.0 if self.temperature is None else self.shift(self.temperature)
 
@@ -131,7 +131,7 @@ def read_material(where: str, table: Mapping[str, Any], folder: Path) -> Materia
                 f"{where}.branches: the modulus {g!r} must lie between {RATIOS[0]:g} and "
                 f"{RATIOS[1]:g} of shear_modulus = {modulus!r}"
             )
-    shifts = {key: given[key] for key in LAWS_OF_SHIFT}
+    shifts = {key: given[key] for key in SHIFT_KEYS}
     if given["shifts_file"]:
         if shifts["shifts"]:
             raise UserError(f"{where}.shifts_file: give it or {where}.shifts, not both")
@@ -154,17 +154,17 @@ def shift_law_of(table: Mapping[str, Any]) -> ShiftLaw | None:
 
     None where there is none. Raises UserError for one that is none.
     """
-    laws = {key: table[key] for key in LAWS_OF_SHIFT if key in table}
+    laws = {key: table[key] for key in SHIFT_KEYS if key in table}
     return next(iter(checked("material", laws, MATERIAL).values()), None)
 
 
 def shift_of(laws: Mapping[str, Any], temperature: float) -> float:
-    """Return a_T at a temperature (°C); laws : what a table holds of LAWS_OF_SHIFT, as written.
+    """Return a_T at a temperature (°C); laws : what a table holds of SHIFT_KEYS, as written.
 
     Raises UserError for a temperature without one.
     """
     table = {"shear_modulus": 1.0, "relaxation_time": 1.0, "temperature": temperature, **laws}
-    return read_material("material", checked("material", table, MATERIAL), Path()).own_shift
+    return read_material("material", checked("material", table, MATERIAL), Path()).shift_factor
 
 
 def _branches(key: str, value: object) -> tuple[Branch, ...]:

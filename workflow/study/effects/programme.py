@@ -6,7 +6,7 @@ from typing import Any, NamedTuple
 
 FORCE, INDENTATION = "force", "indentation"  # controls
 STEADY, RELAXED, FRESH = "steady", "relaxed", "fresh"  # starts
-LISTED = ("hold", "velocity_amplitude", "frequency")  # axes whose values a segment gives
+PROGRAMME_AXES = ("hold", "velocity_amplitude", "frequency")  # axes whose values a segment gives
 
 
 class Velocity(NamedTuple):
@@ -59,7 +59,7 @@ class Oscillate(NamedTuple):
     velocity_amplitude: float | None = None  # m/s, where it was given in place of the other
     several: tuple[tuple[str, tuple[float, ...]], ...] = ()  # dimensions of the result
 
-    def of_its_velocity(self) -> "Oscillate":
+    def with_derived_amplitude(self) -> "Oscillate":
         """Return it with the amplitude that follows from that of the velocity, where it does."""
         if self.velocity_amplitude is None:
             return self
@@ -144,19 +144,19 @@ class Scene(NamedTuple):
         return any(kinds[i : i + 3] == healing for i in range(len(kinds)))
 
     @property
-    def slid_before(self) -> bool:
+    def starts_after_sliding(self) -> bool:
         """Return whether it begins at rest after steady sliding at the velocity of the grid."""
         first = self.programme[:1]
         return self.start == STEADY and any(isinstance(one, HoldSegment) for one in first)
 
     @property
-    def takes_velocity(self) -> bool:
+    def uses_velocity(self) -> bool:
         """Return whether the velocity of the grid is used at all."""
         relative = any(v.relative for one in self.programme for v in velocities_of(one))
-        return not self.programme or relative or self.slid_before
+        return not self.programme or relative or self.starts_after_sliding
 
     @property
-    def takes_indentation(self) -> bool:
+    def uses_indentation(self) -> bool:
         """Return whether the grid prescribes the indentation."""
         return self.control == INDENTATION and self.indentation_history is None
 
@@ -171,13 +171,13 @@ class Scene(NamedTuple):
                 found |= segment.several
         return found
 
-    def with_one_of(self, axis: str, value: float) -> "Scene":
+    def with_axis_value(self, axis: str, value: float) -> "Scene":
         """Return the scene with one value of what its programme gives as a list."""
 
         def own(segment: Segment) -> Segment:
             if isinstance(segment, Oscillate) and axis in dict(segment.several):
                 changed: dict[str, Any] = {axis: value}
-                return segment._replace(**changed).of_its_velocity()
+                return segment._replace(**changed).with_derived_amplitude()
             held = axis == "hold" and isinstance(segment, HoldSegment) and segment.several
             return HoldSegment((value,)) if held else segment
 

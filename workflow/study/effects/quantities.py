@@ -127,7 +127,7 @@ OF_A_DRIVE = ("steady", "persson", "trace", "healing", "rate_state", "stick_slip
 OF_ELEMENTS = ("energy", "contact_lengths", "state")
 
 
-def asked_for(key: str, value: object) -> tuple[str, ...]:
+def read_quantities(key: str, value: object) -> tuple[str, ...]:
     """Return the quantities of a list in the order of the table. Raises UserError."""
     if not isinstance(value, list) or not value:
         raise UserError(f"{key} = {value!r}: must be a list out of {tuple(QUANTITIES)}")
@@ -139,12 +139,12 @@ def asked_for(key: str, value: object) -> tuple[str, ...]:
     return tuple(name for name in QUANTITIES if name in value)
 
 
-def judged(quantities: tuple[str, ...]) -> tuple[str, ...]:
+def accuracy_estimates(quantities: tuple[str, ...]) -> tuple[str, ...]:
     """Return the estimates whose accuracy is asked for with some quantities."""
     return tuple(QUANTITIES[q].judged for q in quantities if QUANTITIES[q].judged)
 
 
-def why_not(name: str, scene: Scene, materials: Materials, alone: bool) -> str:
+def unavailable_reason(name: str, scene: Scene, materials: Materials, alone: bool) -> str:
     """Return why a scene cannot be asked for a quantity, in words; "" where it can.
 
     alone : whether it is a single line.
@@ -161,5 +161,5 @@ def why_not(name: str, scene: Scene, materials: Materials, alone: bool) -> str:
 def check_quantities(scene: Scene, materials: Materials, alone: bool) -> None:
     """Raise UserError where a scene is asked for what it has not."""
     for name in scene.quantities:
-        if reason := why_not(name, scene, materials, alone):
+        if reason := unavailable_reason(name, scene, materials, alone):
             raise UserError(f'scene.quantities: "{name}": {reason}')

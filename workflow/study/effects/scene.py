@@ -19,7 +19,7 @@ from .programme import (
     Scene,
     Spring,
 )
-from .quantities import QUANTITIES, asked_for
+from .quantities import QUANTITIES, read_quantities
 from .segments import DRIVE, INDENTED, MOST_SEGMENTS, is_pulled, read_programme, read_sampled
 
 FOUNDATION, HALF_SPACE = "foundation", "half-space"
@@ -129,7 +129,7 @@ SCENE = {
         default=FOUNDATION,
     ),
     "quantities": Key(
-        asked_for,
+        read_quantities,
         "What is computed, by the names of the table below. What is not named is not in the "
         "result either. Steady states and jumps march no relaxation.",
         default=None,

@@ -302,7 +302,7 @@ def _oscillate(where: str, table: Any, _: Path) -> Oscillate:
         first["cycles"],
         first["velocity_amplitude"],
         tuple(lists.items()),
-    ).of_its_velocity()
+    ).with_derived_amplitude()
 
 
 def _file(where: str, name: Any, folder: Path) -> FromFile:

@@ -24,10 +24,10 @@ from ...ground import UserError
 from ...text_tables import ZERO, Wanted, picked, read_text_table, told
 from ..settings import NUMBER, Key, as_text, number, pair, positive, read_table, two_numbers
 
-LAWS_OF_SHIFT = ("wlf", "arrhenius", "shifts")  # by their keys
-MOST_SHIFT = 30.0  # decades
+SHIFT_KEYS = ("wlf", "arrhenius", "shifts")  # by their keys
+MAX_SHIFT_DECADES = 30.0  # decades
 KELVIN = 230.0  # degrees above the reference: 0 °C in K is 273 above itself
-GAS = 8.314462618  # J/(mol K)
+GAS_CONSTANT = 8.314462618  # J/(mol K)
 Numbers = TypeVar("Numbers", float, np.ndarray)
 HEADER = 'a header "temperature [°C], log a_T"'
 TEMPERATURE = Wanted("a temperature", "temperature", r"temp|^T([\W_]|$)", "°C", HEADER)
@@ -67,7 +67,7 @@ class Arrhenius(NamedTuple):
 
     def decades(self, temperature: float) -> float:
         """Return log10 a_T at a temperature (°C)."""
-        decades = self.activation_energy / (GAS * math.log(10.0))
+        decades = self.activation_energy / (GAS_CONSTANT * math.log(10.0))
         return decades * inverse_temperature(temperature, self.reference)
 
     def outside(self, temperature: float) -> str:
@@ -157,9 +157,9 @@ def check_shift(where: str, laws: dict[str, ShiftLaw | None], value: float | Non
         raise UserError(f"{where}.temperature: missing; {where}.{key} needs it")
     assert law is not None
     why = law.outside(value)
-    if not why and not abs(law.decades(value)) <= MOST_SHIFT:
+    if not why and not abs(law.decades(value)) <= MAX_SHIFT_DECADES:
         why = (
-            f"shifts times by {law.decades(value):.3g} decades, but at most {MOST_SHIFT:g} are "
+            f"shifts times by {law.decades(value):.3g} decades; at most {MAX_SHIFT_DECADES:g} are "
             "supported"
         )
     if why:

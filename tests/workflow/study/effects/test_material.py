@@ -149,9 +149,9 @@ def test_a_comparison_shifts_by_another_law(tmp_path):
         "material.temperature=10",
         "compare.other.arrhenius={activation_energy=1e5, reference=20}",
     )
-    assert study.material.own_shift == pytest.approx(10.0, rel=1e-12)
+    assert study.material.shift_factor == pytest.approx(10.0, rel=1e-12)
     assert study.materials["other"].shifts is None
-    assert 1.0 < study.materials["other"].own_shift < 10.0
+    assert 1.0 < study.materials["other"].shift_factor < 10.0
 
 
 def test_a_list_of_temperatures_is_a_dimension(tmp_path):

@@ -114,7 +114,7 @@ def test_a_hold_heals_between_slides():
 def test_the_durations_of_a_list_make_one_programme_each():
     several = scene(SLOW, SEVERAL, FAST, REST)
     assert several.listed == {"hold": (1.0, 10.0)}
-    assert several.with_one_of("hold", 10.0) == scene(SLOW, HoldSegment((10.0,)), FAST, REST)
+    assert several.with_axis_value("hold", 10.0) == scene(SLOW, HoldSegment((10.0,)), FAST, REST)
     assert scene(SLOW, REST, SWING).listed == {}
 
 
@@ -127,11 +127,11 @@ def test_lists_of_an_oscillation_make_one_programme_each(tmp_path):
     assert several.listed == axes
     assert several.programme[1].amplitude == 0.5 / (2.0 * math.pi * 10.0)
     for axis in ("velocity_amplitude", "frequency", "hold"):
-        several = several.with_one_of(axis, axes[axis][1])
+        several = several.with_axis_value(axis, axes[axis][1])
     assert several.programme[1].amplitude == 2.0 / (2.0 * math.pi * 40.0)
     assert several.programme[0] == HoldSegment((2.0,))
     one = scene(*read(tmp_path, {"oscillate": swing | {"amplitude": 1e-4}}))
-    assert one.with_one_of("frequency", 40.0).programme[0].amplitude == 1e-4
+    assert one.with_axis_value("frequency", 40.0).programme[0].amplitude == 1e-4
 
 
 @pytest.mark.parametrize(
@@ -151,5 +151,5 @@ def test_where_a_programme_begins_and_its_first_speed_that_is_not_zero(programme
 
 
 def test_whether_it_depends_on_the_grid():
-    assert scene(SLOW, OWN).takes_velocity
-    assert not scene(SLOW, REST, SWING, FILE).takes_velocity
+    assert scene(SLOW, OWN).uses_velocity
+    assert not scene(SLOW, REST, SWING, FILE).uses_velocity

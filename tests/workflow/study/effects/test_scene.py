@@ -13,7 +13,11 @@ from elastomer_friction.workflow.study.effects.programme import (
     Spring,
     Velocity,
 )
-from elastomer_friction.workflow.study.effects.quantities import QUANTITIES, judged, why_not
+from elastomer_friction.workflow.study.effects.quantities import (
+    QUANTITIES,
+    accuracy_estimates,
+    unavailable_reason,
+)
 from elastomer_friction.workflow.study.effects.scene import SCENE, read_scene_table
 from elastomer_friction.workflow.study.settings import checked
 from tests.support.small import small_study
@@ -31,7 +35,7 @@ def read(*materials, **table):
 
 def test_without_keys_it_is_the_scene_of_the_paper():
     assert read() == Scene()
-    assert Scene().takes_velocity
+    assert Scene().uses_velocity
     assert Scene().start_velocity(0.7) == 0.7
 
 
@@ -42,10 +46,10 @@ def test_what_is_asked_for_by_default():
 
 
 def test_velocities_of_the_grid_are_taken_where_a_segment_refers_to_them():
-    assert not read(programme=[SLIDE]).takes_velocity
-    assert read(programme=[SLIDE, FASTER]).takes_velocity
-    assert read(programme=[HOLD, SLIDE]).takes_velocity  # at which it slid before
-    assert not read(programme=[HOLD, SLIDE], start="relaxed").takes_velocity
+    assert not read(programme=[SLIDE]).uses_velocity
+    assert read(programme=[SLIDE, FASTER]).uses_velocity
+    assert read(programme=[HOLD, SLIDE]).uses_velocity  # at which it slid before
+    assert not read(programme=[HOLD, SLIDE], start="relaxed").uses_velocity
 
 
 def test_the_list_is_repeated():
@@ -61,7 +65,7 @@ def test_an_indentation_over_time(tmp_path):
     table = {"programme": [SLIDE], "control": "indentation", "indentation_file": "d.csv"}
     scene = read_scene_table(table, tmp_path, (KELVIN,))
     assert scene.indentation_history == ((0.0, 1.0), (1e-5, 2e-5))
-    assert not scene.takes_indentation
+    assert not scene.uses_indentation
 
 
 PROGRAMME = "scene.programme=[{slide={velocity=0.1, distance=1e-3}}, {hold={duration=[1, 2]}}]"
@@ -100,7 +104,7 @@ def test_a_full_programme_of_one_line_can_be_asked_for_everything(name):
     scene = Scene(programme=EVERYTHING)
     if name in ("stick_slip", "slip_events"):
         scene = Scene(programme=(SLOW,), drive=Spring(1e4))
-    assert why_not(name, scene, {"": KELVIN}, alone=True) == ""
+    assert unavailable_reason(name, scene, {"": KELVIN}, alone=True) == ""
 
 
 def test_of_a_line_on_a_spring_there_is_what_its_drive_tells():
@@ -109,7 +113,7 @@ def test_of_a_line_on_a_spring_there_is_what_its_drive_tells():
 
 
 def reasons(scene, material=KELVIN, alone=False):
-    return {name for name in QUANTITIES if why_not(name, scene, {"": material}, alone)}
+    return {name for name in QUANTITIES if unavailable_reason(name, scene, {"": material}, alone)}
 
 
 def test_the_scene_of_the_paper_has_no_programme():
@@ -158,5 +162,9 @@ def test_quantities_come_in_their_own_order():
 
 
 def test_what_is_asked_for_is_judged():
-    assert judged(("steady", "jump", "relaxation", "models")) == ("mu_1", "jump", "relaxation_rate")
-    assert judged(("jump",)) == ("jump",)
+    assert accuracy_estimates(("steady", "jump", "relaxation", "models")) == (
+        "mu_1",
+        "jump",
+        "relaxation_rate",
+    )
+    assert accuracy_estimates(("jump",)) == ("jump",)
