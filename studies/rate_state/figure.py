@@ -1,13 +1,13 @@
-"""a, b and D_c of velocity steps: where friction is rate-and-state friction, and where it is not.
+"""Parameters a, b and D_c of velocity steps, and where rate-and-state laws describe them.
 
-To be read beside O. Ronsin and K. L. Coeyrehourcq, "State, rate and temperature-dependent sliding
-friction of elastomers", Proc. R. Soc. A (2001): a rough elastomer on rough glass, described by
-these laws. The deformation of the elastomer was negligible there: kinetics are to be compared, not
-magnitudes (of a listing; the paper was not read). S. Hulikal, K. Bhattacharya and N. Lapusta,
-arXiv:1405.3643 and arXiv:1811.03811: arrays of viscoelastic elements against the same laws, many
-relaxation times for what a wide range of times shows (the abstracts were read). That steps follow
-Ruina's law while holds follow Dieterich's is said of rocks (from memory); for holds see the study
-slide-hold-slide. Li et al. (2014) remark that D_c is about 1/q_max, and fit no a, b and D_c.
+Compare O. Ronsin and K. L. Coeyrehourcq, "State, rate and temperature-dependent sliding friction
+of elastomers", Proc. R. Soc. A (2001), on a rough elastomer on rough glass. Its friction was due to
+interfacial shear, so compare kinetics, not magnitudes (abstract read only). S. Hulikal,
+K. Bhattacharya and N. Lapusta, arXiv:1405.3643 and arXiv:1811.03811, compare arrays of viscoelastic
+elements with the same laws and need many relaxation times for a wide range of times (abstracts
+read only). Steps that follow Ruina's law together with holds that follow Dieterich's are reported
+for rocks (from memory); the study slide_hold_slide treats holds. Li et al. (2014) remark that D_c
+is about 1/q_max, and fit no a, b and D_c.
 """
 
 from typing import Any
@@ -20,7 +20,7 @@ from matplotlib.figure import Figure
 from matplotlib.ticker import NullFormatter
 
 from elastomer_friction.workflow.reduce import FITTED, NO_STATE
-from elastomer_friction.workflow.report import COLOURS, error_bars, foot_line, said
+from elastomer_friction.workflow.report import COLOURS, error_bars, foot_line, value_label
 from elastomer_friction.workflow.result import Groups
 
 CAPTION = (
@@ -89,7 +89,7 @@ def draw(groups: Groups) -> Figure:
     _by_step(axes[1, 2], _middle(broad).isel(velocity=-1), "q_max")
     _dress(axes, broad)
     for velocity, colour in zip(middle[BROAD].velocity.values, COLOURS, strict=False):
-        axes[0, 0].plot([], [], "-", color=colour, label=said("velocity", velocity, "m/s"))
+        axes[0, 0].plot([], [], "-", color=colour, label=value_label("velocity", velocity, "m/s"))
     axes[0, 0].legend(loc="lower right", fontsize=6)
     axes[0, 1].plot([], [], "ko-", ms=3.2, lw=0.6, label="nine branches")
     axes[0, 1].plot([], [], "ks--", ms=3.2, lw=0.6, label="Kelvin")

@@ -16,7 +16,7 @@ from elastomer_friction.studies.style import (
     fitted,
 )
 from elastomer_friction.workflow.kinetic_law import relaxation_rate
-from elastomer_friction.workflow.report import error_bars, foot_line, said
+from elastomer_friction.workflow.report import error_bars, foot_line, value_label
 from elastomer_friction.workflow.result import Groups
 
 CAPTION = (
@@ -58,7 +58,7 @@ def draw(groups: Groups) -> Figure:
     axes[0, 0].legend(loc="upper left", ncols=2, columnspacing=0.6, handlelength=1.2)
     axes[0, 2].legend(loc="lower right")
     force = float(shown[""].normal_force)
-    foot_line(figure, groups[""], f"{NOTE}{said('normal_force', force, 'N')}.")
+    foot_line(figure, groups[""], f"{NOTE}{value_label('normal_force', force, 'N')}.")
     return figure
 
 

@@ -47,7 +47,7 @@ def test_error_of_a_ratio_uses_the_covariance():
 
 def test_uncertain_ratio_is_no_verdict():
     unsure = fig5.slow_jump({"fig3": slow(zeta=0.9, covariance=0.0, error=0.15)})
-    assert unsure.verdict == "cannot be told: the error is too large"
+    assert unsure.verdict == "cannot be judged: the error is too large"
 
 
 def test_figure_5_alone_has_no_error_of_the_ratio():

@@ -1,6 +1,6 @@
-"""What is shown of results: figures, tables, the claims of the paper, one page.
+"""Presentation of results: figures, tables, claims of the paper, and the report.
 
-Reads result files alone; knows no run.
+This room reads result files only; it does not depend on a run.
 """
 
 from typing import TYPE_CHECKING
@@ -32,7 +32,7 @@ if TYPE_CHECKING:
     from .csv_tables import write_table
     from .explore import write_explorer
     from .figure import Picture, draw_figure, print_pictures, write_figure
-    from .in_words import said, with_unit
+    from .in_words import value_label, with_unit
     from .page import write_report
     from .panels import (
         COLOURS,

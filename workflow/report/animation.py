@@ -1,4 +1,4 @@
-"""Animate a scene: a line on the foundation, or pressures on a half-space, and the friction."""
+"""Animations of a scene: the line on the foundation or the pressure map, and the friction."""
 
 import tempfile
 from collections.abc import Callable
@@ -19,15 +19,15 @@ from ..ground import UserError
 from ..system import write_durably
 from .panels import COLOURS, STYLE
 
-LINE, MAP = ("snapshot_height", "snapshot_displacement"), ("snapshot_pressure",)
-TRACED = ("trace_mu", "trace_time")
+LINE_FRAMES, MAP_FRAMES = ("snapshot_height", "snapshot_displacement"), ("snapshot_pressure",)
+TRACE_VARIABLES = ("trace_mu", "trace_time")
 WRITERS: dict[str, Any] = {".gif": PillowWriter, ".mp4": FFMpegWriter}
 FRAMES_PER_SECOND = 20
 DOTS_PER_INCH = 100
-FRAMES = 200  # most; of more snapshots every k-th is drawn
-SHOWN = 400  # most elements in view, those around the deepest contact
-RUBBER, RIGID, TOUCHING = "#9ecae1", "0.75", COLOURS[4]
-MICRO = 1e6  # µm per m
+MAX_FRAMES = 200  # of more snapshots every k-th is drawn
+MAX_ELEMENTS = 400  # in view, centred on the deepest contact
+RUBBER_COLOUR, RIGID_COLOUR, CONTACT_COLOUR = "#9ecae1", "0.75", COLOURS[4]
+MICROMETRES = 1e6  # per m
 Drawing = Callable[[int], Any]  # of a frame
 
 
@@ -35,14 +35,14 @@ def animate(scene: xr.Dataset, path: Path) -> Path:
     """Draw the snapshots of a scene as ``path``, a .gif or .mp4 file; return the path.
 
     scene : as ``scene.run`` returns it for one line, with the quantities "trace" and "snapshots".
-    Raises UserError where they are missing, for another kind of file, where ffmpeg is needed and
-    missing, and where the disk refuses the file.
+    Raises UserError if they are missing, for other file types, if ffmpeg is needed but missing,
+    and if the disk refuses the file.
     """
-    shown = MAP if MAP[0] in scene else LINE
-    lacking = [name for name in (*shown, *TRACED) if name not in scene]
-    if lacking:
+    shown = MAP_FRAMES if MAP_FRAMES[0] in scene else LINE_FRAMES
+    missing = [name for name in (*shown, *TRACE_VARIABLES) if name not in scene]
+    if missing:
         raise UserError(
-            f"{path}: the scene has no {', '.join(lacking)}; ask for the quantities "
+            f"{path}: the scene has no {', '.join(missing)}; request the quantities "
             '"trace" and "snapshots"'
         )
     check_animation(path)
@@ -50,12 +50,12 @@ def animate(scene: xr.Dataset, path: Path) -> Path:
     with mpl.rc_context(cast(Any, STYLE)), tempfile.TemporaryDirectory() as folder:
         drawn = Path(folder) / path.name
         try:
-            draw = _pressures if shown == MAP else _creeping
+            draw = _pressures if shown == MAP_FRAMES else _creeping
             figure, draw_frame = _prepared(scene, draw)
             draw_frame(0)
-            _keep_what_stays(figure)
+            _freeze_axes(figure)
             with writer.saving(figure, str(drawn), dpi=DOTS_PER_INCH):
-                for frame in range(0, scene.sizes["event"], -(-scene.sizes["event"] // FRAMES)):
+                for frame in range(0, scene.sizes["event"], -(-scene.sizes["event"] // MAX_FRAMES)):
                     draw_frame(frame)
                     writer.grab_frame()
         finally:
@@ -65,7 +65,7 @@ def animate(scene: xr.Dataset, path: Path) -> Path:
 
 
 def check_animation(path: Path) -> None:
-    """Raise UserError where ``path`` is of a kind of file that cannot be drawn here."""
+    """Raise UserError if files of the type of ``path`` cannot be drawn here."""
     if path.suffix not in WRITERS:
         raise UserError(f"{path}: must end in {' or '.join(WRITERS)}")
     if not WRITERS[path.suffix].isAvailable():
@@ -73,7 +73,7 @@ def check_animation(path: Path) -> None:
 
 
 def _prepared(scene: xr.Dataset, shown: Callable[..., Drawing]) -> tuple[Figure, Drawing]:
-    """Return a figure of the contact, and beneath it the friction, and what draws a frame of it."""
+    """Return a figure of the contact above the friction, and a function that draws a frame."""
     figure, (above, below) = plt.subplots(
         2, 1, figsize=(5.6, 4.2), dpi=DOTS_PER_INCH, gridspec_kw={"height_ratios": [2.0, 1.0]}
     )
@@ -92,22 +92,22 @@ def _prepared(scene: xr.Dataset, shown: Callable[..., Drawing]) -> tuple[Figure,
     return figure, draw
 
 
-def _keep_what_stays(figure: Figure) -> None:
-    """Turn the axes of a figure, with their labels, into a picture that lies over its frames.
+def _freeze_axes(figure: Figure) -> None:
+    """Replace the axes of a figure and their labels by a picture on top of its frames.
 
-    They are nearly all that drawing a frame costs.
+    Drawing them takes most of the time of a frame.
     """
     figure.canvas.draw()
     figure.set_layout_engine("none")
     hidden: list[Artist] = [figure.patch]
     for ax in figure.axes:
         hidden += [ax.patch, *ax.collections, *ax.lines, *ax.images]
-    for each in hidden:
-        each.set_visible(False)
+    for artist in hidden:
+        artist.set_visible(False)
     figure.canvas.draw()
     axes = np.array(cast(FigureCanvasAgg, figure.canvas).buffer_rgba())
-    for each in hidden:
-        each.set_visible(True)
+    for artist in hidden:
+        artist.set_visible(True)
     for ax in figure.axes:
         ax.set_axis_off()
         for text in [*ax.texts]:
@@ -116,7 +116,7 @@ def _keep_what_stays(figure: Figure) -> None:
 
 
 class _Picture(Artist):
-    """A picture of a whole figure, over all else in it."""
+    """A picture of a whole figure, drawn on top of it."""
 
     zorder = 10.0
 
@@ -126,15 +126,15 @@ class _Picture(Artist):
         self.pixels = pixels
 
     def draw(self, renderer: Any) -> None:
-        """Draw them as they are."""
+        """Draw the pixels."""
         renderer.draw_image(renderer.new_gc(), 0.0, 0.0, self.pixels)
 
 
 def _pressures(ax: Axes, scene: xr.Dataset) -> Drawing:
-    """Prepare the map of pressure on a half-space; return what draws a frame of it."""
+    """Prepare the pressure map of a half-space; return a function that draws a frame."""
     pressure = scene.snapshot_pressure / 1e6
     most = float(pressure.quantile(0.999)) or 1.0
-    sides = [MICRO * float(scene[axis][-1] + scene[axis][1]) for axis in ("x", "y")]
+    sides = [MICROMETRES * float(scene[axis][-1] + scene[axis][1]) for axis in ("x", "y")]
     extent = (0.0, sides[0], 0.0, sides[1])
     image = ax.imshow(
         pressure[0], origin="lower", extent=extent, cmap="magma_r", vmin=0.0, vmax=most
@@ -145,7 +145,7 @@ def _pressures(ax: Axes, scene: xr.Dataset) -> Drawing:
 
 
 def _creeping(ax: Axes, scene: xr.Dataset) -> Drawing:
-    """Prepare the rigid line over the foundation; return what draws a frame of them."""
+    """Prepare the rigid line and the foundation; return a function that draws a frame."""
     view = _view(scene)
     x, low = view.x.values, float(view.snapshot_displacement.min())
     depth = max(-low, 1e-12)
@@ -162,20 +162,20 @@ def _creeping(ax: Axes, scene: xr.Dataset) -> Drawing:
         rigid, soft = now.snapshot_height.values, now.snapshot_displacement.values
         # A free element lies below the line by more than rounding.
         contact = np.where(rigid <= soft + 1e-9 * (top - floor), soft, np.nan)
-        ax.fill_between(x, rigid, top, color=RIGID, lw=0)
-        ax.fill_between(x, soft, floor, color=RUBBER, lw=0)
-        ax.plot(x, contact, color=TOUCHING, lw=2.0, marker=".", ms=2.0)
+        ax.fill_between(x, rigid, top, color=RIGID_COLOUR, lw=0)
+        ax.fill_between(x, soft, floor, color=RUBBER_COLOUR, lw=0)
+        ax.plot(x, contact, color=CONTACT_COLOUR, lw=2.0, marker=".", ms=2.0)
         ax.plot(x, rigid, color="0.25", lw=0.8)
 
     return draw
 
 
 def _view(scene: xr.Dataset) -> xr.Dataset:
-    """Return the part of the snapshots that is shown, in µm, around where they lie deepest."""
+    """Return the part of the snapshots in view, in µm, centred on their deepest point."""
     deepest = int(scene.snapshot_height.min("event").argmin("x"))
-    count = min(SHOWN, scene.sizes["x"])
+    count = min(MAX_ELEMENTS, scene.sizes["x"])
     chosen = (np.arange(count) + deepest - count // 2) % scene.sizes["x"]
     step = float(scene.x[1] - scene.x[0])
     names = ["snapshot_height", "snapshot_displacement"]
-    view = scene[names].isel(x=chosen) * MICRO
-    return view.assign_coords(x=np.arange(count) * step * MICRO)
+    view = scene[names].isel(x=chosen) * MICROMETRES
+    return view.assign_coords(x=np.arange(count) * step * MICROMETRES)

@@ -1,8 +1,8 @@
-"""One page of HTML on which a result is looked through: no server, no network, nothing else.
+"""Explorer of a result: one HTML page that needs no server and no network.
 
-The page holds the numbers of the result as JSON and draws them itself. What it shows over what is
-chosen there; every other axis of the grid with more than one value has a slider. Drawing is our
-own: libraries that could be inlined bring 1 to 5 MB, and legends and points that no key reaches.
+The page holds the numbers of the result as JSON and draws them itself. The reader chooses the
+estimate and the abscissa; every other axis with more than one value has a slider. It uses no plot
+library, as those that can be inlined add 1 to 5 MB and are not operable by keyboard.
 """
 
 import json
@@ -20,19 +20,21 @@ from ..system import make_folder, write_durably
 from .in_words import SYMBOLS, unit_in_words
 from .my_rubber import scaled_friction
 from .template import filled_template
-from .unresolved import STATUS
+from .unresolved import POINT_STATUS
 
-DIGITS = 6  # of a number on the page; errors are larger
-MOST_NUMBERS = 2_000_000  # of a study, or of a comparison, about 16 MB; the longest are left out
-BESIDE = ("error", "bias")  # NAME_error and NAME_bias belong to NAME
-FIRST = ("relaxation_rate", "mu_1", "trace_mu", "mu")  # what is shown first, if it is there
+PAGE_DIGITS = 6  # significant digits of a number; standard errors are larger
+MAX_NUMBERS = (
+    2_000_000  # of a study or a comparison, about 16 MB; the largest variables are left out
+)
+COMPANIONS = ("error", "bias")  # NAME_error and NAME_bias belong to NAME
+FIRST_ESTIMATES = ("relaxation_rate", "mu_1", "trace_mu", "mu")  # shown at first, if present
 
 
 def write_explorer(result: Path, out: Path | None = None) -> Path:
-    """Write the page of a result file, by default NAME.html beside NAME.nc; return its path.
+    """Write the page of a result file and return its path; the default for NAME.nc is NAME.html.
 
-    Raises UserError where the file is no result, holds nothing that varies, is what would be
-    overwritten, or the disk refuses the page.
+    Raises UserError if the file is not a result, if nothing in it varies, if the page would
+    overwrite it, or if the disk refuses the page.
     """
     path = out or result.with_suffix(".html")
     if path.exists() and path.samefile(result):
@@ -44,19 +46,19 @@ def write_explorer(result: Path, out: Path | None = None) -> Path:
 
 
 def explorer_page(tree: xr.DataTree, name: str) -> str:
-    """Return the page of an opened result. Raises UserError where nothing in it varies."""
+    """Return the page of an opened result. Raises UserError if nothing in it varies."""
     groups = {node.path.strip("/"): node.to_dataset() for node in tree.subtree}
     data = groups[""]
-    held = {group: _held(dataset) for group, dataset in groups.items()}
-    shown = [name for name, one in held[""].items() if one["role"] == "estimate"]
+    contents = {group: _page_content(dataset) for group, dataset in groups.items()}
+    shown = [name for name, entry in contents[""].items() if entry["role"] == "estimate"]
     if not shown:
         raise UserError(f"{name}: holds nothing that varies; there is nothing to explore")
-    first = next((each for each in FIRST if each in shown), shown[0])
+    first = next((estimate for estimate in FIRST_ESTIMATES if estimate in shown), shown[0])
     content = {
         "axes": [_described(data[axis]) for axis in ALL_AXES if axis in data.dims],
-        "groups": held,
+        "groups": contents,
         "first": first,
-        "status": STATUS,
+        "status": POINT_STATUS,
         "file": name,
         "rubber": scaled_friction(groups),
     }
@@ -71,11 +73,11 @@ def explorer_page(tree: xr.DataTree, name: str) -> str:
     )
 
 
-def _held(dataset: xr.Dataset) -> dict[str, dict[str, Any]]:
-    """Return what the page holds of a dataset: estimates, their errors, flags and abscissae."""
-    found: dict[str, dict[str, Any]] = {}
+def _page_content(dataset: xr.Dataset) -> dict[str, dict[str, Any]]:
+    """Return the content of a dataset for the page: estimates, errors, flags and abscissae."""
+    content: dict[str, dict[str, Any]] = {}
     numbers = 0
-    for key, variable in sorted(dataset.variables.items(), key=lambda each: each[1].size):
+    for key, variable in sorted(dataset.variables.items(), key=lambda item: item[1].size):
         name = str(key)
         long = [dim for dim in variable.dims if dim not in ALL_AXES]
         varied = any(dataset.sizes[dim] > 1 for dim in variable.dims)
@@ -83,18 +85,18 @@ def _held(dataset: xr.Dataset) -> dict[str, dict[str, Any]]:
         if not numeric or not varied or len(long) > 1 or name in ALL_AXES:
             continue
         numbers += variable.size
-        if numbers > MOST_NUMBERS:
+        if numbers > MAX_NUMBERS:
             continue
-        found[name] = {**_described(dataset[name]), "dims": list(variable.dims)}
-        found[name]["shape"] = list(variable.shape)
-        found[name]["role"] = _role(name, dataset)
-    return found
+        content[name] = {**_described(dataset[name]), "dims": list(variable.dims)}
+        content[name]["shape"] = list(variable.shape)
+        content[name]["role"] = _role(name, dataset)
+    return content
 
 
 def _role(name: str, dataset: xr.Dataset) -> str:
-    """Return what a variable is for: shown, drawn beside what is shown, said, or an abscissa."""
-    of, _, kind = name.rpartition("_")
-    if kind in BESIDE and of in dataset:
+    """Return the role of a variable: estimate, error, bias, flag or abscissa."""
+    estimate, _, kind = name.rpartition("_")
+    if kind in COMPANIONS and estimate in dataset:
         return kind
     if "flag_meanings" in dataset[name].attrs:
         return "flag"
@@ -102,10 +104,10 @@ def _role(name: str, dataset: xr.Dataset) -> str:
 
 
 def _described(variable: xr.DataArray) -> dict[str, Any]:
-    """Return the name, meaning, unit and numbers of a variable; what is not known is None."""
+    """Return the name, meaning, unit and numbers of a variable; a missing number is None."""
     attrs = variable.attrs
     name = str(variable.name)
-    told: dict[str, Any] = {
+    description: dict[str, Any] = {
         "name": name,
         "symbol": SYMBOLS.get(name, name),
         "label": str(attrs.get("long_name", name)),
@@ -115,12 +117,12 @@ def _described(variable: xr.DataArray) -> dict[str, Any]:
     if "flag_meanings" in attrs:
         words = [word.replace("_", " ") for word in str(attrs["flag_meanings"]).split()]
         values = np.atleast_1d(attrs["flag_values"]).tolist()
-        told["meanings"] = dict(zip(map(str, values), words, strict=True))
-    return told
+        description["meanings"] = dict(zip(map(str, values), words, strict=True))
+    return description
 
 
 def _numbers(values: np.ndarray) -> list[float | int | None]:
-    """Return numbers in the order of C; those that are not finite are None."""
+    """Return numbers in C order; numbers that are not finite become None."""
     if values.dtype.kind in "iu":
         return [int(value) for value in values.flat]
-    return [float(f"{v:.{DIGITS}g}") if np.isfinite(v) else None for v in values.flat]
+    return [float(f"{v:.{PAGE_DIGITS}g}") if np.isfinite(v) else None for v in values.flat]

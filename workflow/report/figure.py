@@ -1,7 +1,7 @@
-"""Draw the figures of a study: a script is handed the opened result and draws.
+"""Figures of a study, drawn by a script from the opened result.
 
-It is the figure.py of the study's folder, or one that was asked for; without either, every grid
-has a usual figure.
+The script is the one given, or figure.py in the study's folder; the fallback for a grid is the
+default figure.
 """
 
 import contextlib
@@ -21,16 +21,16 @@ from ..result import BROKEN, Groups, broken, open_result
 from ..study import AnyStudy, load_script
 from ..system import write_durably
 from . import usual_figure
-from .panels import STYLE, HoverPoint, plain_ticks, remembered
+from .panels import STYLE, HoverPoint, hover_points, plain_ticks
 
-# It takes the dates of some fonts for wrong, which a reader of a figure need not know.
+# It warns about dates in some fonts, which do not concern the reader of a figure.
 logging.getLogger("fontTools").setLevel(logging.ERROR)
 
-Drawn = Figure | dict[str, Figure]  # several: "" is the first, the others go by their names
+Drawn = Figure | dict[str, Figure]  # of several figures the first has the key ""
 
 
 class Picture(NamedTuple):
-    """A figure that was drawn: its files, caption, and points with what is to be said of them."""
+    """A drawn figure: its files, caption and hover points."""
 
     png: Path
     pdf: Path
@@ -39,11 +39,11 @@ class Picture(NamedTuple):
 
 
 def draw_figure(study: AnyStudy, result: Path, script: Path | None = None) -> list[Picture]:
-    """Draw the study's figures beside its result, as PNG and PDF.
+    """Draw the study's figures as PNG and PDF in the folder of its result.
 
-    script : draws instead of the study's own. Raises UserError where there is no result, a study
-    that is no grid has no figure script, the script cannot use the result, or the disk refuses
-    the files.
+    script : used instead of the study's figure.py. Raises UserError if the result is missing, if
+    a study that is not a grid has no script, if the script cannot use the result, or if the disk
+    refuses the files.
     """
     with contextlib.ExitStack() as stack:
         return draw_groups(study, open_result(study, result, stack), result, script)
@@ -52,7 +52,7 @@ def draw_figure(study: AnyStudy, result: Path, script: Path | None = None) -> li
 def draw_groups(
     study: AnyStudy, groups: Groups, result: Path, script: Path | None = None
 ) -> list[Picture]:
-    """Draw the study's figures from its opened result; as ``draw_figure``."""
+    """Draw the study's figures from its opened result; see ``draw_figure``."""
     drawing = _script(study, script)
     try:
         return write_figure(lambda: drawing.draw(groups), result, getattr(drawing, "CAPTION", ""))
@@ -61,10 +61,10 @@ def draw_groups(
 
 
 def write_figure(draw: Callable[[], Drawn], path: Path, caption: str = "") -> list[Picture]:
-    """Draw in the style of the project, and write PNG and PDF beside ``path``.
+    """Draw in the style of the project, and write PNG and PDF to the folder of ``path``.
 
-    Of several figures "" goes to the name of ``path``, and NAME to that with -NAME behind it. The
-    properties of a file hold its caption: ``caption``, and what the figure adds to it.
+    The figure with the key "" has the stem of ``path``; figure NAME has the suffix -NAME. The
+    metadata of each file holds ``caption`` and the sentences that the figure adds.
     """
     pictures, files = [], {}
     with mpl.rc_context(cast(Any, STYLE)):
@@ -79,7 +79,7 @@ def write_figure(draw: Callable[[], Drawn], path: Path, caption: str = "") -> li
                 files[png] = _rendered(figure, "png", {"Description": words})
                 # No creation date: the same result gives the same file.
                 files[pdf] = _rendered(figure, "pdf", {"Subject": words, "CreationDate": None})
-                pictures.append(Picture(png, pdf, remembered(figure), words))
+                pictures.append(Picture(png, pdf, hover_points(figure), words))
         finally:
             plt.close("all")
     for file, content in files.items():
@@ -98,18 +98,18 @@ def print_pictures(pictures: list[Picture]) -> None:
 def _rendered(figure: Figure, kind: str, stamp: dict[str, str | None]) -> bytes:
     content = io.BytesIO()
     figure.savefig(content, format=kind, metadata=stamp)
-    figure.set_layout_engine("none")  # laid out once: alike in both, and quicker
+    figure.set_layout_engine("none")  # the layout of the PNG serves the PDF too
     return content.getvalue()
 
 
-def _script(study: AnyStudy, asked: Path | None) -> Any:
-    """Return the module that draws. Raises UserError where there is none."""
-    script = asked or study.folder / "figure.py"
+def _script(study: AnyStudy, given: Path | None) -> Any:
+    """Return the module that draws. Raises UserError if it is missing."""
+    script = given or study.folder / "figure.py"
     if not script.is_file():
-        if asked is None and study.kind == "grid":
+        if given is None and study.kind == "grid":
             return usual_figure
         raise UserError(f"{script}: not found; the study has no figure script")
-    found = load_script(script)
-    if getattr(found, "draw", None) is None:
+    module = load_script(script)
+    if getattr(module, "draw", None) is None:
         raise UserError(f"{script}: has no function draw(groups)")
-    return found
+    return module

@@ -1,4 +1,4 @@
-"""What a variable, a number with its unit, and a point of a result are called."""
+"""Wording of variables, units, numbers and points of a result."""
 
 import re
 
@@ -33,7 +33,7 @@ RAISED = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 
 
 def unit_in_words(variable: xr.DataArray) -> str:
-    """Return the unit of a variable as people write it, such as m/s; "" for a pure number."""
+    """Return the unit of a variable in common notation, such as m/s; "" for a pure number."""
     unit = str(variable.attrs.get("units", "1"))
     if unit in ("1", "degree_Celsius"):
         return "" if unit == "1" else "°C"
@@ -53,23 +53,23 @@ def with_unit(value: float, unit: str = "", digits: int = 3) -> str:
     return f"{mantissa.replace('-', '−')} {unit}".rstrip()
 
 
-def said(name: str, value: float, unit: str = "", digits: int = 3) -> str:
-    """Return what the value of a variable is, such as "H = 0.7" or "Δx = 2 µm"."""
+def value_label(name: str, value: float, unit: str = "", digits: int = 3) -> str:
+    """Return the value of a variable as text, such as "H = 0.7" or "Δx = 2 µm"."""
     return f"{SYMBOLS.get(name, name)} = {with_unit(value, unit, digits)}"
 
 
 def mathematical(text: str) -> str:
-    """Return a text with its symbols set, of which some have an index."""
+    """Return a text with its indexed symbols typeset."""
     return re.sub(r"\b(\w)_(\w)\b", r"$\1_\2$", text)
 
 
 def axes_in(data: xr.Dataset) -> list[str]:
-    """Return the axes of the grid that are dimensions of a result, in their order."""
+    """Return the axes of the grid that are dimensions of a result, in order."""
     return [axis for axis in ALL_AXES if axis in data.dims]
 
 
 def model_in_words(data: xr.Dataset) -> str:
-    """Return what the foundation gives of a half-space's friction, "" where that is not known."""
+    """Return the ratio of the bodies' friction as a sentence, or "" if it is not known."""
     if "model_ratio" not in data:
         return ""
     known = data.model_ratio.values[np.isfinite(data.model_ratio.values)]

@@ -1,9 +1,9 @@
-"""What a page needs to give the friction of a rubber that was not computed, by scaling alone.
+"""Data for the explorer to scale a result to another rubber.
 
-Steady friction over the rms slope depends on H, the number of elements, F = F_N/(E* L h),
-x = v tau q_max and the proportions of the branches alone (docs/model.md, "Dimensionless form").
-So one result holds every modulus, tau, h and q_max, as far as its loads and velocities go, and
-every temperature, which multiplies all times by one factor.
+Steady friction over the rms slope depends only on H, the number of elements, F = F_N/(E* L h),
+x = v tau q_max and the proportions of the branches (docs/model.md, "Dimensionless form"). One
+result therefore covers every modulus, tau, h and q_max within its range of loads and velocities,
+and every temperature, which multiplies all times by one factor.
 """
 
 import json
@@ -23,18 +23,18 @@ from ..study import (
     shift_law_of,
 )
 
-NEEDED = ("mu_1", "rms_slope", "tau", "q_max", "shear_modulus", "length", "speed_ratio")
-USUAL = Wlf(8.86, 101.6, 0.0)  # about T_s, some 50 K above the glass transition
-AROUND = range(-40, 101)  # degrees about the temperature of the result
-MOST_MOMENTS = 500_000  # of the motions of a rubber, about 16 MB
-STEEPEST = 0.3  # largest rms slope that is called small: its square, here a tenth, is neglected
-ONE_TIME = "eqs. 12 to 16 are those of one relaxation time"
+SCALING_VARIABLES = ("mu_1", "rms_slope", "tau", "q_max", "shear_modulus", "length", "speed_ratio")
+UNIVERSAL_WLF = Wlf(8.86, 101.6, 0.0)  # about T_s, some 50 K above the glass transition
+SLIDER_DEGREES = range(-40, 101)  # relative to the temperature of the result
+MAX_MOTION_SAMPLES = 500_000  # of a rubber, about 16 MB
+MAX_SMALL_SLOPE = 0.3  # rms slope; the model neglects its square
+ONE_TIME_NOTE = "eqs. 12 to 16 are those of one relaxation time"
 
 
 def scaled_friction(groups: Mapping[str, xr.Dataset]) -> dict[str, Any] | None:
-    """Return the rubbers of a result without dimensions, and why others are none.
+    """Return the dimensionless rubbers of a result, with the reasons why groups are left out.
 
-    groups : the study "" and its comparisons. It is None where no group has steady friction.
+    groups : the study "" and its comparisons. Returns None if no group has steady friction.
     """
     tables = json.loads(groups[""].attrs["study"])
     rubbers, without = [], []
@@ -53,13 +53,13 @@ def scaled_friction(groups: Mapping[str, xr.Dataset]) -> dict[str, Any] | None:
         else:
             why = why or "steady friction is known nowhere at all velocities"
             without.append(f"No rubber is scaled from {called}: {why}.")
-    found = {"rubbers": rubbers, "without": without, "steepest": STEEPEST}
-    return found if rubbers or without else None
+    content = {"rubbers": rubbers, "without": without, "steepest": MAX_SMALL_SLOPE}
+    return content if rubbers or without else None
 
 
 def _why_not(data: xr.Dataset, body: str | None) -> str | None:
-    """Return why the friction of a group holds for no other rubber, None where it does."""
-    missing = [name for name in NEEDED if name not in data.variables]
+    """Return why the friction of a group cannot be scaled to other rubbers, or None."""
+    missing = [name for name in SCALING_VARIABLES if name not in data.variables]
     if missing:
         return f"the result has no {missing[0]}"
     if body != FOUNDATION:
@@ -75,10 +75,11 @@ def _why_not(data: xr.Dataset, body: str | None) -> str | None:
 
 
 def _rubber(name: str, data: xr.Dataset, material: Mapping[str, Any]) -> dict[str, Any] | None:
-    """Return own values, curves and temperatures of one group; None where friction is not known.
+    """Return the values, curves and temperatures of one group, or None if friction is unknown.
 
-    ``curves`` has one entry for each load and H, and ``family`` tells those of one L q_max and one
-    set of x. Own values are of the steepest lines that the model allows, else of the gentlest.
+    ``curves`` has an entry for each load and H; entries with the same L q_max and the same set of x
+    share a ``family``. ``own`` holds the values of the steepest lines with a small slope, or of
+    the flattest lines if no slope is small.
     """
     data = data.isel(velocity_step=0).sortby("velocity")
     contact = 2.0 / (1.0 - material.get("poisson", INCOMPRESSIBLE))  # E*/G
@@ -86,31 +87,31 @@ def _rubber(name: str, data: xr.Dataset, material: Mapping[str, Any]) -> dict[st
     known = [(at, c) for at in _places(data) if (c := _curve(at, contact, several)) is not None]
     if not known:
         return None
-    first, chosen = max(known, key=lambda each: _allowed(each[0]))
+    first, chosen = max(known, key=lambda pair: _slope_rank(pair[0]))
     curves = [curve for _, curve in known]
-    kept = [pair for each in curves for pair in each["motions"] or [] if pair]
-    if sum(len(time) for time, _ in kept) > MOST_MOMENTS:
-        curves = [each | {"motions": None} for each in curves]
-    own = {key: float(first[key]) for key in ("shear_modulus", "tau", "roughness", "q_max")}
-    own |= {"pressing": float(first.normal_force) / float(first.length)}
+    motions = [motion for curve in curves for motion in curve["motions"] or [] if motion]
+    if sum(len(time) for time, _ in motions) > MAX_MOTION_SAMPLES:
+        curves = [curve | {"motions": None} for curve in curves]
+    values = {key: float(first[key]) for key in ("shear_modulus", "tau", "roughness", "q_max")}
+    values |= {"pressing": float(first.normal_force) / float(first.length)}
     branches = material.get("branches", [])
     glassy = branches and not material.get("relaxation_time")
     return {
         "name": name,
-        "own": own | {key: chosen[key] for key in ("hurst", "family")},
+        "own": values | {key: chosen[key] for key in ("hurst", "family")},
         "contact": contact,
-        "branches": [[g / own["shear_modulus"], t / _tau(material)] for g, t in branches],
-        "glassy": 1.0 + sum(g for g, _ in branches) / own["shear_modulus"] if glassy else None,
-        "without_steps": ONE_TIME if several else None,
+        "branches": [[g / values["shear_modulus"], t / _tau(material)] for g, t in branches],
+        "glassy": 1.0 + sum(g for g, _ in branches) / values["shear_modulus"] if glassy else None,
+        "without_steps": ONE_TIME_NOTE if several else None,
         "temperature": _temperatures(data, first, material),
         "curves": curves,
     }
 
 
-def _allowed(at: xr.Dataset) -> float:
-    """Return a rank by the rms slope: the largest that is small, else the smallest, is best."""
+def _slope_rank(at: xr.Dataset) -> float:
+    """Return a rank by the rms slope: the largest small slope ranks first, else the smallest."""
     slope = float(np.ravel(at.rms_slope)[0])
-    return slope if slope <= STEEPEST else -slope
+    return slope if slope <= MAX_SMALL_SLOPE else -slope
 
 
 def _tau(material: Mapping[str, Any]) -> float:
@@ -122,47 +123,47 @@ def _tau(material: Mapping[str, Any]) -> float:
 def _temperatures(
     data: xr.Dataset, first: xr.Dataset, material: Mapping[str, Any]
 ) -> dict[str, Any]:
-    """Return temperatures, by what tau is then multiplied, and which is that of the result.
+    """Return temperatures, the shift factors of tau, and the index of the result's temperature.
 
-    They are whole degrees about it, by the shift of the material, and by the usual constants where
-    it has none. Of shifts in a file a result holds those at its own temperatures alone.
+    They are whole degrees about that temperature, by the shift of the material or, without one, by
+    the universal WLF constants. A result with a file of shifts holds its own temperatures only.
     """
     law = shift_law_of(material)
     if "temperature" in data.coords and law is None:
         factors = data.tau.values / float(first.tau)
         words = "temperature (one that was computed)"
         return _stops(words, "°C", data.temperature.values, factors, float(first.temperature))
-    words, unit, own = "temperature above Ts", "K", 0.0
+    words, unit, reference = "temperature above Ts", "K", 0.0
     if law is None:
-        law = USUAL
+        law = UNIVERSAL_WLF
     else:
-        words, unit, own = "temperature", "°C", float(first.temperature)
-    known = [own + step for step in AROUND if not law.outside(own + step)]
-    decades = np.array([law.decades(each) for each in known]) - law.decades(own)
-    kept = np.abs(decades) <= MAX_SHIFT_DECADES
-    return _stops(words, unit, np.array(known)[kept], 10.0 ** decades[kept], own)
+        words, unit, reference = "temperature", "°C", float(first.temperature)
+    degrees = [d for step in SLIDER_DEGREES if not law.outside(d := reference + step)]
+    decades = np.array([law.decades(d) for d in degrees]) - law.decades(reference)
+    allowed = np.abs(decades) <= MAX_SHIFT_DECADES
+    return _stops(words, unit, np.array(degrees)[allowed], 10.0 ** decades[allowed], reference)
 
 
 def _stops(
-    words: str, unit: str, degrees: np.ndarray, factors: np.ndarray, own: float
+    words: str, unit: str, degrees: np.ndarray, factors: np.ndarray, reference: float
 ) -> dict[str, Any]:
-    """Return the temperatures of a slider; ``own`` is that of the result, with the factor 1."""
-    named = {"words": words, "unit": unit, "own": int(np.argmin(np.abs(degrees - own)))}
+    """Return the stops of a slider. reference : temperature of the result, with the factor 1."""
+    named = {"words": words, "unit": unit, "own": int(np.argmin(np.abs(degrees - reference)))}
     return named | {"degrees": degrees.tolist(), "factors": factors.tolist()}
 
 
 def _places(data: xr.Dataset) -> Iterator[xr.Dataset]:
-    """Yield the dataset at each place of the grid, all velocities."""
+    """Yield the dataset at each point of the grid, with all velocities."""
     axes = [axis for axis in data.mu_1.dims if axis != "velocity"]
     for index in np.ndindex(*(data.sizes[axis] for axis in axes)):
         yield data.isel(dict(zip(axes, index, strict=True)))
 
 
 def _curve(at: xr.Dataset, contact: float, several: bool) -> dict[str, Any] | None:
-    """Return steady friction over x, both without dimensions; None where some of it is unknown.
+    """Return dimensionless steady friction over x, or None if a value is unknown.
 
-    contact : E*/G. several : relaxation times, of which no law gives friction over time, so that
-    computed motions are returned too.
+    contact : E*/G. several : whether there are several relaxation times; no closed law gives their
+    friction over time, so that the computed motions are returned too.
     """
     slope = float(np.ravel(at.rms_slope)[0])
     friction = at.mu_1.values / slope
@@ -190,25 +191,25 @@ def _curve(at: xr.Dataset, contact: float, several: bool) -> dict[str, Any] | No
 
 
 def _motions(at: xr.Dataset, slope: float) -> list[list[list[float]] | None] | None:
-    """Return computed times over tau and friction over the slope, of each velocity, or None.
+    """Return the computed (time/tau, friction/slope) for each velocity, or None.
 
-    They are those after the step, else those of the programme.
+    They follow the velocity step, or the programme if the result has one.
     """
     for time, mu, unit in (("time", "mu", 1.0), ("trace_time", "trace_mu", float(at.tau))):
         if mu not in at or at[mu].ndim != 2 or set(at[mu].dims) != set(at[time].dims):
             continue
-        found: list[list[list[float]] | None] = []
+        motions: list[list[list[float]] | None] = []
         for k in range(at.sizes["velocity"]):
             t, y = (at[name].isel(velocity=k).values for name in (time, mu))
             known = np.isfinite(t) & np.isfinite(y)
             pair = [(t[known] / unit).tolist(), (y[known] / slope).tolist()]
-            found.append(pair if known.sum() > 1 else None)
-        return found
+            motions.append(pair if known.sum() > 1 else None)
+        return motions
     return None
 
 
-def _share(at: xr.Dataset, name: str, of: Any) -> list[float | None]:
-    """Return an error as a share of friction at each velocity, None where it is not known."""
+def _share(at: xr.Dataset, name: str, friction: Any) -> list[float | None]:
+    """Return an error relative to friction at each velocity; an unknown error is None."""
     if name not in at:
         return [None] * at.sizes["velocity"]
-    return [float(share) if np.isfinite(share) else None for share in at[name].values / of]
+    return [float(share) if np.isfinite(share) else None for share in at[name].values / friction]

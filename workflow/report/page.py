@@ -1,7 +1,7 @@
-"""The report of a folder of results: read them, judge the claims, and fill the page.
+"""Report of a folder of results: reads them, judges the claims and fills an HTML page.
 
-Of one study its figures, files, parameters and origin are shown. The page is a template of HTML, in
-which formulas that are written as plain text are set.
+Each study has a section with its figures, files, parameters and origin. Formulas in plain text are
+typeset as HTML.
 """
 
 import base64
@@ -28,11 +28,11 @@ from .panels import STYLE
 from .template import filled_template
 
 NO_BREAK = "\u00a0"
-PLAIN = re.compile(r"holds( within (a factor )?[\d.]+( %)?)?")  # everywhere, without a condition
+UNCONDITIONAL = re.compile(r"holds( within (a factor )?[\d.]+( %)?)?")
 SMOKE = "smoke"
-SHOWN_VALUES = 6  # of an axis; of longer ones the ends
+MAX_LISTED_VALUES = 6  # of an axis; longer axes show their ends only
 ORIGIN = {"Program": "source", "Code": "code", "Versions": "versions", "Model": "references"}
-CONSTANTS = ("shear_modulus", "tau", "length")  # coordinates of a result that are no axes
+CONSTANTS = ("shear_modulus", "tau", "length")  # coordinates of a result other than the axes
 
 
 def study_names() -> list[str]:
@@ -43,33 +43,37 @@ def study_names() -> list[str]:
 def write_report(folder: Path, names: list[str], scale: str | None = None) -> Path:
     """Write ``report.html``, or ``report-SCALE.html``, into a folder of results; return its path.
 
-    names : studies to report on, by default all that have the scale. scale : of the results,
-    which lie in files NAME-SCALE.nc; without one those of the studies as they stand, NAME.nc.
-    Figures and tables are written beside the results. Raises UserError where none has a result,
-    and where a named study has no such scale.
+    names : studies of the report; the default is all studies that have the scale. scale : of the
+    results, files NAME-SCALE.nc; the default scale has files NAME.nc. Figures and tables are
+    written to the same folder. Raises UserError if no study has a result, or if a named study
+    lacks the scale.
     """
-    asked = bool(names)
-    if not asked:
+    named = bool(names)
+    if not named:
         names = [name for name in study_names() if scale is None or scale in known_scales(name)]
     studies = [read_study(name, scale) for name in names]
     present = [study for study in studies if result_file(folder, study).is_file()]
     if not present:
         wanted = ", ".join(study.name for study in studies)
-        of = f" at scale {scale}" if scale else ""
-        first = how_to_run("NAME", scale)
-        raise UserError(f"{folder}: holds no result of {wanted}{of}; first run: {first}")
+        at_scale = f" at scale {scale}" if scale else ""
+        command = how_to_run("NAME", scale)
+        raise UserError(f"{folder}: holds no result of {wanted}{at_scale}; first run: {command}")
     with contextlib.ExitStack() as stack:
         groups = {s.name: open_result(s, result_file(folder, s), stack) for s in present}
-        named = {f"{n}/{g}".rstrip("/"): d for n, held in groups.items() for g, d in held.items()}
+        datasets = {
+            f"{n}/{g}".rstrip("/"): d
+            for n, study_groups in groups.items()
+            for g, d in study_groups.items()
+        }
         try:
             sections = [section(s, groups[s.name], folder) for s in present]
             judges = known_claims()
-            claims = evaluate(judges, named)
-        except (OSError, RuntimeError) as error:  # of netCDF, which reads late
+            claims = evaluate(judges, datasets)
+        except (OSError, RuntimeError) as error:  # netCDF reads lazily
             raise UserError(f"{folder}: a result cannot be read: {error}") from error
-        codes = {str(held[ROOT].attrs["code"]) for held in groups.values()}
+        codes = {str(study_groups[ROOT].attrs["code"]) for study_groups in groups.values()}
     of_paper = any((study.folder / "claims.py").is_file() for study in present)
-    absent = [study for study in studies if study not in present] if of_paper or asked else []
+    absent = [study for study in studies if study not in present] if of_paper or named else []
     page = filled_template(
         "report.html.j2",
         formula,
@@ -88,20 +92,20 @@ def write_report(folder: Path, names: list[str], scale: str | None = None) -> Pa
 
 
 def how_to_run(name: str, scale: str | None) -> str:
-    """Return the command that computes a study, by make in a folder of the program."""
+    """Return the command that computes a study: make in a checkout, else the program."""
     if Path("Makefile").is_file() and Path("studies").is_dir():
         return f"make study-{name}{f' SCALE={scale}' if scale else ''}"
     return f"{program()} run {name}{f' --scale {scale}' if scale else ''}"
 
 
 def verdict_class(verdict: str) -> str:
-    """Return the colour of a verdict: what holds on a condition, or in part, is as "only" is."""
+    """Return the style class of a verdict; a conditional or partial "holds" counts as "only"."""
     first = verdict.split()[0]
-    return "only" if first == "holds" and not PLAIN.fullmatch(verdict) else first
+    return "only" if first == "holds" and not UNCONDITIONAL.fullmatch(verdict) else first
 
 
 def formula(text: str) -> Markup:
-    """Return plain text as HTML: x_N, x^(1−H) and 1e-06 set, no break inside "H = 0.3"."""
+    """Return plain text as HTML: typeset x_N, x^(1−H), 1e-06; no line break in "H = 0.3"."""
     text = re.sub(r"(\d)e([+-]\d+)", lambda power: f"{power[1]}·10^({int(power[2])})", text)
     text = re.sub(r" [=<>±∝] | %", lambda sign: sign[0].replace(" ", NO_BREAK), text)
     text = re.sub(r"(?<!\w)-(?=\d)", "−", text)
@@ -110,14 +114,14 @@ def formula(text: str) -> Markup:
 
 
 def section(study: AnyStudy, groups: Groups, folder: Path) -> dict[str, object]:
-    """Return what the page shows of one study; ``troubles`` say why there is no figure or table.
+    """Return the section of one study; ``troubles`` explain a missing figure or table.
 
-    Its figures and its tables are written into the folder of the result.
+    Figures and tables are written to the folder of the result.
     """
     data, result = groups[ROOT], result_file(folder, study)
     images: list[dict[str, object]] = []
     files = [result]
-    troubles = [f"{result.name} {said}"] if (said := change_note(result)) else []
+    troubles = [f"{result.name} {note}"] if (note := change_note(result)) else []
     try:
         pictures = draw_groups(study, groups, result)
         images = [_image(picture) for picture in pictures]
@@ -129,13 +133,13 @@ def section(study: AnyStudy, groups: Groups, folder: Path) -> dict[str, object]:
     except UserError as error:
         troubles.append(f"No table: {error}")
     explorer = ""
-    with contextlib.suppress(UserError):  # nothing varies: nothing to look through
+    with contextlib.suppress(UserError):  # a result without variation has no explorer
         explorer = write_explorer(result).name
     changed = differing_settings(study, data.attrs)
-    least, most = 0, 0
+    fewest, most = 0, 0
     if "realizations" in data:
-        least, most = int(data.realizations.min()), int(data.realizations.max())
-    lines = f", {most} realizations" if least == most else f", {least} to {most} realizations"
+        fewest, most = int(data.realizations.min()), int(data.realizations.max())
+    lines = f", {most} realizations" if fewest == most else f", {fewest} to {most} realizations"
     scale = _scale(study, data.attrs)
     return {
         "name": study.name,
@@ -147,7 +151,7 @@ def section(study: AnyStudy, groups: Groups, folder: Path) -> dict[str, object]:
         "explorer": explorer,
         "troubles": troubles,
         "parameters": _parameters(study, data),
-        "variants": [_variant(g, held) for g, held in groups.items() if "scheme" in held.attrs],
+        "variants": [_variant(g, d) for g, d in groups.items() if "scheme" in d.attrs],
         "facts": _facts(data) + ([("Not as in study.toml", listed(changed))] if changed else []),
         "origin": [(label, str(data.attrs[key])) for label, key in ORIGIN.items()],
         "settings": str(data.attrs["study"]),
@@ -155,7 +159,7 @@ def section(study: AnyStudy, groups: Groups, folder: Path) -> dict[str, object]:
 
 
 def _scale(study: AnyStudy, attributes: dict[str, object]) -> str:
-    """Return at which scale a result was computed, by its settings, whatever its file is called."""
+    """Return the scale of a result, found from its settings rather than its file name."""
     for scale in dict.fromkeys([study.scale, "", *known_scales(study.name)]):
         if not differing_settings(read_study(study.name, scale or None), attributes):
             return f"{scale or 'default'} scale"
@@ -163,7 +167,7 @@ def _scale(study: AnyStudy, attributes: dict[str, object]) -> str:
 
 
 def _image(picture: Picture) -> dict[str, object]:
-    """Return a figure as data URI, its size in inches, what a pointer can find, and its caption."""
+    """Return a figure as data URI, with its size in inches, hover points and caption."""
     content = picture.png.read_bytes()
     width, height = struct.unpack(">II", content[16:24])  # PNG: the first chunk
     uri = "data:image/png;base64," + base64.b64encode(content).decode()
@@ -172,9 +176,9 @@ def _image(picture: Picture) -> dict[str, object]:
 
 
 def _parameters(study: AnyStudy, data: xr.Dataset) -> list[tuple[str, str, str]]:
-    """Return (meaning, values, unit) of the axes that have values, then of material and line.
+    """Return (meaning, values, unit) of the axes with values, the material and the line.
 
-    Of a measured study: its settings.
+    For a measured study, return its settings.
     """
     settings = json.loads(data.attrs["study"])
     if "measure" in settings:
@@ -185,16 +189,16 @@ def _parameters(study: AnyStudy, data: xr.Dataset) -> list[tuple[str, str, str]]
 
 
 def _axis(axis: xr.DataArray) -> tuple[str, str, str]:
-    shown = [f"{value:.4g}" for value in axis.values.flat]
-    text = ", ".join(shown)
-    if len(shown) > SHOWN_VALUES:
-        text = f"{shown[0]} … {shown[-1]} ({len(shown)} values)"
+    values = [f"{value:.4g}" for value in axis.values.flat]
+    text = ", ".join(values)
+    if len(values) > MAX_LISTED_VALUES:
+        text = f"{values[0]} … {values[-1]} ({len(values)} values)"
     return str(axis.attrs["long_name"]), text, unit_in_words(axis)
 
 
 def _variant(group: str, data: xr.Dataset) -> tuple[str, str, str, str]:
     """Return name, scheme, steps per spacing and the outcome of the fits of one group."""
-    fits = "no fits asked for"
+    fits = "no fits requested"
     if "fit_status" in data:
         meanings = STATUS_MEANINGS.replace("no_relaxation", "nothing_to_relax").split()
         counts = {meaning: int((data.fit_status == k).sum()) for k, meaning in enumerate(meanings)}
@@ -209,7 +213,7 @@ def _facts(data: xr.Dataset) -> list[tuple[str, str]]:
     origin = [("Seed", attrs["seed"]), ("Commit", commit)]
     if "scheme" not in attrs:  # a measured study
         return origin
-    model = [("Error of the model", said)] if (said := model_in_words(data)) else []
+    model = [("Error of the model", text)] if (text := model_in_words(data)) else []
     rate = "kept" if attrs["indentation_rate"] == "true" else "dropped, as eq. 3 is printed"
     return [
         ("Grid points", str(data.realizations.size)),

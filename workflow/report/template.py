@@ -1,4 +1,4 @@
-"""Pages of HTML out of the templates of this room."""
+"""HTML pages from the templates of this room."""
 
 from collections.abc import Callable
 
@@ -6,7 +6,7 @@ from jinja2 import Environment, PackageLoader, StrictUndefined
 
 
 def filled_template(template: str, *filters: Callable[[str], str], **context: object) -> str:
-    """Return a template with its texts, which are escaped; filters go by their names."""
+    """Return a filled template. Texts are escaped; filters are registered under their names."""
     environment = Environment(
         autoescape=True,
         undefined=StrictUndefined,
@@ -14,5 +14,5 @@ def filled_template(template: str, *filters: Callable[[str], str], **context: ob
         lstrip_blocks=True,
         loader=PackageLoader("elastomer_friction.workflow", "report"),
     )
-    environment.filters |= {one.__name__: one for one in filters}
+    environment.filters |= {function.__name__: function for function in filters}
     return environment.get_template(template).render(**context)

@@ -1,4 +1,4 @@
-"""What figures and claims do with points whose contacts are not resolved."""
+"""Treatment of points with unresolved contacts in figures and claims."""
 
 from collections import UserDict
 from collections.abc import Mapping
@@ -8,13 +8,13 @@ import xarray as xr
 
 from ..reduce import ENOUGH, NARROW, OFF, RESOLVED, UNRESOLVED
 
-STATUS, TRACE_STATUS = "resolution_status", "trace_resolution_status"
+POINT_STATUS, TRACE_STATUS = "resolution_status", "trace_resolution_status"
 
 
-def not_resolved(points: xr.Dataset, name: str = STATUS) -> np.ndarray:
-    """Return where contacts are coarse or unresolved; nowhere where the result does not say.
+def not_resolved(points: xr.Dataset, name: str = POINT_STATUS) -> np.ndarray:
+    """Return a mask of coarse or unresolved contacts; all False if the result has no status.
 
-    name : of the status, that of points or of their traces.
+    name : variable of the status, of points or of their traces.
     """
     if name not in points:
         return np.zeros(points.realizations.shape if "realizations" in points else (), bool)
@@ -23,7 +23,7 @@ def not_resolved(points: xr.Dataset, name: str = STATUS) -> np.ndarray:
 
 
 def why_hollow(points: xr.Dataset) -> str:
-    """Return what the points that are not resolved have, in words: narrow contacts, or an error."""
+    """Return why points are not resolved, as text: narrow contacts, or a large error."""
     hollow = not_resolved(points)
     known = "samples_per_contact" in points
     wide = hollow & (points.samples_per_contact.values >= ENOUGH) if known else np.zeros(1, bool)
@@ -34,33 +34,35 @@ def why_hollow(points: xr.Dataset) -> str:
 
 
 def without_unresolved(dataset: xr.Dataset) -> tuple[xr.Dataset, int]:
-    """Return a dataset in which unresolved points are as if they had failed, and their number.
+    """Return a dataset without its unresolved points, and their number.
 
-    Their estimates are NaN and their flags -1.
+    Their estimates become NaN and their flags -1, as for failed points.
     """
-    if STATUS not in dataset:
+    if POINT_STATUS not in dataset:
         return dataset, 0
-    known = dataset[STATUS] != UNRESOLVED
-    count = int((~known).sum())
+    resolved = dataset[POINT_STATUS] != UNRESOLVED
+    count = int((~resolved).sum())
     if not count:
         return dataset, 0
-    grid = set(known.dims)
-    kept = {
-        name: values.where(known, np.nan if values.dtype.kind == "f" else -1).astype(values.dtype)
+    grid = set(resolved.dims)
+    masked = {
+        name: values.where(resolved, np.nan if values.dtype.kind == "f" else -1).astype(
+            values.dtype
+        )
         for name, values in dataset.data_vars.items()
         if grid <= set(values.dims)
     }
-    return dataset.assign(kept), count
+    return dataset.assign(masked), count
 
 
 class Resolved(UserDict[str, xr.Dataset]):
-    """Results without their unresolved points; knows how many those looked at had."""
+    """Results without their unresolved points; ``left_out`` counts those of the accessed groups."""
 
     def __init__(self, results: Mapping[str, xr.Dataset]) -> None:
         super().__init__(results)
         self.left_out: dict[str, int] = {}
 
     def __getitem__(self, key: str) -> xr.Dataset:
-        """Return a dataset as claims may use it."""
+        """Return a dataset without its unresolved points."""
         dataset, self.left_out[key] = without_unresolved(super().__getitem__(key))
         return dataset

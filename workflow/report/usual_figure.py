@@ -1,7 +1,8 @@
-"""The figure of a study without one of its own: friction over time, and what was found of it.
+"""Default figure of a study: friction over time and the main estimates.
 
-Curves of up to six points, spread over the grid; then mu_1, the jump and b over the longest axis,
-in a colour for each value of the second longest, in a row for each place on all other axes.
+The first panel shows curves of up to six points, spread over the grid. The others show mu_1, the
+jump and b over the longest axis, with a colour for each value of the second longest and a row for
+each combination of the other axes.
 """
 
 import textwrap
@@ -18,27 +19,27 @@ from matplotlib.figure import Figure
 from ..reduce import NARROW, OFF
 from ..result import Groups
 from ..study import COMMON_AXES
-from .in_words import axes_in, mathematical, model_in_words, said, unit_in_words, with_unit
+from .in_words import axes_in, mathematical, model_in_words, unit_in_words, value_label, with_unit
 from .panels import COLOURS, band, error_bars, foot_line, legend_in_room
 from .unresolved import TRACE_STATUS, not_resolved
 
 CAPTION = (
     "The first panel shows the coefficient of friction over time at points that are spread over "
-    "the grid. The other panels show what was found over the longest axis of the grid, in a colour "
-    "for each value of the second longest, and in a row for each place on all others."
+    "the grid. The other panels show the estimates over the longest axis of the grid, with a "
+    "colour for each value of the second longest and a row for each combination of the others."
 )
-MOST_CURVES = MOST_COLOURS = 6
-MOST_ROWS = 4
-WANTED = (
+MAX_CURVES = MAX_COLOURS = 6
+MAX_ROWS = 4
+PREFERRED_ESTIMATES = (
     "mu_1",
     "jump",
     "relaxation_rate",
     "healing",
-)  # those that are there, or the first estimates
-DECADES = 10.0  # ratio of the largest to the least value from which on an axis is logarithmic
-FORMS = ("-", "--", ":", "-.")  # of the study and of its comparisons
-FIRST = ("velocity", "hurst", "normal_force")  # of axes that are equally long
-LABELS = {
+)  # those that are present, otherwise the first estimates
+LOG_AXIS_RATIO = 10.0  # of the largest to the smallest value, above which an axis is logarithmic
+LINE_STYLES = ("-", "--", ":", "-.")  # of the study and its comparisons
+AXIS_PRIORITY = ("velocity", "hurst", "normal_force")  # among axes of equal length
+ESTIMATE_LABELS = {
     "mu_1": "steady friction $\\mu_1$",
     "jump": "jump $\\Delta\\mu_0$",
     "relaxation_rate": "relaxation rate $b$ (per $\\tau$)",
@@ -51,9 +52,9 @@ def draw(groups: Groups) -> Figure:
     data = groups[""]
     varied = sorted((a for a in axes_in(data) if data.sizes[a] > 1), key=lambda a: _rank(data, a))
     curve = next((names for names in CURVES if names[1] in data), None)
-    shown = _shown(data) if varied or not curve else []
+    shown = _estimates_to_draw(data) if varied or not curve else []
     places = list(product(*(range(data.sizes[axis]) for axis in varied[2:])))
-    rows = [dict(zip(varied[2:], places[k], strict=True)) for k in _spread(len(places), MOST_ROWS)]
+    rows = [dict(zip(varied[2:], places[k], strict=True)) for k in _spread(len(places), MAX_ROWS)]
     panels = len(shown) + (curve is not None)
     size = (1.0 + 2.3 * panels, 0.6 + 2.4 * len(rows))
     figure, axes = plt.subplots(len(rows), panels, figsize=size, squeeze=False, sharey="col")
@@ -61,12 +62,12 @@ def draw(groups: Groups) -> Figure:
         ax.sharex(axes[0, panels - len(shown)])
     dotted = 0
     for row, place in zip(axes, rows, strict=True):
-        held = {name: each.isel(place, missing_dims="ignore") for name, each in groups.items()}
-        row[0].set_title(", ".join(_said(held[""], axis) for axis in place), fontsize=7)
+        at_place = {label: d.isel(place, missing_dims="ignore") for label, d in groups.items()}
+        row[0].set_title(", ".join(_axis_label(at_place[""], axis) for axis in place), fontsize=7)
         if curve:
-            dotted += _curves(row[0], held[""], curve, varied[:2])
+            dotted += _curves(row[0], at_place[""], curve, varied[:2])
         for ax, name in zip(row[panels - len(shown) :], shown, strict=True):
-            _estimate(ax, held, name, tuple(dict.fromkeys((*varied, *FIRST)))[:2])
+            _estimate(ax, at_place, name, tuple(dict.fromkeys((*varied, *AXIS_PRIORITY)))[:2])
     for ax in axes[:-1].flat:
         ax.set_xlabel("")
     if varied and curve:
@@ -79,75 +80,81 @@ def draw(groups: Groups) -> Figure:
     if shown and axes[0, -len(shown)].get_legend_handles_labels()[0]:
         axes[0, -len(shown)].legend(fontsize=6)  # the same in all panels of estimates
     notes = [
-        _drawn(len(varied) > 1 and data.sizes[varied[1]], MOST_COLOURS, "values of the second"),
-        _drawn(len(places), MOST_ROWS, "places on the other axes"),
+        _drawn(len(varied) > 1 and data.sizes[varied[1]], MAX_COLOURS, "values of the second"),
+        _drawn(len(places), MAX_ROWS, "places on the other axes"),
         f"Dotted curves ({dotted}) are not resolved: {NARROW} or {OFF}." if dotted else "",
         f"{model}." if (model := model_in_words(data).replace("mu_1", "µ₁")) else "",
-        "" if shown else _found(data),
+        "" if shown else _single_point_text(data),
     ]
     foot_line(figure, data, " ".join(filter(None, notes)), "bars and bands" if curve else "bars")
     return figure
 
 
 def _rank(data: xr.Dataset, axis: str) -> tuple[int, int]:
-    """Return what sorts axes: the longest first."""
-    return -data.sizes[axis], FIRST.index(axis) if axis in FIRST else len(FIRST)
+    """Return the sort key of an axis: the longest comes first."""
+    return -data.sizes[axis], AXIS_PRIORITY.index(axis) if axis in AXIS_PRIORITY else len(
+        AXIS_PRIORITY
+    )
 
 
-def _spread(size: int, most: int) -> list[int]:
-    """Return at most so many numbers below a size, spread evenly from first to last."""
-    return np.unique(np.linspace(0, size - 1, min(size, most)).round().astype(int)).tolist()
+def _spread(size: int, count: int) -> list[int]:
+    """Return at most ``count`` integers below ``size``, spread evenly from first to last."""
+    return np.unique(np.linspace(0, size - 1, min(size, count)).round().astype(int)).tolist()
 
 
-def _drawn(size: int, most: int, what: str) -> str:
-    """Return that not all of something is drawn, "" where it is."""
-    return f"Of {size} {what} {most} are drawn." if size > most else ""
+def _drawn(size: int, most: int, noun: str) -> str:
+    """Return a note that only some items are drawn, or "" if all are."""
+    return f"Of {size} {noun} {most} are drawn." if size > most else ""
 
 
-def _shown(data: xr.Dataset) -> list[str]:
-    """Return which estimates are drawn: of those that are known somewhere."""
+def _estimates_to_draw(data: xr.Dataset) -> list[str]:
+    """Return the estimates to draw, among those with a finite value."""
     known = [
         str(name)
         for name, values in data.data_vars.items()
         if f"{name}_error" in data and {*COMMON_AXES} <= {*values.dims} <= {*axes_in(data)}
     ]
     known = [name for name in known if np.isfinite(data[name]).any()]
-    return [name for name in WANTED if name in known] or known[: len(WANTED)]
+    return [name for name in PREFERRED_ESTIMATES if name in known] or known[
+        : len(PREFERRED_ESTIMATES)
+    ]
 
 
 def _called(data: xr.Dataset, axis: str) -> str:
-    """Return the name of an axis, or of the pressures that stand in place of its forces."""
+    """Return the name of an axis, or "normal_pressure" if it replaces the normal force."""
     given = "normal_pressure" in data.coords and axis == "normal_force"
     return "normal_pressure" if given else axis
 
 
-def _said(data: xr.Dataset, axis: str) -> str:
-    """Return where a point lies on an axis, such as "T = 60 °C"."""
+def _axis_label(data: xr.Dataset, axis: str) -> str:
+    """Return the coordinate of a point as text, such as "T = 60 °C"."""
     name = _called(data, axis)
-    return mathematical(said(name, float(data[name]), unit_in_words(data[name])))
+    return mathematical(value_label(name, float(data[name]), unit_in_words(data[name])))
 
 
 def _label(variable: xr.DataArray) -> str:
-    """Return what an axis of a panel is called: its meaning and its unit."""
+    """Return the label of an axis of a panel: its meaning and unit."""
     words, unit = str(variable.attrs.get("long_name", variable.name)), unit_in_words(variable)
     for letters, symbol in (("v1", "v₁"), ("dv", "Δv"), ("dx", "Δx")):
         words = words.replace(letters, symbol)
     return mathematical(textwrap.fill(f"{words} ({unit})" if unit else words, 34))
 
 
-def _found(data: xr.Dataset) -> str:
+def _single_point_text(data: xr.Dataset) -> str:
     """Return the estimates of a single point, in words."""
     words = []
-    for name in _shown(data):
+    for name in _estimates_to_draw(data):
         value, error = float(data[name].squeeze()), float(data[f"{name}_error"].squeeze())
-        words += [f"{said(name, value, unit_in_words(data[name]))} ± {with_unit(error, digits=2)}"]
-    return f"Found: {'; '.join(words)}." if words else ""
+        words += [
+            f"{value_label(name, value, unit_in_words(data[name]))} ± {with_unit(error, digits=2)}"
+        ]
+    return f"Estimates: {'; '.join(words)}." if words else ""
 
 
 def _curves(ax: Axes, data: xr.Dataset, curve: tuple[str, str, str], varied: list[str]) -> int:
-    """Draw friction over time with bands at points spread over the grid.
+    """Draw friction over time with error bands at points spread over the grid.
 
-    Return how many of them are traces that are not resolved, which are dotted.
+    Return the number of unresolved traces, which are dotted.
     """
     time, mu, label = curve
     long = [dim for dim in data[mu].dims if dim in ("sample", "event")]
@@ -155,17 +162,17 @@ def _curves(ax: Axes, data: xr.Dataset, curve: tuple[str, str, str], varied: lis
     there = np.flatnonzero(points[mu].notnull().any(long))
     error = {"mu": "deviation_error"}.get(mu, f"{mu}_error")
     dotted = 0
-    for k, colour in zip(_spread(there.size, MOST_CURVES), COLOURS, strict=False):
+    for k, colour in zip(_spread(there.size, MAX_CURVES), COLOURS, strict=False):
         one = points.isel(point=there[k]).dropna(long[0], subset=[mu])
         unit = float(one.mu_1) if mu == "mu" and "mu_1" in one else 1.0
         spread = one[error].values if error in one else 0.0
-        words = ", ".join(_said(one, axis) for axis in varied)
+        words = ", ".join(_axis_label(one, axis) for axis in varied)
         coarse = mu == "trace_mu" and bool(not_resolved(one, TRACE_STATUS))
         style: dict[str, Any] = {"color": colour, "label": words, "ls": ":" if coarse else "-"}
         band(ax, one[time], one[mu].values / unit, spread / unit, **style)
         dotted += coarse
     ends = points[time].max(long).values[there]
-    if there.size and mu == "mu" and ends.max() > DECADES * ends.min():
+    if there.size and mu == "mu" and ends.max() > LOG_AXIS_RATIO * ends.min():
         ax.set_xscale("log")
     over = " over that before" if mu == "mu" and "mu_1" in points else ""
     ax.set(xlabel=label, ylabel=f"friction{over}")
@@ -173,21 +180,21 @@ def _curves(ax: Axes, data: xr.Dataset, curve: tuple[str, str, str], varied: lis
 
 
 def _estimate(ax: Axes, groups: Groups, name: str, axes: Sequence[str]) -> None:
-    """Draw an estimate over the longest axis, for some values of the second longest."""
+    """Draw an estimate over the longest axis, for several values of the second longest."""
     data, (along, across) = groups[""], axes
     over = _called(data, along)
-    for form, (group, held) in zip(FORMS, groups.items(), strict=False):
-        if name not in held or held.sizes[along] != data.sizes[along]:
+    for line_style, (group, dataset) in zip(LINE_STYLES, groups.items(), strict=False):
+        if name not in dataset or dataset.sizes[along] != data.sizes[along]:
             continue
-        size = held.sizes[across]
-        rest = {dim: 0 for dim in held[name].dims if dim not in (along, across)}
-        for k, colour in zip(_spread(size, MOST_COLOURS), COLOURS, strict=False):
-            line = held.isel(rest).isel({across: k})
-            style: dict[str, Any] = {"color": colour, "ls": form, "marker": "o"}
-            label = group or (_said(line, across) if size > 1 else None)
+        size = dataset.sizes[across]
+        rest = {dim: 0 for dim in dataset[name].dims if dim not in (along, across)}
+        for k, colour in zip(_spread(size, MAX_COLOURS), COLOURS, strict=False):
+            line = dataset.isel(rest).isel({across: k})
+            style: dict[str, Any] = {"color": colour, "ls": line_style, "marker": "o"}
+            label = group or (_axis_label(line, across) if size > 1 else None)
             error_bars(ax, line, name, over, label=None if group and k else label, **style)
-    values, found = data[over].values, data[name].values[np.isfinite(data[name].values)]
-    for scale, numbers in (ax.set_xscale, values), (ax.set_yscale, found):
-        if numbers.size and numbers.min() > 0.0 and numbers.max() >= DECADES * numbers.min():
+    values, estimates = data[over].values, data[name].values[np.isfinite(data[name].values)]
+    for scale, numbers in (ax.set_xscale, values), (ax.set_yscale, estimates):
+        if numbers.size and numbers.min() > 0.0 and numbers.max() >= LOG_AXIS_RATIO * numbers.min():
             scale("log")
-    ax.set(xlabel=_label(data[over]), ylabel=LABELS.get(name) or _label(data[name]))
+    ax.set(xlabel=_label(data[over]), ylabel=ESTIMATE_LABELS.get(name) or _label(data[name]))

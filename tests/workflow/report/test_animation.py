@@ -67,7 +67,7 @@ def test_no_file_is_left_beside_the_animation(path):
 
 def test_a_scene_without_snapshots_is_refused_by_their_names():
     scene = sliding_scene().drop_vars("snapshot_displacement")
-    with pytest.raises(UserError, match=r"snapshot_displacement; ask for the quantities"):
+    with pytest.raises(UserError, match=r"snapshot_displacement; request the quantities"):
         animate(scene, Path("scene.gif"))
 
 

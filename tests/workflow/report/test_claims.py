@@ -45,7 +45,7 @@ def test_claims_leave_unresolved_points_out_and_say_how_many():
     sound = {claim.text: claim.found for claim in evaluate(CLAIMS, {"fig7": dataset})}
     found = {claim.text: claim.found for claim in evaluate(CLAIMS, {"fig7": spoilt})}
     assert len(found) == len(sound) > 0
-    said = "; 3 points left out, whose contacts are unresolved"
+    said = "; 3 points with unresolved contacts left out"
     assert all(text.endswith(said) for text in found.values())
     assert not any("left out" in text for text in sound.values())
     assert not any("1e+03" in text or "1000" in text for text in found.values())
@@ -54,8 +54,8 @@ def test_claims_leave_unresolved_points_out_and_say_how_many():
 def test_deviations_within_two_errors_are_chance():
     assert judge(0.05, 0.03) == "holds"
     assert judge(0.05, 0.02) == "holds within 5 %"
-    assert judge(0.05, 0.2) == "cannot be told: the error is too large"
-    assert judge(np.nan) == "cannot be told: the error is too large"
+    assert judge(0.05, 0.2) == "cannot be judged: the error is too large"
+    assert judge(np.nan) == "cannot be judged: the error is too large"
     assert judge_factor(np.array([0.5, 2.0])) == "holds within a factor 2"
 
 

@@ -15,12 +15,12 @@ from elastomer_friction.workflow.report.panels import (
     error_band,
     error_bars,
     foot_line,
+    hover_points,
     log_bars,
     plain_ticks,
-    remembered,
 )
 from elastomer_friction.workflow.report.unresolved import why_hollow
-from elastomer_friction.workflow.report.usual_figure import MOST_ROWS, draw
+from elastomer_friction.workflow.report.usual_figure import MAX_ROWS, draw
 from elastomer_friction.workflow.study.axes import COMMON_AXES
 from tests.support.commands import besides_notes
 from tests.support.results import assert_refused, call
@@ -140,11 +140,11 @@ def test_points_are_where_they_are_drawn_and_say_what_they_are(ax, over_velocity
     )
     error_bars(ax, over_velocity, "share", "velocity", bias=0.05, fmt="o")
     ax.set(xlim=(0.0, 1.0), ylim=(0.0, 1.0))
-    found = remembered(ax.figure)
-    assert len(found) == 5  # 0.2 ... 1.0; the others lie outside
-    assert [point.x for point in found] == pytest.approx([0.2, 0.4, 0.6, 0.8, 1.0])
-    assert [point.y for point in found] == pytest.approx([0.5] * 5)
-    value, place = found[1].text.split("\n")
+    points = hover_points(ax.figure)
+    assert len(points) == 5  # 0.2 ... 1.0; the others lie outside
+    assert [point.x for point in points] == pytest.approx([0.2, 0.4, 0.6, 0.8, 1.0])
+    assert [point.y for point in points] == pytest.approx([0.5] * 5)
+    value, place = points[1].text.split("\n")
     assert value == "share = 0.5 ± 0.15"
     assert place.startswith("v₁ = 0.4 m/s, H = 0.7, F_N = 0.1 N, Δx = 2 µm, h = 10 µm")
 
@@ -153,7 +153,7 @@ def test_a_number_that_is_not_known_is_no_point(ax, over_velocity):
     over_velocity["rms_slope"][2] = np.nan
     error_bars(ax, over_velocity, "rms_slope", "velocity", fmt="o")
     ax.set(xlim=(0.0, 1.0), ylim=(0.0, 1.0))
-    assert len(remembered(ax.figure)) == over_velocity.velocity.size - 1
+    assert len(hover_points(ax.figure)) == over_velocity.velocity.size - 1
 
 
 def test_of_a_curve_some_points_are_said(ax, over_velocity):
@@ -163,9 +163,9 @@ def test_of_a_curve_some_points_are_said(ax, over_velocity):
     )
     error_band(ax, curve.assign_coords(time=("sample", time)), "mu", "spread", color="C0")
     ax.set(xlim=(0.0, 1.0), ylim=(0.0, 1.0))
-    found = remembered(ax.figure)
-    assert 30 <= len(found) <= 40
-    assert found[0].text.startswith("µ = 0.005 ± 0.001\ntime = 0.01, H = 0.7")
+    points = hover_points(ax.figure)
+    assert 30 <= len(points) <= 40
+    assert points[0].text.startswith("µ = 0.005 ± 0.001\ntime = 0.01, H = 0.7")
 
 
 def estimates():
@@ -203,7 +203,7 @@ def test_of_more_places_than_rows_the_caption_says_how_many_are_drawn():
         [estimates().assign_coords(temperature=t) for t in (0.0, 20.0, 60.0)], "temperature"
     )
     figure = draw({"": data})
-    assert len(figure.axes) == 3 * MOST_ROWS
+    assert len(figure.axes) == 3 * MAX_ROWS
     assert "Of 6 places on the other axes 4 are drawn." in figure.get_label()
     titles = [ax.get_title("left") for ax in figure.axes]
     assert any("60" in title for title in titles)
@@ -231,7 +231,7 @@ def test_a_single_point_and_other_quantities_have_a_figure_too():
 def test_a_single_point_has_its_curve_alone_and_its_numbers_in_the_caption():
     figure = draw({"": with_curves(estimates()).isel(velocity=[3], hurst=[0], normal_force=[0])})
     assert len(figure.axes) == 1
-    assert "Found: µ₁ = " in figure.get_label()
+    assert "Estimates: µ₁ = " in figure.get_label()
 
 
 def test_traces_that_are_not_resolved_are_dotted_and_the_caption_says_so():

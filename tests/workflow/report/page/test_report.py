@@ -97,11 +97,11 @@ def test_a_caption_is_two_sentences_and_says_how_to_read_a_point(page):
 def test_results_of_a_scale_have_a_page_of_their_own(capsys, tmp_path):
     data = result("fig6").assign_attrs(study=read_study("fig6", "smoke").text)
     write_datasets(tmp_path / "fig6-smoke.nc", {"": data})
-    said = refusal(capsys, "report", "fig6", "--out", str(tmp_path))
-    assert said == f"error: {tmp_path}: holds no result of fig6; first run: make study-NAME\n"
+    message = refusal(capsys, "report", "fig6", "--out", str(tmp_path))
+    assert message == f"error: {tmp_path}: holds no result of fig6; first run: make study-NAME\n"
     out = ("--scale", "smoke", "--out", str(tmp_path))
-    said = refusal(capsys, "report", "fig5", *out)
-    assert said.endswith(
+    message = refusal(capsys, "report", "fig5", *out)
+    assert message.endswith(
         "no result of fig5 at scale smoke; first run: make study-NAME SCALE=smoke\n"
     )
     path = tmp_path / "report-smoke.html"
@@ -114,8 +114,8 @@ def test_results_of_a_scale_have_a_page_of_their_own(capsys, tmp_path):
 
 def test_the_report_of_an_own_study_is_about_that_study(capsys, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
-    said = refusal(capsys, "report", "fig5")
-    assert said.endswith("holds no result of fig5; first run: python -m workflow run NAME\n")
+    message = refusal(capsys, "report", "fig5")
+    assert message.endswith("holds no result of fig5; first run: python -m workflow run NAME\n")
     output(capsys, "new", "mine")
     data = add(result("fig6"), mu_1=0.1, model_ratio=0.8).assign_attrs(title="My rubber")
     write_datasets(tmp_path / "mine.nc", {"": data.assign_attrs(study=read_study("mine").text)})
@@ -204,8 +204,8 @@ def test_a_measured_study_shows_its_settings_and_no_time_stepping(powers, tmp_pa
 
 
 def test_an_empty_folder_is_one_line(capsys, tmp_path):
-    said = refusal(capsys, "report", "--out", str(tmp_path))
-    assert said.startswith(f"error: {tmp_path}: holds no result of fig2, fig3")
+    message = refusal(capsys, "report", "--out", str(tmp_path))
+    assert message.startswith(f"error: {tmp_path}: holds no result of fig2, fig3")
 
 
 def test_text_of_a_result_is_escaped_and_other_code_and_settings_are_pointed_out(tmp_path):
@@ -249,8 +249,8 @@ def test_realizations_that_differ_are_a_range(tmp_path):
     shown = section(read_study("fig6"), {"": data}, tmp_path)
     assert shown["extent"] == "default scale, 4 to 10 realizations"
     assert shown["images"] == []
-    (said,) = shown["troubles"]
-    assert said.startswith(f"No figure: {tmp_path}/fig6.nc: cannot be used by fig6")
+    (message,) = shown["troubles"]
+    assert message.startswith(f"No figure: {tmp_path}/fig6.nc: cannot be used by fig6")
     assert shown["files"] == ["fig6.nc", "fig6.csv", "fig6-columns.csv"]
 
 
@@ -298,7 +298,7 @@ def test_formulas(text, html):
         ("holds for 60 % of the points", "only"),
         ("only with one implicit Euler step per dx", "only"),
         ("not found", "not"),
-        ("cannot be told: the error is too large", "cannot"),
+        ("cannot be judged: the error is too large", "cannot"),
     ],
 )
 def test_a_verdict_on_a_condition_is_amber(verdict, colour):
