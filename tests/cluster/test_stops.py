@@ -49,7 +49,7 @@ def interrupted(trial):
     status, lines = trial.ended()
     assert status == 130
     assert said(r"interrupted; what is finished is kept, to resume run again: .*", lines) == 1
-    left = said(r"left behind: \d+ batches that were not done in time", lines)
+    left = said(r"abandoned: \d+ batches that did not finish in time", lines)
     return left, time.monotonic() - began
 
 

@@ -63,12 +63,12 @@ class Cluster(Workers):
         """Return whether nobody has done an item yet."""
         return all(arrival.key != key for arrival in self.ended)
 
-    def ask(self) -> "Future[Snapshot]":
+    def request_snapshot(self) -> "Future[Snapshot]":
         """Return who is there."""
-        begun = {task.key: w.address for w in self.workers.values() for task in w.processing}
+        running = {task.key: w.address for w in self.workers.values() for task in w.processing}
         ready = [worker.address for worker in self.running]
         answer: Future[Snapshot] = Future()
-        answer.set_result(Snapshot(dict.fromkeys(self.workers, 1), sorted(ready), begun))
+        answer.set_result(Snapshot(dict.fromkeys(self.workers, 1), sorted(ready), running))
         return answer
 
 

@@ -1,6 +1,6 @@
-"""Where batches are computed: processes of this machine, jobs, a scheduler; the stream of work.
+"""Execution of batches on local processes, batch jobs or a running scheduler.
 
-The only room beside run that knows dask's scheduler.
+Only this room and ``run`` import dask's scheduler.
 """
 
 from typing import TYPE_CHECKING

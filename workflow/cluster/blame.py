@@ -1,7 +1,7 @@
-"""Which workers are to blame: those on which items fail in a row that others compute.
+"""Detection of sick workers, on which items fail in a row that other workers compute.
 
-A worker is known by its address. Where workers sit on several hosts, one that fails is taken
-for its host: the others there share its disk and memory.
+Workers are identified by address. With several hosts, a failing worker stands for its host, since
+the workers of a host share disk and memory.
 """
 
 from collections import Counter
@@ -11,69 +11,69 @@ from dataclasses import dataclass, field
 from ..system import say
 from .pool import Snapshot
 
-IN_A_ROW = 3  # failures that others did not have, before a worker is left out
-AGAIN_SECONDS = 30.0  # in which a worker that was lost may be started anew
+MAX_CONSECUTIVE_FAILURES = 3  # of items that succeed elsewhere, before a worker is excluded
+RESTART_SECONDS = 30.0  # within which a lost worker may be restarted
 
 
 @dataclass
 class Blame:
-    """The workers, snapshot after snapshot, and who of them is left out."""
+    """State of all workers over successive snapshots, with the excluded ones."""
 
     now: Snapshot = field(default_factory=lambda: Snapshot({}))
-    failures: Counter[str] = field(default_factory=Counter)  # in a row, by place
-    left_out: set[str] = field(default_factory=set)  # places
-    lost: dict[str, float] = field(default_factory=dict)  # when (s), by address
-    by_host: bool = False  # whether there are several hosts
+    failures: Counter[str] = field(default_factory=Counter)  # consecutive, by place
+    excluded: set[str] = field(default_factory=set)  # places
+    lost: dict[str, float] = field(default_factory=dict)  # time of the loss (s), by address
+    by_host: bool = False  # whether workers run on several hosts
 
     def note(self, snapshot: Snapshot, time: float) -> None:
-        """Take note of a snapshot."""
+        """Update the state from a snapshot."""
         lost = self.lost | dict.fromkeys(self.now.threads.keys() - snapshot.threads, time)
         self.lost = {
             address: since
             for address, since in lost.items()
-            if address not in snapshot.threads and time - since < AGAIN_SECONDS
+            if address not in snapshot.threads and time - since < RESTART_SECONDS
         }
         self.now = snapshot
         self.by_host = len({address.rpartition(":")[0] for address in snapshot.threads}) > 1
 
     def fit(self, failed: Iterable[str] = ()) -> list[str]:
-        """Return who takes up work, is not left out, and is elsewhere than where it failed."""
+        """Return the ready workers that are neither excluded nor at a place of a failure."""
         return self._elsewhere(self.now.ready, failed)
 
     def awaited(self, failed: Iterable[str] = ()) -> bool:
-        """Return whether ``fit`` has nobody, but may soon have somebody.
+        """Return whether ``fit`` is empty but may soon have a worker.
 
-        Nobody is known as yet, or a worker that would be in it was lost just now: a nanny starts
-        one anew within seconds.
+        This holds before the first worker connects, and after a suitable worker was lost, which
+        its nanny restarts within seconds.
         """
         lost = self._elsewhere(self.lost, failed)
         return not self.now.threads or (not self.fit(failed) and bool(lost))
 
     def to_be_given_up(self, failed: list[str]) -> bool:
-        """Return whether an item failed at two places, or twice at the only one.
+        """Return whether an item failed at two places, or twice at the only place.
 
-        A failure of which nobody knows where it was counts as a place of its own.
+        A failure at an unknown address counts as a place of its own.
         """
         places = len({self.place(a) for a in failed if a}) + failed.count("")
         return places > 1 or (len(failed) > 1 and not self.fit(failed))
 
     def place(self, address: str) -> str:
-        """Return where a worker is: its host, or on a single host its address."""
+        """Return the place of a worker: its host, or its address if there is a single host."""
         return address.rpartition(":")[0] if self.by_host else address
 
     def succeeded(self, address: str, failed: Iterable[str]) -> None:
-        """Note that a worker computed what workers at ``failed`` could not; leave out whom due."""
+        """Record that a worker computed an item that failed at ``failed``; exclude sick workers."""
         place = self.place(address)
         self.failures.pop(place, None)
-        for other in {self.place(other) for other in failed if other} - {place, *self.left_out}:
+        for other in {self.place(other) for other in failed if other} - {place, *self.excluded}:
             self.failures[other] += 1
-            if self.failures[other] >= IN_A_ROW:
-                self.left_out.add(other)
+            if self.failures[other] >= MAX_CONSECUTIVE_FAILURES:
+                self.excluded.add(other)
                 say(
-                    f"worker {other}: {self.failures[other]} batches in a row failed there and "
-                    "went well elsewhere; left out"
+                    f"worker {other}: {self.failures[other]} consecutive batches failed there and "
+                    "succeeded elsewhere; excluded"
                 )
 
     def _elsewhere(self, addresses: Iterable[str], failed: Iterable[str]) -> list[str]:
-        avoided = self.left_out | {self.place(address) for address in failed}
+        avoided = self.excluded | {self.place(address) for address in failed}
         return [address for address in addresses if self.place(address) not in avoided]

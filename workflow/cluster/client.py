@@ -1,4 +1,4 @@
-"""The client of what computes: processes of this machine, jobs, or a scheduler that is there."""
+"""Clients of local processes, batch jobs, or a running scheduler."""
 
 import asyncio
 import concurrent.futures
@@ -22,14 +22,14 @@ from tornado.ioloop import IOLoop
 from ..ground import UserError
 from ..study import BATCH_SYSTEMS, LOCAL, Cluster
 from ..system import THREADS, Watch, say
-from .jobs import ADAPT_SECONDS, job_cluster
-from .security import ENCRYPTED, no_pages, own_security, scheduler_options, security_of
+from .jobs import ADAPT_INTERVAL, job_cluster
+from .security import ENCRYPTED, new_security, no_pages, scheduler_options, security_of
 
 CONNECT_SECONDS = 10
-MUTE_SECONDS = 30  # for a scheduler that takes connections and says nothing
-CLOSE_SECONDS = 2.0  # for a scheduler to say goodbye
-SILENT_WORKER = "25s"  # after which dask starts a worker anew; it looks so often, and needs 5 s
-HERE = "127.0.0.1"
+MUTE_SECONDS = 30  # timeout for a scheduler that accepts connections but does not answer
+CLOSE_SECONDS = 2.0  # timeout of closing
+WORKER_TTL = "25s"  # after which dask restarts a silent worker; also the period of its check
+LOOPBACK = "127.0.0.1"
 
 
 @contextlib.contextmanager
@@ -39,22 +39,23 @@ def open_client(
     dashboard: bool = False,
     watch: Watch | None = None,
 ) -> Iterator[Client]:
-    """Yield a client of the cluster; ``workers`` is the number of processes of this machine.
+    """Yield a client of the cluster.
 
-    Raises UserError when a scheduler does not answer or a batch system refuses.
+    workers : number of local processes; the default is the number of cores. Raises UserError if
+    the scheduler does not answer or the batch system refuses the jobs.
     """
     if dashboard and importlib.util.find_spec("bokeh") is None:
         raise UserError("--dashboard: needs bokeh (the extra 'dashboard' of this package)")
     settings = {
-        "distributed.scheduler.worker-ttl": SILENT_WORKER,
-        "distributed.scheduler.worker-saturation": 1.0,  # none waits on a worker: Ctrl-C ends soon
-        "distributed.admin.low-level-log-length": 0,  # or the last 1000 messages stay in memory
-        # Loops that ask whether they are late, and profiles, take a tenth of a core of the idle.
+        "distributed.scheduler.worker-ttl": WORKER_TTL,
+        "distributed.scheduler.worker-saturation": 1.0,  # no queue on workers: Ctrl-C is quick
+        "distributed.admin.low-level-log-length": 0,  # otherwise 1000 messages stay in memory
+        # Event-loop ticks and profiles take a tenth of a core of an idle process.
         "distributed.admin.tick.interval": "1s",
-        "distributed.worker.profile.enabled": dashboard,  # where somebody looks at it
+        "distributed.worker.profile.enabled": dashboard,  # only the dashboard shows it
         **{f"distributed.nanny.pre-spawn-environ.{k}": v for k, v in THREADS.items()},
     }
-    # What is lost is said in one line, by the flow.
+    # The stream reports lost workers in one line.
     for name in ("distributed.client", "distributed.scheduler"):
         logging.getLogger(name).setLevel(logging.CRITICAL)
     watch = watch or Watch()
@@ -72,78 +73,80 @@ def open_client(
             client = _client_of(loop, cluster)
         stack.callback(sync, loop, _closed, client)
         if dashboard:
-            say(f"dashboard: {client.dashboard_link} (anyone on the machine can look)")
+            say(f"dashboard: {client.dashboard_link} (visible to all users of this machine)")
         yield client
 
 
 @contextlib.contextmanager
 def _local_cluster(loop: IOLoop, workers: int | None, dashboard: bool) -> Iterator[SpecCluster]:
-    """Yield processes of this machine, which listen to whoever has the certificate of this run."""
+    """Yield local processes that accept only holders of the certificate of this run."""
     count = workers or CPU_COUNT
-    # What lies here is put in the path of imports: it must be nobody else's.
+    # Workers import from this folder, so that it must belong to this user alone.
     with tempfile.TemporaryDirectory(prefix="elastomer-friction-") as folder:
-        security = own_security(folder)
-        ends = {"host": HERE, "protocol": ENCRYPTED, "security": security}
+        security = new_security(folder)
+        ends = {"host": LOOPBACK, "protocol": ENCRYPTED, "security": security}
         one = {"nthreads": 1, "memory_limit": MEMORY_LIMIT // count, "local_directory": folder}
-        how = ends | one | {"silence_logs": logging.CRITICAL}
+        nanny_options = ends | one | {"silence_logs": logging.CRITICAL}
         parts: dict[str, Any] = {
             "scheduler": {"cls": Scheduler, "options": ends | scheduler_options(dashboard)},
-            "workers": {number: {"cls": Nanny, "options": how} for number in range(count)},
+            "workers": {
+                number: {"cls": Nanny, "options": nanny_options} for number in range(count)
+            },
         }
-        how_run = {"loop": loop, "security": security, "silence_logs": logging.CRITICAL}
+        cluster_options = {"loop": loop, "security": security, "silence_logs": logging.CRITICAL}
         pages = dask.config.set(no_pages(security, dashboard))
-        with pages, SpecCluster(**parts, **how_run) as local:
-            # A nanny whose worker process is killed while it starts again gives it up.
-            local.adapt(minimum=count, maximum=count, interval=ADAPT_SECONDS)
+        with pages, SpecCluster(**parts, **cluster_options) as local:
+            # Replaces a nanny that gave up because its worker was killed during a restart.
+            local.adapt(minimum=count, maximum=count, interval=ADAPT_INTERVAL)
             yield local
 
 
 @contextlib.contextmanager
 def _loop_without_ctrl_c() -> Iterator[IOLoop]:
-    """Yield the loop of a thread that Ctrl-C does not reach, nor the processes it starts.
+    """Yield the event loop of a thread that blocks SIGINT, as do the processes it starts.
 
-    Ctrl-C is sent to the whole process group: worker processes must be born not to hear it.
+    Ctrl-C is sent to the whole process group, so that workers must inherit the blocked signal.
     """
-    begun: concurrent.futures.Future[IOLoop] = concurrent.futures.Future()
-    over = asyncio.Event()
+    started: concurrent.futures.Future[IOLoop] = concurrent.futures.Future()
+    finished = asyncio.Event()
 
-    async def until_over() -> None:
-        begun.set_result(IOLoop.current())
-        await over.wait()
+    async def until_finished() -> None:
+        started.set_result(IOLoop.current())
+        await finished.wait()
 
     def run() -> None:
-        signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})  # processes inherit it
-        asyncio.run(until_over())
+        signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})  # inherited by processes
+        asyncio.run(until_finished())
 
-    resource_tracker.ensure_running()  # where it begins later, it unblocks what is blocked there
+    resource_tracker.ensure_running()  # a later start would unblock the signal in that thread
     thread = threading.Thread(target=run, name="IO loop", daemon=True)
     thread.start()
-    loop = begun.result()
+    loop = started.result()
     try:
         yield loop
     finally:
-        loop.add_callback(over.set)
+        loop.add_callback(finished.set)
         thread.join(CLOSE_SECONDS)
 
 
 def _client_of(loop: IOLoop, cluster: Cluster) -> Client:
-    """Return a client of a scheduler that stands."""
+    """Return a client of a running scheduler."""
     security = security_of(cluster)
     try:
         return sync(loop, _connected, cluster.where, security)
-    # Where another service greets, dask reads a length that no memory holds (MemoryError).
+    # The greeting of another service is read as a huge length, which raises MemoryError.
     except (OSError, ValueError, MemoryError) as error:
-        whose = " that the certificates fit" if security else ""
-        text = f"--scheduler {cluster.where}: no scheduler answers there{whose}"
+        accepting = " that accepts the certificates" if security else ""
+        text = f"--scheduler {cluster.where}: no scheduler answers there{accepting}"
         raise UserError(text) from error
 
 
 async def _connected(where: Any, security: Any = None) -> Client:
-    """Return a client; where nobody answers, close what has been opened."""
-    # While one tries to connect, xarray is not to ask dask's default for locks of files it writes.
-    how = {"timeout": CONNECT_SECONDS, "set_as_default": False, "asynchronous": True}
-    client = Client(where, security=security, **how)
-    try:  # of itself it waits for ever for a scheduler that says nothing, as if it were stopped
+    """Return a connected client, or close it and raise if no scheduler answers."""
+    # Not the default client, from which xarray would request locks while it connects.
+    options = {"timeout": CONNECT_SECONDS, "set_as_default": False, "asynchronous": True}
+    client = Client(where, security=security, **options)
+    try:  # without a timeout a client waits forever for a stopped scheduler
         return await asyncio.wait_for(client, MUTE_SECONDS)
     except BaseException:
         await _closed(client)
@@ -153,8 +156,8 @@ async def _connected(where: Any, security: Any = None) -> Client:
 async def _closed(client: Client) -> None:
     """Close a client, whether or not its scheduler answers.
 
-    Nothing is left to do when Python collects it: that may come while dask holds the lock of its
-    threads, and would wait for that very lock.
+    A client that is still open when Python collects it may deadlock: the collection can happen
+    while dask holds the lock that closing needs.
     """
     with contextlib.suppress(TimeoutError):
         await client.close(timeout=CLOSE_SECONDS)

@@ -1,4 +1,4 @@
-"""Stream items through the workers: a bounded window of them, refilled in bulk."""
+"""Stream of items through the workers, with a bounded window that is refilled in bulk."""
 
 import math
 from collections.abc import Callable, Collection, Iterable, Iterator
@@ -14,18 +14,20 @@ from ..system import BEAT_SECONDS, NO_ANSWER, QUIET_SECONDS, Watch, say
 from .blame import Blame
 from .pool import ResultLost, Snapshot
 
-PER_THREAD, LEAST = 4, 8  # items in flight
-FEW_PER_THREAD = 2  # where each item is for some workers alone, so that others may still have it
-POLL_SECONDS = 0.2  # at most between looks at whether to stop
-STOP_SECONDS = 10.0  # that running items are awaited after a stop
-DEATHS = 3  # of workers that an item survives, as dask's
+ITEMS_PER_THREAD, MIN_WINDOW = 4, 8  # items in flight
+BOUND_ITEMS_PER_THREAD = (
+    2  # if items are bound to certain workers, so that others can take the rest
+)
+TAKE_SECONDS = 0.2  # longest wait for an arrival before the stop flag is checked
+STOP_SECONDS = 10.0  # wait for running items after a stop
+MAX_WORKER_DEATHS = 3  # that an item may cause before it is given up; dask has the same limit
 
-# What to do instead of an item that failed with an error, alone in the cluster or not.
+# Returns the items to compute instead of one that failed with an error, alone or not.
 Retry = Callable[[Any, Exception, bool], list[Any]]
 
 
 def raise_error(item: Any, error: Exception, alone: bool) -> list[Any]:
-    """Let an error on a worker end the stream; an item whose worker died gets another chance."""
+    """Raise the error of a worker; retry an item once, alone, if its worker died."""
     if isinstance(error, KilledWorker) and not alone:
         return [item]
     raise error
@@ -38,30 +40,30 @@ def stream(
     retry: Retry = raise_error,
     blame: Blame | None = None,
 ) -> Iterator[tuple[Any, Any]]:
-    """Yield (item, result) as they come from a pool; once watch() is true, only what is running.
+    """Yield (item, result) in order of arrival; after watch() is true, only running items.
 
-    At most a few items per worker thread are in flight, so memory does not grow with the study. An
-    item that raises is tried on another worker, for which it waits where none is known yet or one
-    was lost a moment ago; ``retry`` returns what to do instead of one that failed on two, or twice
-    on the only one. What follows a killed worker is done last, one item at a time, so that the item
-    to blame is certain. What runs when a stop is asked for is awaited for STOP_SECONDS at most.
-    Raises UserError when the scheduler is lost, or patience ends.
+    At most a few items per worker thread are in flight, so that memory does not grow with the
+    study. An item that raises is retried on another worker; it waits for one if none has connected
+    or one was lost recently. ``retry`` returns the replacement of an item that failed on two
+    workers, or twice on the only worker. Items of killed workers run last and one at a time, so
+    that the item that kills is known. After a stop, running items are awaited for at most
+    STOP_SECONDS. Raises UserError if the scheduler is lost, or when patience ends.
 
-    pool : a Pool, or what stands in for one in a simulation.
-    blame : what earlier streams know of the workers.
+    pool : a Pool, or its stand-in in a simulation. blame : state of the workers from earlier
+    streams.
     """
     return iter(_Stream(pool, iter(items), watch or Watch(), retry, blame or Blame()))
 
 
 @dataclass
 class _Work:
-    """An item on its way."""
+    """An item with its failures and its worker."""
 
     item: Any
-    failed: list[str] = field(default_factory=list)  # where it raised: addresses, or ""
-    deaths: int = 0  # of workers that had it
-    workers: Collection[str] = ()  # who alone may have it; none: anybody
-    where: str = ""  # who has it: an address, when last looked
+    failed: list[str] = field(default_factory=list)  # addresses at which it raised, or ""
+    deaths: int = 0  # of its workers
+    workers: Collection[str] = ()  # allowed workers; empty: all
+    worker: str = ""  # address in the last snapshot
 
 
 @dataclass
@@ -72,14 +74,14 @@ class _Stream:
     retry: Retry
     blame: Blame
     in_flight: dict[str, _Work] = field(default_factory=dict)  # by key
-    again: list[_Work] = field(default_factory=list)  # before the rest of the source
-    alone: list[_Work] = field(default_factory=list)  # after it
-    isolated: bool = False  # what is in flight is alone there
-    window: int = LEAST
-    answer: Any = None  # that is awaited: a future of a snapshot
-    asked: float = -math.inf  # when
-    looked: float = -math.inf  # when
-    stopped: float = math.inf  # when that was asked for
+    again: list[_Work] = field(default_factory=list)  # submitted before the rest of the source
+    alone: list[_Work] = field(default_factory=list)  # submitted after it, one at a time
+    isolated: bool = False  # whether the item in flight is the only one
+    window: int = MIN_WINDOW
+    answer: Any = None  # future of the next snapshot
+    requested: float = -math.inf  # time of the request for a snapshot
+    checked: float = -math.inf  # time of the last check
+    stopped: float = math.inf  # time of the stop
 
     def __iter__(self) -> Iterator[tuple[Any, Any]]:
         try:
@@ -94,28 +96,28 @@ class _Stream:
             self.pool.drop(self.in_flight)
 
     def _submit(self) -> None:
-        """Fill the window from what is to be done again and the source; then one alone."""
+        """Fill the window from the retries and the source; then submit items one at a time."""
         free = self.window - len(self.in_flight)
         if self.watch() or free <= self.window // 8 or (self.isolated and self.in_flight):
             return  # refilled in bulk
-        fresh = self.again[:free]
+        works = self.again[:free]
         del self.again[:free]
-        fresh += map(_Work, islice(self.source, free - len(fresh)))
-        self.isolated = self.isolated and len(fresh) < 2
-        if not fresh and not self.in_flight and self.alone:
-            fresh, self.isolated = [self.alone.pop()], True
+        works += map(_Work, islice(self.source, free - len(works)))
+        self.isolated = self.isolated and len(works) < 2
+        if not works and not self.in_flight and self.alone:
+            works, self.isolated = [self.alone.pop()], True
         blame = self.blame
-        self._send([w for w in fresh if not w.failed], blame.fit() if blame.left_out else [])
-        for work in fresh:
+        self._send([w for w in works if not w.failed], blame.fit() if blame.excluded else [])
+        for work in works:
             if work.failed and blame.awaited(work.failed):
                 self.again.append(work)
             elif work.failed:
                 self._send([work], blame.fit(work.failed))
 
     def _send(self, works: list[_Work], workers: list[str]) -> None:
-        """Give out works, to some workers alone if there are any.
+        """Submit items, restricted to ``workers`` unless it is empty.
 
-        As a mere wish it would be of no use: idle workers steal, and who fails is soon idle.
+        A preference would not do, since idle workers steal items and a failing worker is idle.
         """
         if works:
             keys = self.pool.submit([work.item for work in works], workers)
@@ -124,9 +126,9 @@ class _Stream:
                 self.in_flight[key] = work
 
     def _take(self) -> list[tuple[Any, Any]]:
-        """Return (item, result) of what has come, and note what to do instead of what failed."""
+        """Return the arrived (item, result), and schedule replacements of failed items."""
         done: list[tuple[Any, Any]] = []
-        for arrival in self.pool.take(POLL_SECONDS):
+        for arrival in self.pool.take(TAKE_SECONDS):
             work = self.in_flight.pop(arrival.key)
             if arrival.error:
                 self._fail(work, arrival.error, arrival.address)
@@ -136,62 +138,64 @@ class _Stream:
         return done
 
     def _fail(self, work: _Work, error: Exception, address: str = "") -> None:
-        """Note what to do instead of an item that failed, or whose worker died."""
+        """Schedule the retry or replacement of an item that failed or whose worker died."""
         if isinstance(error, KilledWorker):
             work.deaths = max(work.deaths, error.allowed_failures) + 1
         elif not isinstance(error, ResultLost):
             work.failed.append(address)
-        given_up = work.deaths > DEATHS or self.blame.to_be_given_up(work.failed)
+        given_up = work.deaths > MAX_WORKER_DEATHS or self.blame.to_be_given_up(work.failed)
         if given_up or isinstance(error, UserError):
-            instead = map(_Work, self.retry(work.item, error, self.isolated))
-            (self.alone if isinstance(error, KilledWorker) else self.again).extend(instead)
+            replacements = map(_Work, self.retry(work.item, error, self.isolated))
+            (self.alone if isinstance(error, KilledWorker) else self.again).extend(replacements)
         else:
             self.again.append(work)
 
     def _look(self) -> None:
-        """Every second ask for the workers, and let the watch look."""
+        """Every second request a snapshot of the workers and report to the watch."""
         now, stopping = self.pool.monotonic(), self.watch()
         if stopping:
             self.stopped = min(self.stopped, now)
         if self.answer is not None and self.answer.done():
             self._note(self.answer.result(), now)
             self.answer = None
-        due = now - self.looked >= BEAT_SECONDS
-        if self.answer is None and (due or self.asked < self.stopped <= now):  # soon after a stop
-            self.answer, self.asked = self.pool.ask(), now
+        due = now - self.checked >= BEAT_SECONDS
+        if self.answer is None and (
+            due or self.requested < self.stopped <= now
+        ):  # soon after a stop
+            self.answer, self.requested = self.pool.request_snapshot(), now
         if not due:
             return
-        self.looked = now
-        silent = now - self.asked >= QUIET_SECONDS
+        self.checked = now
+        silent = now - self.requested >= QUIET_SECONDS
         if self.in_flight and (now - self.stopped >= STOP_SECONDS or (stopping and silent)):
-            say(f"left behind: {len(self.in_flight)} batches that were not done in time")
+            say(f"abandoned: {len(self.in_flight)} batches that did not finish in time")
             self._drop([*self.in_flight])
         threads = sum(self.blame.now.threads.values())
         self.watch.look(threads, len(self.in_flight), NO_ANSWER if silent else "")
 
     def _note(self, snapshot: Snapshot, now: float) -> None:
-        """Note who is there; compute again what workers had that are gone.
+        """Update the workers; resubmit the items of lost workers.
 
-        Dask would do so as well, but does not count those that retire, as a job's in good time.
-        After a stop, shed what nobody had begun when the scheduler was asked.
+        Dask would resubmit them too, but does not count workers that retire, as at the end of a
+        job. After a stop, drop the items that no worker had started at the time of the snapshot.
         """
         blame = self.blame
         blame.note(snapshot, now)
-        per_thread = FEW_PER_THREAD if blame.left_out else PER_THREAD
-        self.window = max(per_thread * sum(snapshot.threads.values()), LEAST)
+        per_thread = BOUND_ITEMS_PER_THREAD if blame.excluded else ITEMS_PER_THREAD
+        self.window = max(per_thread * sum(snapshot.threads.values()), MIN_WINDOW)
         for key, work in [*self.in_flight.items()]:
-            gone = work.workers or {work.where} - {""}
-            work.where = snapshot.begun.get(key, "")
-            if gone and snapshot.threads.keys().isdisjoint(gone):
+            lost = work.workers or {work.worker} - {""}
+            work.worker = snapshot.running.get(key, "")
+            if lost and snapshot.threads.keys().isdisjoint(lost):
                 self._drop([key])
-                last = cast(Any, SimpleNamespace(address=" or ".join(gone)))
+                last = cast(Any, SimpleNamespace(address=" or ".join(lost)))
                 self._fail(work, KilledWorker(key, last, work.deaths))
-        if self.asked >= self.stopped:
-            fresh = self.in_flight.keys() - snapshot.begun.keys()
-            self._drop([key for key in fresh if self.pool.pending(key)])
+        if self.requested >= self.stopped:
+            waiting = self.in_flight.keys() - snapshot.running.keys()
+            self._drop([key for key in waiting if self.pool.pending(key)])
 
     def _drop(self, keys: list[str]) -> None:
-        """Wait for items no more."""
+        """Stop waiting for items."""
         self.pool.drop(keys)
         for key in keys:
             del self.in_flight[key]

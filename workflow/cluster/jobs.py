@@ -1,4 +1,4 @@
-"""Workers as jobs of a batch system, through dask-jobqueue: lost and expired ones are replaced."""
+"""Workers as jobs of a batch system through dask-jobqueue, which replaces lost jobs."""
 
 import contextlib
 import shlex
@@ -15,26 +15,26 @@ from tornado.ioloop import IOLoop
 from ..ground import UserError
 from ..study import BATCH_SYSTEMS, Cluster, walltime_seconds
 from ..system import ROOT, THREADS, interface_named, refused
-from .security import ENCRYPTED, no_pages, own_security, scheduler_options
+from .security import ENCRYPTED, new_security, no_pages, scheduler_options
 
-# What a worker keeps on a disk is put in the path of imports: it must be nobody else's. Nor is
-# anything imported from the folder where the job was submitted.
-PRIVATE = (
+# Workers import from their local folder, so that it must belong to this user alone. They import
+# nothing from the folder in which the job was submitted.
+PRIVATE_FOLDER_LINES = (
     "export PYTHONSAFEPATH=1",
     f"export PYTHONPATH={shlex.quote(str(ROOT))}${{PYTHONPATH:+:$PYTHONPATH}}",
     "export DASK_TEMPORARY_DIRECTORY=$(mktemp -d)",
     "trap 'rm -rf \"$DASK_TEMPORARY_DIRECTORY\"' EXIT",
 )
-ADAPT_SECONDS = "5s"  # between looks at whether workers have to be replaced
-STAGGER = 0.1  # of the lifetime, so that workers do not all retire at once
+ADAPT_INTERVAL = "5s"  # between checks for workers to be replaced
+LIFETIME_STAGGER = 0.1  # share of the lifetime, so that workers do not all retire at once
 
 
 @contextlib.contextmanager
 def job_cluster(loop: IOLoop, cluster: Cluster, dashboard: bool = False) -> Iterator[Any]:
-    """Yield a cluster whose scheduler is here and whose workers are ``cluster.jobs`` jobs.
+    """Yield a cluster with a local scheduler and ``cluster.jobs`` jobs as workers.
 
-    All have a certificate of this run, which lies in a folder of our own beside the jobs' logs.
-    Raises UserError without the batch system or the interface, and where jobs would be refused.
+    They share a certificate of this run, stored in a private folder next to the logs of the jobs.
+    Raises UserError if the batch system or the interface is missing, or if it refuses jobs.
     """
     name, logs = cluster.where, Path(cluster.log_folder)
     try:
@@ -48,18 +48,18 @@ def job_cluster(loop: IOLoop, cluster: Cluster, dashboard: bool = False) -> Iter
         logs.mkdir(parents=True, exist_ok=True)
         keys = tempfile.TemporaryDirectory(prefix=".tls-", dir=logs.resolve())
     with keys as folder, contextlib.ExitStack() as stack:
-        security = own_security(folder)
+        security = new_security(folder)
         pages = no_pages(security, dashboard)
         stack.enter_context(dask.config.set(pages))
         jobs = start(loop=loop, security=security, **_settings(cluster, dashboard, pages))
         stack.enter_context(jobs)
         _try_submitting(name, jobs.job_script())
-        jobs.adapt(minimum_jobs=cluster.jobs, maximum_jobs=cluster.jobs, interval=ADAPT_SECONDS)
+        jobs.adapt(minimum_jobs=cluster.jobs, maximum_jobs=cluster.jobs, interval=ADAPT_INTERVAL)
         yield jobs
 
 
 def _settings(cluster: Cluster, dashboard: bool, pages: dict[str, Any]) -> dict[str, Any]:
-    """Return what dask-jobqueue is told; ``pages`` are settings of dask."""
+    """Return the arguments of dask-jobqueue's cluster. pages : settings of dask."""
     lifetime = cluster.lifetime
     settings = {f"DASK_{name.replace('.', '__').upper()}": value for name, value in pages.items()}
     exported = [f"export {k}={shlex.quote(str(v))}" for k, v in {**THREADS, **settings}.items()]
@@ -74,10 +74,10 @@ def _settings(cluster: Cluster, dashboard: bool, pages: dict[str, Any]) -> dict[
         "log_directory": cluster.log_folder,
         "python": shlex.quote(sys.executable),
         "job_extra_directives": [*BATCH_SYSTEMS[cluster.where].directives],
-        "job_script_prologue": [*exported, *PRIVATE, *cluster.prologue],
+        "job_script_prologue": [*exported, *PRIVATE_FOLDER_LINES, *cluster.prologue],
         "worker_extra_args": [
             *("--lifetime", f"{lifetime:.0f}s"),
-            *("--lifetime-stagger", f"{STAGGER * lifetime:.0f}s"),
+            *("--lifetime-stagger", f"{LIFETIME_STAGGER * lifetime:.0f}s"),
             "--no-dashboard",
         ],
         "scheduler_options": scheduler_options(dashboard),
@@ -91,7 +91,7 @@ def _written(seconds: float) -> str:
 
 
 def _try_submitting(name: str, script: str) -> None:
-    """Let the batch system say now what it would otherwise say to nobody, once for every job."""
+    """Submit the script on trial, as errors of the real submissions are shown to nobody."""
     command = BATCH_SYSTEMS[name].trial
     if not command:
         return
@@ -100,5 +100,5 @@ def _try_submitting(name: str, script: str) -> None:
     except FileNotFoundError as error:
         raise UserError(f"--{name}: {command[0]} is not found on this machine") from error
     if done.returncode:
-        said = " ".join(done.stderr.split()) or f"exit status {done.returncode}"
-        raise UserError(f"--{name}: {name.upper()} refuses the jobs: {said}")
+        message = " ".join(done.stderr.split()) or f"exit status {done.returncode}"
+        raise UserError(f"--{name}: {name.upper()} refuses the jobs: {message}")

@@ -1,6 +1,6 @@
-"""Who may connect: certificates on every connection, and no page that anyone may open.
+"""Access control: certificates on every connection, and no unprotected HTTP pages.
 
-Whoever reaches a port of dask without them runs code as its owner.
+Without certificates, anyone who reaches a port of dask can run code as its owner.
 """
 
 import ssl
@@ -16,22 +16,26 @@ from ..ground import UserError
 from ..study import Cluster
 
 ENCRYPTED = "tls://"
-PARTS = ("key", "cert")
-# Keys of [cluster], and what dask calls them.
-FILES = {"tls_ca_file": "tls_ca_file", "tls_cert": "tls_client_cert", "tls_key": "tls_client_key"}
-# How long a certificate is valid from now on, and before now: clocks differ, or are set back.
-VALID, MARGIN = timedelta(days=365), timedelta(days=2)
+CREDENTIALS = ("key", "cert")
+# Keys of [cluster] -> names in dask.
+TLS_FILES = {
+    "tls_ca_file": "tls_ca_file",
+    "tls_cert": "tls_client_cert",
+    "tls_key": "tls_client_key",
+}
+# Validity of a certificate after and before the present, as clocks differ or are set back.
+VALIDITY, CLOCK_MARGIN = timedelta(days=365), timedelta(days=2)
 
 
 def scheduler_options(dashboard: bool) -> dict[str, Any]:
-    """Return options of a scheduler whose port for pages this machine alone can reach."""
+    """Return options of a scheduler whose HTTP port is reachable from this machine only."""
     return {"dashboard": dashboard, "dashboard_address": "127.0.0.1:0"}  # any free port
 
 
 def no_pages(security: Any, dashboard: bool) -> dict[str, Any]:
-    """Return dask's settings by which no port serves a page but those of the dashboard.
+    """Return settings of dask that disable all HTTP pages except the dashboard.
 
-    Such a port speaks TLS as all others do, or who has no certificate would wait for an answer.
+    The HTTP port then uses TLS, as otherwise a client without certificate would wait for an answer.
     """
     workers: dict[str, Any] = {"distributed.worker.http.routes": []}
     if dashboard:
@@ -40,12 +44,11 @@ def no_pages(security: Any, dashboard: bool) -> dict[str, Any]:
     return workers | tls | {"distributed.scheduler.http.routes": []}
 
 
-def own_security(folder: str) -> Security:
-    """Return a certificate made for this run: who does not have it is refused.
+def new_security(folder: str) -> Security:
+    """Return a new certificate of this run; connections without it are refused.
 
-    It is written with its key into a folder that is nobody else's. That of
-    ``Security.temporary`` is valid from this second on: once the clock is set back, no
-    connection can be made with it any more.
+    folder : private folder for the certificate and its key. ``Security.temporary`` does not serve:
+    its certificate is valid from the present second on and fails when the clock is set back.
     """
     from cryptography import x509
     from cryptography.hazmat.primitives import hashes, serialization
@@ -56,8 +59,8 @@ def own_security(folder: str) -> Security:
     now = datetime.now(UTC)
     certificate = (
         x509.CertificateBuilder(name, name, key.public_key(), x509.random_serial_number())
-        .not_valid_before(now - MARGIN)
-        .not_valid_after(now + VALID)
+        .not_valid_before(now - CLOCK_MARGIN)
+        .not_valid_after(now + VALIDITY)
         .sign(key, hashes.SHA256())
     )
     formats = serialization.PrivateFormat.PKCS8, serialization.NoEncryption()
@@ -65,19 +68,22 @@ def own_security(folder: str) -> Security:
     file = Path(folder) / "run.pem"
     file.touch(0o600)
     file.write_bytes(private + certificate.public_bytes(serialization.Encoding.PEM))
-    parts = [f"tls_{who}_{part}" for who in ("client", "scheduler", "worker") for part in PARTS]
+    parts = [
+        f"tls_{who}_{part}" for who in ("client", "scheduler", "worker") for part in CREDENTIALS
+    ]
     return Security(require_encryption=True, **dict.fromkeys(["tls_ca_file", *parts], str(file)))
 
 
 def security_of(cluster: Cluster) -> Security | None:
-    """Return what a scheduler that stands asks of us; say so where it asks nothing.
+    """Return the security of a running scheduler, or warn if it has none.
 
-    Raises UserError where the certificates are not given or cannot be used.
+    Raises UserError if the certificates are missing or cannot be used.
     """
     if not cluster.where.startswith(ENCRYPTED):
         print(
-            f"warning: --scheduler {cluster.where}: neither encrypted nor authenticated: whoever "
-            "reaches it runs code as you; start it with TLS (docs/cluster.md, Who may connect)",
+            f"warning: --scheduler {cluster.where}: neither encrypted nor authenticated: anyone "
+            "who reaches it can run code as you; start it with TLS "
+            "(docs/cluster.md, Who may connect)",
             file=sys.stderr,
         )
         return None
@@ -88,12 +94,12 @@ def security_of(cluster: Cluster) -> Security | None:
             f"--scheduler {cluster.where}: needs cluster.tls_ca_file, cluster.tls_cert and "
             "cluster.tls_key, or dask's own configuration of TLS"
         )
-    files = {name: getattr(cluster, name) for name in FILES if getattr(cluster, name)}
-    paths = {FILES[name]: str(Path(file).expanduser()) for name, file in files.items()}
+    files = {name: getattr(cluster, name) for name in TLS_FILES if getattr(cluster, name)}
+    paths = {TLS_FILES[name]: str(Path(file).expanduser()) for name, file in files.items()}
     security = Security(require_encryption=True, **paths)
     try:
         security.get_connection_args("client")
     except (OSError, ssl.SSLError) as error:
-        said = ", ".join(f"cluster.{name} = {file!r}" for name, file in files.items())
-        raise UserError(f"{said}: cannot be used for TLS: {error}") from error
+        keys = ", ".join(f"cluster.{name} = {file!r}" for name, file in files.items())
+        raise UserError(f"{keys}: cannot be used for TLS: {error}") from error
     return security

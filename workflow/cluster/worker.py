@@ -1,4 +1,4 @@
-"""What a worker process does with a batch; it needs nothing set up beforehand."""
+"""Functions that run on worker processes, which need no setup."""
 
 from collections.abc import Callable
 from typing import Any
@@ -8,22 +8,22 @@ from distributed import get_worker
 from ..simulate import Batch, BatchResult, block_means
 from ..system import Versions, require
 
-PLACE = "elastomer_friction_worker"  # attribute of an error: where it was raised
+ADDRESS_ATTRIBUTE = "elastomer_friction_worker"  # of an error: address of its worker
 
 
 def run_batch(
     batch: Batch, expected: Versions, work: Callable[[Batch], BatchResult] = block_means
 ) -> BatchResult:
-    """Do the work of a batch, if this process runs what the driver runs (else UserError)."""
+    """Return the work of a batch; raise UserError if this process differs from the driver."""
     require(expected)
     return work(batch)
 
 
 def with_address(item: Any, function: Callable) -> tuple[str, Any]:
-    """Return the address of the worker that this is, and function(item); errors say it, too."""
+    """Return the address of this worker and function(item); errors carry the address too."""
     address = get_worker().address
     try:
         return address, function(item)
     except Exception as error:
-        setattr(error, PLACE, address)
+        setattr(error, ADDRESS_ATTRIBUTE, address)
         raise

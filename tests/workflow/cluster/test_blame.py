@@ -2,7 +2,7 @@
 
 import pytest
 
-from elastomer_friction.workflow.cluster.blame import AGAIN_SECONDS, Blame
+from elastomer_friction.workflow.cluster.blame import RESTART_SECONDS, Blame
 from elastomer_friction.workflow.cluster.pool import Snapshot
 
 A, B, C = (f"tls://127.0.0.1:{port}" for port in (1, 2, 3))
@@ -20,7 +20,7 @@ def test_of_a_failure_that_was_nobody_knows_where_nobody_is_blamed(capsys):
     blame = blame_of(A, B, C)
     for _ in range(5):
         blame.succeeded(B, [""])
-    assert (blame.left_out, capsys.readouterr().err) == (set(), "")
+    assert (blame.excluded, capsys.readouterr().err) == (set(), "")
 
 
 def test_who_fails_in_a_row_what_others_can_do_is_left_out_and_named(capsys):
@@ -34,7 +34,7 @@ def test_who_fails_in_a_row_what_others_can_do_is_left_out_and_named(capsys):
     assert blame.fit() == [B, C]
     blame.succeeded(B, [A])
     (line,) = capsys.readouterr().err.splitlines()
-    assert line.startswith(f"worker {A}: 3 batches in a row failed there")
+    assert line.startswith(f"worker {A}: 3 consecutive batches failed there")
 
 
 def test_on_several_hosts_the_host_is_blamed():
@@ -53,9 +53,9 @@ def test_a_worker_that_was_lost_just_now_may_come_again():
     assert not blame.awaited([A, B])
     blame_of(A, C, blame=blame, time=6.0)
     assert not blame.awaited([A])
-    blame_of(A, blame=blame, time=5.0 + AGAIN_SECONDS)
+    blame_of(A, blame=blame, time=5.0 + RESTART_SECONDS)
     assert blame.awaited([A])  # for C now
-    blame_of(A, blame=blame, time=10.0 + 2.0 * AGAIN_SECONDS)
+    blame_of(A, blame=blame, time=10.0 + 2.0 * RESTART_SECONDS)
     assert not blame.awaited([A])
 
 

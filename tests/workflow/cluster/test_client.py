@@ -123,7 +123,7 @@ def test_ctrl_c_while_workers_start_is_heard(monkeypatch):
 
 @pytest.mark.exhaustive  # seven processes, one after the other
 def test_a_worker_that_is_killed_while_it_starts_again_is_replaced_and_set_up(monkeypatch):
-    monkeypatch.setattr(module, "ADAPT_SECONDS", "500ms")
+    monkeypatch.setattr(module, "ADAPT_INTERVAL", "500ms")
     settings = {"distributed.deploy.lost-worker-timeout": 1.0}
     settings["distributed.nanny.pre-spawn-environ"] = {}  # whatever dask's are
     with dask.config.set(settings), open_client(Cluster(), 1) as client:

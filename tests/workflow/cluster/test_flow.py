@@ -79,7 +79,7 @@ def test_one_sick_worker_fails_nothing_and_is_left_out_and_named(client, capsys)
     done = [result for _, result in stream(Pool(client, sick), [workers] * 40)]
     assert done == [max(workers)] * 40
     (line,) = capsys.readouterr().err.splitlines()
-    assert line.startswith(f"worker {min(workers)}: 3 batches in a row failed there")
+    assert line.startswith(f"worker {min(workers)}: 3 consecutive batches failed there")
 
 
 def test_while_the_sound_worker_is_busy_dask_hands_nothing_back_to_the_sick_one(client):

@@ -40,7 +40,7 @@ SEEN = Event()  # the workers of these tests are threads of this process
 
 
 def until_seen(_):
-    """Last until it was seen that this has begun."""
+    """Last until it was seen that this has running."""
     SEEN.wait(PATIENCE)
 
 
@@ -49,25 +49,25 @@ def change(status, address, dask_scheduler):
     dask_scheduler.handle_worker_status_change(status, address, "test")
 
 
-def test_a_snapshot_tells_who_is_there_who_takes_up_work_and_what_has_begun(client):
+def test_a_snapshot_tells_who_is_there_who_takes_up_work_and_what_has_running(client):
     first, second = client.nthreads()
     pool = Pool(client, until_seen)
     SEEN.clear()
     client.run_on_scheduler(change, "paused", first)
     try:
-        found = pool.ask().result(PATIENCE)
-        assert (found.threads, [*found.ready], {*found.begun}) == (
+        found = pool.request_snapshot().result(PATIENCE)
+        assert (found.threads, [*found.ready], {*found.running}) == (
             client.nthreads(),
             [second],
             set(),
         )
-        begun, waiting = (*pool.submit([1], [second]), *pool.submit([2], [first]))
-        while not (found := pool.ask().result(PATIENCE)).begun:
+        running, waiting = (*pool.submit([1], [second]), *pool.submit([2], [first]))
+        while not (found := pool.request_snapshot().result(PATIENCE)).running:
             time.sleep(0.01)
-        assert {*found.begun} == {begun}
-        assert pool.pending(begun)
+        assert {*found.running} == {running}
+        assert pool.pending(running)
         assert pool.pending(waiting)
-        pool.drop([begun, waiting])
+        pool.drop([running, waiting])
     finally:
         SEEN.set()
         client.run_on_scheduler(change, "running", first)
@@ -97,4 +97,4 @@ def test_a_scheduler_that_is_lost_while_it_is_asked_is_reported(client, monkeypa
 
     monkeypatch.setattr(client, "scheduler", Lost())
     with pytest.raises(UserError, match="the scheduler was lost; run again to resume"):
-        Pool(client, abs).ask().result(PATIENCE)
+        Pool(client, abs).request_snapshot().result(PATIENCE)

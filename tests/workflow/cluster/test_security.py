@@ -9,8 +9,8 @@ import pytest
 from cryptography import x509
 
 from elastomer_friction.workflow.cluster.security import (
+    new_security,
     no_pages,
-    own_security,
     scheduler_options,
     security_of,
 )
@@ -23,13 +23,13 @@ THERE = "tls://127.0.0.1:8786"
 @pytest.fixture
 def files(tmp_path):
     """Return the keys of [cluster] for a certificate and its key, which are in one file."""
-    security = own_security(str(tmp_path))
+    security = new_security(str(tmp_path))
     (name,) = {security.tls_ca_file, security.tls_client_cert, security.tls_client_key}
     return dict.fromkeys(("tls_ca_file", "tls_cert", "tls_key"), name)
 
 
 def test_no_page_is_served_unless_it_is_asked_for(tmp_path):
-    security = own_security(str(tmp_path))
+    security = new_security(str(tmp_path))
     workers = {"distributed.worker.http.routes": []}
     assert no_pages(security, True) == workers
     settings = no_pages(security, False)
@@ -76,4 +76,4 @@ def test_certificates_that_cannot_be_read_are_refused_by_name(files, name, tmp_p
 def test_a_scheduler_that_asks_for_nothing_is_warned_of(capsys):
     assert security_of(Cluster("tcp://127.0.0.1:8786")) is None
     (line,) = capsys.readouterr().err.splitlines()
-    assert "neither encrypted nor authenticated: whoever reaches it runs code as you" in line
+    assert "neither encrypted nor authenticated: anyone who reaches it can run code as you" in line

@@ -23,20 +23,20 @@ def test_while_the_sound_worker_is_busy_for_long_nothing_is_tried_twice_by_the_s
     assert given == []
     assert set(tries(cluster, "a").values()) == {1}
     assert cluster.now < 1000.0 + 100.0 + 31.0
-    assert capsys.readouterr().err.count("3 batches in a row failed there") == 1
+    assert capsys.readouterr().err.count("3 consecutive batches failed there") == 1
 
 
 def test_what_fails_before_the_scheduler_has_said_who_is_there_waits_for_that():
     cluster, given = Cluster(a=sick, b=first(10.0)), Given()
-    ask = cluster.ask
+    request = cluster.request_snapshot
 
     def late():
         """Answer in three seconds."""
         answer = Future()
-        cluster.after(3.0, lambda: answer.set_result(ask().result()))
+        cluster.after(3.0, lambda: answer.set_result(request().result()))
         return answer
 
-    cluster.ask = late
+    cluster.request_snapshot = late
     assert sorted(streamed(cluster, range(10), retry=given)) == [(i, i) for i in range(10)]
     assert given == []
     assert set(tries(cluster, "a").values()) == {1}
@@ -88,7 +88,7 @@ def test_a_stop_waits_ten_seconds_for_what_runs_and_leaves_the_rest(capsys):
     stopping = Watch(lambda: cluster.now > 1001.0)
     assert streamed(cluster, range(2), watch=stopping) == [(0, 0)]
     assert 1010.0 < cluster.now < 1013.0
-    assert capsys.readouterr().err == "left behind: 1 batches that were not done in time\n"
+    assert capsys.readouterr().err == "abandoned: 1 batches that did not finish in time\n"
 
 
 def test_where_the_sound_worker_falls_silent_another_does_what_it_has():
