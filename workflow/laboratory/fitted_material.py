@@ -5,9 +5,9 @@ from collections.abc import Callable
 import numpy as np
 
 from ..ground import UserError
-from ..reduce import PronyFit, fit_prony
 from ..study import Moduli
 from .master import LARGEST_RESIDUAL
+from .prony_fit import PronyFit, fit_prony
 
 LEAST_SHARE = 1e-9  # of the stiffest branch, that a relaxed modulus is
 

@@ -6,10 +6,11 @@ from typing import NamedTuple
 import numpy as np
 
 from ..ground import UserError
-from ..reduce import ShiftFit, Superposition, fit_shifts, superposed
 from ..study import Arrhenius, Moduli, ShiftTable, Wlf
 from .estimate import Estimate
 from .sentences import shown
+from .shift_fit import ShiftFit, fit_shifts
+from .superposition import Superposition, superposed
 
 LARGEST_RESIDUAL = 0.15  # rms of G*, of a material
 

@@ -32,7 +32,6 @@ if TYPE_CHECKING:
     )
     from .jackknife import grouped_means, replicates, standard_error
     from .models import EXPONENTIAL, MODEL_MEANINGS, STRETCHED, TWO_EXPONENTIALS
-    from .prony_fit import PronyFit, fit_prony
     from .rate_state import LAWS, state_change, step_law
     from .resolution import (
         ENOUGH,
@@ -43,7 +42,5 @@ if TYPE_CHECKING:
         RESOLVED,
         UNRESOLVED,
     )
-    from .shift_fit import ShiftFit, fit_shifts
-    from .superposition import Superposition, superposed
 
 __all__, __getattr__, __dir__ = public_names(__name__, __file__)

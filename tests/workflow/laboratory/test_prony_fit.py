@@ -5,7 +5,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from elastomer_friction.workflow.reduce.prony_fit import fit_prony
+from elastomer_friction.workflow.laboratory.prony_fit import fit_prony
 
 THREE = ((3e7, 1e-3), (5e6, 2e-2), (2e6, 0.3))
 OMEGA = np.geomspace(1e-2, 1e5, 60)
