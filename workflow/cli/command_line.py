@@ -12,7 +12,7 @@ from ..ground import UserError
 from ..system import program, version_of
 from .exit_status import RESUMABLE, WRONG
 
-WRITTEN = ("c", "abaqus", "modelica", "fortran", "fmu", "json")  # as what a reduced law is written
+FORMS_OF_LAWS = ("c", "fortran", "fmu", "json")  # in which `law` writes
 FOR_WHOM = ("study", "abaqus", "ansys")  # Prony series are printed
 
 
@@ -208,7 +208,9 @@ def _law_options(command: argparse.ArgumentParser) -> None:
     add("--kind", choices=("states", "rate-state", "lugre"), help="of the law (states)")
     text = "a result of motions to state the error on, in place of quarters (repeatable)"
     add("--held-out", action="append", metavar="FILE", help=text)
-    add("--write", choices=WRITTEN, help="for whom it is written (nobody: it is told)")
+    # `law_command` checks the form: it names the replacement of a removed one.
+    forms = f"{{{','.join(FORMS_OF_LAWS)}}}"
+    add("--write", metavar=forms, help="form of the written law (none: describe the law)")
     add("--out", help="file for what is written (it is printed)")
 
 

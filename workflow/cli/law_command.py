@@ -1,10 +1,10 @@
-"""The command ``law``: a reduced law of a result, said with its error and written for others."""
+"""The command ``law``: fit or read a reduced law, describe it with its errors, and export it."""
 
 import argparse
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from .. import law  # slow to import: other commands do without
+from .. import law  # slow to import, which other commands avoid
 from ..ground import UserError
 from ..result import check_result, open_tree, result_file
 from ..study import read_study
@@ -14,83 +14,86 @@ from .exit_status import DONE
 if TYPE_CHECKING:
     from ..law import Law, LoadLaw
 
-OF_A_FIT = ("states", "kind", "held_out", "group")
+FIT_OPTIONS = ("states", "kind", "held_out", "group")
 
 
 def run_law(options: argparse.Namespace) -> int:
-    """Fit a law or read one, tell it, write it if asked to; return the exit status."""
+    """Fit or read a law, describe it, write it if requested; return the exit status."""
     source, out = options.study, Path(options.out) if options.out else None
     if out and not options.write:
-        raise UserError(f"--out {out}: says where to write, not what; give --write too")
+        raise UserError(f"--out {out}: requires a form; add --write, for example --write json")
+    if options.write:
+        law.check_form(options.write)
     if options.write == "fmu" and not out:
-        raise UserError("--write fmu: is no text; give a file by --out")
-    path, found = _read(options) if source.endswith(".json") else _fitted(options)
+        raise UserError("--write fmu: is a binary file; give its path by --out")
+    path, reduced_law = _read(options) if source.endswith(".json") else _fitted(options)
     if out and out.exists() and out.samefile(path):
-        raise UserError(f"--out {out}: is what the law is made of; name another file")
+        raise UserError(f"--out {out}: is the input of the law; choose another file")
     if not options.write:
-        print(*_told(found), sep="\n")
+        print(*_description(reduced_law), sep="\n")
         return DONE
-    written = law.export(found, options.write, (out or path).stem)
+    exported = law.export(reduced_law, options.write, (out or path).stem)
     if not out:
-        print(written.content.decode(), end="")
+        print(exported.content.decode(), end="")
         return DONE
     make_folder(out.parent)
-    write_durably(out, written.content)
-    print(*_told(found), f"{out}: {written.told}", sep="\n")
+    write_durably(out, exported.content)
+    print(*_description(reduced_law), f"{out}: {exported.description}", sep="\n")
     return DONE
 
 
-def _told(found: "Law | LoadLaw") -> list[str]:
-    """Return a law in sentences, with its error in every motion."""
-    return [*found.told(), *(f"  {rms:.3g} rms  {name}" for name, rms in found.validity.motions)]
+def _description(reduced_law: "Law | LoadLaw") -> list[str]:
+    """Return the description of a law, with its error on every motion."""
+    errors = [f"  {rms:.3g} rms  {motion}" for motion, rms in reduced_law.validity.motions]
+    return [*reduced_law.told(), *errors]
 
 
 def _read(options: argparse.Namespace) -> tuple[Path, "Law | LoadLaw"]:
-    """Return a law that was written as JSON, and its file."""
-    for name in OF_A_FIT:
+    """Return the path and the law of a JSON file."""
+    for name in FIT_OPTIONS:
         if getattr(options, name) is not None:
             option = name.replace("_", "-")
-            raise UserError(f"--{option}: belongs to a fit, and {options.study} is a law already")
+            raise UserError(f"--{option}: applies to a fit, but {options.study} is a law; omit it")
     path = Path(options.study)
-    found, wanted = law.read(path), dict(map(_place, options.at or ()))
-    known = ["temperature"] + ["normal_force"] * isinstance(found, law.LoadLaw)
-    for axis in wanted:
-        if axis not in known:
-            raise UserError(f"--at {axis}: is nothing that this law depends on: {', '.join(known)}")
-    return path, found.at(**wanted) if wanted else found
+    reduced_law, point = law.read(path), dict(map(_axis_value, options.at or ()))
+    axes = ["temperature"] + ["normal_force"] * isinstance(reduced_law, law.LoadLaw)
+    for axis in point:
+        if axis not in axes:
+            raise UserError(f"--at {axis}: must be an axis of this law: {', '.join(axes)}")
+    return path, reduced_law.at(**point) if point else reduced_law
 
 
 def _fitted(options: argparse.Namespace) -> tuple[Path, "Law | LoadLaw"]:
-    """Return the law that is fitted to a result, and the file of that."""
+    """Return the path of a result file and the law that is fitted to it."""
     path = Path(options.study)
     if path.suffix != ".nc":
         study = read_study(options.study, options.scale, options.set)
         path = result_file(Path(options.results), study)
         check_result(study, path, strict=bool(options.scale or options.set))
-    others = [_dataset(Path(name), None) for name in options.held_out or ()]
-    given = {name: getattr(options, name) for name in ("states", "kind")}
-    found = law.fit(
+    held_out = [_dataset(Path(name), None) for name in options.held_out or ()]
+    settings = {name: getattr(options, name) for name in ("states", "kind")}
+    reduced_law = law.fit(
         _dataset(path, options.group),
-        **{name: value for name, value in given.items() if value is not None},
-        held_out=others or None,
-        point=dict(map(_place, options.at or ())),
+        **{name: value for name, value in settings.items() if value is not None},
+        held_out=held_out or None,
+        point=dict(map(_axis_value, options.at or ())),
     )
-    return path, found
+    return path, reduced_law
 
 
 def _dataset(path: Path, group: str | None) -> Any:
-    """Return the dataset of a result, or of a comparison in it."""
+    """Return the dataset of a result file, or of one of its comparisons."""
     tree = open_tree(path)
     if group is not None and group not in tree.children:
-        known = ", ".join(tree.children) or "none"
-        raise UserError(f"--group {group}: {path} has no such comparison; known are {known}")
+        groups = ", ".join(tree.children) or "none"
+        raise UserError(f"--group {group}: is not a comparison in {path}; must be one of {groups}")
     return (tree if group is None else tree[group]).to_dataset()
 
 
-def _place(text: str) -> tuple[str, float]:
+def _axis_value(text: str) -> tuple[str, float]:
     """Return axis and value of AXIS=VALUE. Raises UserError."""
     axis, _, value = text.partition("=")
     try:
         return axis, float(value)
     except ValueError:
-        raise UserError(f"--at {text}: must be AXIS=VALUE, as hurst=0.7") from None
+        raise UserError(f"--at {text}: must be AXIS=VALUE, for example hurst=0.7") from None

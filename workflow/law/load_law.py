@@ -14,7 +14,7 @@ from ..given_motion import LawError
 from .memory_law import MemoryLaw
 from .reduced_law import BeyondLawWarning, FittedLaw, finite_number
 
-NUMBERS = ("direct", "target", "rate_per_length", "rate", "age")  # that depend on the load
+LOAD_TABLES = ("direct", "target", "rate_per_length", "rate", "age")  # that depend on the load
 LEAST_LOADS = 3  # of which one can be held out
 
 
@@ -33,14 +33,14 @@ class LoadLaw(FittedLaw):
 
     def __post_init__(self) -> None:
         """Raise UserError where loads do not increase or the law of one of them is none."""
-        for name in ("load", "speed", *NUMBERS):
+        for name in ("load", "speed", *LOAD_TABLES):
             object.__setattr__(self, name, np.asarray(getattr(self, name), float))
         if not self.target.size:
             object.__setattr__(self, "target", np.zeros((self.load.size, 0, self.speed.size)))
         rising = self.load.ndim == 1 and (np.diff(self.load, prepend=0.0) > 0.0).all()
         if self.load.size < 2 or not rising:
             raise LawError("loads must be two or more, and increase from above zero")
-        if any(len(getattr(self, name)) != self.load.size for name in NUMBERS):
+        if any(len(getattr(self, name)) != self.load.size for name in LOAD_TABLES):
             raise LawError("the tables must hold one row of values for each load")
         for force in self.load:
             self._law(force)
@@ -48,7 +48,7 @@ class LoadLaw(FittedLaw):
     @classmethod
     def of(cls, loads: list[float], laws: list[MemoryLaw]) -> Self:
         """Return the table over loads (N), increasing, of laws of the same speeds."""
-        rows = [np.array([getattr(law, name) for law in laws]) for name in NUMBERS]
+        rows = [np.array([getattr(law, name) for law in laws]) for name in LOAD_TABLES]
         return cls(np.array(loads), laws[0].speed, *rows)
 
     def at(
@@ -74,7 +74,7 @@ class LoadLaw(FittedLaw):
     def _law(self, force: float) -> MemoryLaw:
         k = min(max(int(np.searchsorted(self.load, force)), 1), self.load.size - 1)
         share = np.log(force / self.load[k - 1]) / np.log(self.load[k] / self.load[k - 1])
-        rows = [getattr(self, name) for name in NUMBERS]
+        rows = [getattr(self, name) for name in LOAD_TABLES]
         validity = replace(self.validity, normal_force=float(force))
         between = [(1.0 - share) * row[k - 1] + share * row[k] for row in rows]
         return MemoryLaw(self.speed, *between, validity=validity)

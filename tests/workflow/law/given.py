@@ -6,7 +6,7 @@ import numpy as np
 import xarray as xr
 
 from elastomer_friction.workflow.law import LoadLaw, MemoryLaw
-from elastomer_friction.workflow.law.load_law import NUMBERS
+from elastomer_friction.workflow.law.load_law import LOAD_TABLES
 
 SPEEDS = np.array([0.001, 0.01, 0.02, 0.05, 0.1])  # m/s
 
@@ -28,7 +28,7 @@ def load_law(states=2):
     laws = []
     for factor in (0.9, 1.0, 1.1):
         own = memory_law(states)
-        changed = {name: factor * getattr(own, name) for name in NUMBERS}
+        changed = {name: factor * getattr(own, name) for name in LOAD_TABLES}
         laws.append(replace(own, **changed))
     return LoadLaw.of([1.0, 2.0, 8.0], laws)
 

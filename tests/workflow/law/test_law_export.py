@@ -1,4 +1,4 @@
-"""A law in other languages does what it does in Python: C, FMU; and what is text can be read."""
+"""Exported laws in C, Fortran and as an FMU agree with the law in Python."""
 
 import ctypes
 import io
@@ -7,6 +7,7 @@ import re
 import shutil
 import subprocess
 import zipfile
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -50,7 +51,7 @@ end subroutine
 
 
 def loaded(folder, *command):
-    """Return a library that a compiler makes of files in a folder; run(n, t, v, mu) is in it."""
+    """Return the library that a compiler makes of files in a folder; it has run(n, t, v, mu)."""
     subprocess.run([*command, "-shared", "-fPIC", "-o", "use.so"], cwd=folder, check=True)
     library, numbers = ctypes.CDLL(str(folder / "use.so")), np.ctypeslib.ndpointer(float)
     library.run.argtypes = [ctypes.c_int, numbers, numbers, numbers]
@@ -58,7 +59,7 @@ def loaded(folder, *command):
 
 
 def assert_followed(library, law):
-    """Assert that a library goes through the motion as the law does."""
+    """Assert that a library and the law give the same friction on the motion."""
     mu = np.empty_like(TIME)
     library.run(TIME.size, TIME, SWING, mu)
     assert mu == pytest.approx(followed(law, TIME, SWING), rel=1e-12, abs=1e-12)
@@ -94,7 +95,7 @@ def test_the_header_in_c_is_the_law_to_rounding(tmp_path, states, force):
 @pytest.mark.skipif(not shutil.which("gfortran"), reason="there is no Fortran compiler")
 @pytest.mark.parametrize("states", [0, 2])
 def test_the_fortran_is_the_law_to_rounding(tmp_path, states):
-    """The subroutine of Abaqus gives steady friction, and the step with states all of the law."""
+    """VFRIC_COEF of Abaqus gives steady friction, the step with states the whole law."""
     law = memory_law(states).with_validity(LAW.validity)
     (tmp_path / "rubber.f").write_bytes(export(law, "fortran", "rubber").content)
     (tmp_path / "vaba_param.inc").write_text("      implicit real*8(a-h, o-z)\n")
@@ -111,62 +112,15 @@ def test_the_fortran_is_the_law_to_rounding(tmp_path, states):
     assert not slope[1:].any()
 
 
-def test_range_error_and_motions_stand_in_every_text():
-    for form, mark in (("c", " * "), ("modelica", "  // "), ("abaqus", "** "), ("fortran", "! ")):
+def test_range_errors_and_motions_are_comments_of_every_text():
+    for form, mark in (("c", " * "), ("fortran", "! ")):
         text = export(LAW, form, "1 rubber").content.decode()
-        said = text.replace(f"\n{mark}", " ")  # of comments over several lines
+        joined = text.replace(f"\n{mark}", " ")  # comments over several lines
         assert f"{mark}range: speeds of 0.01 ... 0.1 m/s" in text
-        assert re.search(r"error on the worst of the motions held out: 0.003 rms \(0.6 %", said)
-        assert "above 0.1 m/s the speed in its tables is clamped to that" in said
+        assert re.search(r"error on the worst of the motions held out: 0.003 rms \(0.6 %", joined)
+        assert "above 0.1 m/s the speed in its tables is clamped to that" in joined
         assert f"{mark}rms error 0.001 in slide * / 1" in text
         assert "_1_rubber" in text
-
-
-@pytest.mark.parametrize("over", [False, True])
-def test_modelica_is_parsed_with_its_inputs_and_equations(over):
-    """Of a table over the load, that is a parameter."""
-    parser = pytest.importorskip("pymoca.parser")
-    law = load_law() if over else LAW
-    text = export(law, "modelica", "rubber").content.decode()
-    block = parser.parse(text).classes["rubber"]
-    assert block.symbols["v"].prefixes == ["input"]
-    assert block.symbols["mu"].prefixes == ["output"]
-    assert not over or "parameter" in block.symbols["normal_force"].prefixes
-    assert len(block.equations) == 4  # the age, two states, friction
-    assert len(block.initial_equations) == 3
-    assert {"odd", "even"} <= set(block.classes)
-    head, tail = (r"between\(normal_force, loads, \{", r"\}\)") if over else ("", "")
-    (rows,) = re.findall(rf"target1\[5\] = {head}\{{(.*)\}}{tail}", text)
-    found = [[float(value) for value in row.split(",")] for row in rows.split("}, {")]
-    assert found == (law.target[:, 0].tolist() if over else [LAW.target[0].tolist()])
-
-
-def abaqus(law):
-    """Return the columns of the table of Abaqus."""
-    lines = export(law, "abaqus", "rubber").content.decode().splitlines()
-    rows = [line for line in lines[lines.index("*FRICTION") + 1 :] if not line.startswith("**")]
-    return np.array([[float(x) for x in row.split(",")] for row in rows]).T
-
-
-def test_the_table_of_abaqus_over_the_load_is_that_of_each():
-    law = load_law()
-    mu, v, force = abaqus(law)
-    assert (np.diff(force) >= 0.0).all()
-    for load in law.load:
-        of_load = force == load
-        expected = law.at(normal_force=load).steady(v[of_load])
-        assert mu[of_load] == pytest.approx(expected, rel=1e-6)
-
-
-def test_the_table_of_abaqus_is_steady_friction_over_rising_rates():
-    mu, v = abaqus(LAW)
-    assert (np.diff(v) > 0.0).all()
-    assert (v[0], mu[0], v[-1]) == (0.0, 0.0, 0.1)
-    assert mu == pytest.approx(LAW.steady(v), rel=1e-6)
-    between = np.linspace(0.0, 0.1, 997)
-    assert np.interp(between, v, mu) == pytest.approx(LAW.steady(between), rel=5e-3)
-    said = export(LAW, "abaqus", "rubber").content.decode()
-    assert "0.1 of mu (rms, beside 0.5 of mu)" in said
 
 
 @compiled
@@ -181,7 +135,7 @@ def test_the_fmu_is_valid_and_runs_as_the_law_does(tmp_path, force):
     whole, begin = (LAW, {}) if force is None else (load_law(), {"normal_force": force})
     law = whole.at(**begin) if begin else LAW
     written = export(whole, "fmu", "rubber")
-    assert written.told == "an FMU with its C sources and a library for linux64"
+    assert written.description == "an FMU with its C sources and a library for linux64"
     path = tmp_path / "rubber.fmu"
     path.write_bytes(written.content)
     assert validation.validate_fmu(str(path)) == []
@@ -213,18 +167,34 @@ def test_the_sources_of_the_fmu_link_beside_others(tmp_path):
 def test_without_a_compiler_the_fmu_has_its_sources_alone(monkeypatch):
     monkeypatch.setattr(shutil, "which", lambda _: None)
     written = export(LAW, "fmu", "rubber")
-    assert written.told.startswith("an FMU of its C sources alone: there is no C compiler")
+    assert written.description.startswith("an FMU with C sources alone: this machine has no")
     names = zipfile.ZipFile(io.BytesIO(written.content)).namelist()
     assert names == ["modelDescription.xml", "sources/rubber.h", "sources/fmu.c"]
 
 
-def test_json_is_read_again_and_other_laws_have_no_other_form():
+def test_the_description_of_the_fmu_is_short():
+    """It holds range and errors, but not the error of every segment."""
+    segments = tuple((f"segment {k}", 1e-3) for k in range(100))
+    law = LAW.with_validity(replace(LAW.validity, motions=segments))
+    fmu = zipfile.ZipFile(io.BytesIO(export(law, "fmu", "rubber").content))
+    model = fmu.read("modelDescription.xml").decode()
+    (description,) = re.findall(r'description="(fitted to ; range: [^"]*)"', model)
+    assert len(description) < 1000
+
+
+def test_json_is_read_back_and_other_laws_have_no_other_form():
     assert read(export(LAW, "json").content.decode()).to_json() == LAW.to_json()
     lugre = LuGreLaw(1e4, 0.0, 0.0, 0.5, 0.6, 0.01)
-    assert export(lugre, "json").told == "the law as JSON"
-    with pytest.raises(UserError, match="c: takes laws of the kind states, not lugre; write json"):
+    assert export(lugre, "json").description == "the law as JSON"
+    with pytest.raises(UserError, match="c: requires a law of the kind states, not lugre"):
         export(lugre, "c")
-    with pytest.raises(UserError, match="pascal: no form of a law; known are c, abaqus, modelica"):
+    with pytest.raises(UserError, match=r"pascal: unknown .* must be one of c, fortran, fmu, json"):
         export(LAW, "pascal")
-    with pytest.raises(UserError, match="fortran: takes the law of one load"):
+    with pytest.raises(UserError, match="fortran: requires the law of one load"):
         export(load_law(), "fortran")
+
+
+@pytest.mark.parametrize("form", ["modelica", "abaqus"])
+def test_a_removed_form_is_refused_with_its_replacement(form):
+    with pytest.raises(UserError, match=f"{form}: is no longer written; write fmu"):
+        export(LAW, form)
