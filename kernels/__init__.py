@@ -25,14 +25,14 @@ from .model.force import ConstantForce
 from .model.friction import lagged_slope, quadrature, step_average
 from .model.march import march
 from .model.steady import steady_sliding
-from .motion.counts import MOST_STEPS, count_steps
+from .motion.counts import MAX_PROGRAMME_STEPS, count_steps
 from .motion.legs import Hold, Leg, Oscillation, Programme, Ramp, Sampled, Slide, steps_of
 from .quick.case import Case, Outcome, Quantities, Seconds
 from .quick.cases import run_case, run_cases, run_prepared
 from .quick.prepared import Prepared, prepare
 from .rheology.forms import form_of
 from .rheology.kelvin import SCHEMES, Kelvin
-from .rheology.law import State, law_of, memories
+from .rheology.law import State, law_of, memory_size
 from .rheology.spectrum import KELVIN, Spectrum
 from .scene import (
     ENERGIES,

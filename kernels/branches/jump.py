@@ -9,7 +9,7 @@ import numpy as np
 from ..lines.line import Line
 from ..model.friction import quadrature
 from ..rheology.forms import Form
-from ..rheology.law import Elements, displacement, lasting, law_of
+from ..rheology.law import Elements, displacement, law_of, static_pressure
 from ..rheology.retardation import Retardation
 
 
@@ -21,7 +21,7 @@ def friction_jump(form: Form, line: Line, elements: Elements, speed: float, rati
     it in the place of d - z this is the quadrature of the Kelvin element.
     Raises ValueError for a material without a dashpot.
     """
-    viscosity, pressure = lasting(form, elements.memory)
+    viscosity, pressure = static_pressure(form, elements.memory)
     if viscosity == 0.0:
         raise ValueError(
             "material has a finite instantaneous modulus: mu does not jump; ask for peak"

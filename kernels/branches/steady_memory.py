@@ -22,8 +22,14 @@ import numpy as np
 from ..compile.jit import kernel, refcount_free_kernel
 from ..model.contact import solve_indentation
 from ..rheology.forms import Form
-from ..rheology.law import Elements, law_of, memories, rest
-from ..rheology.next_step import BLOCK, fill_memory, foreseen, from_memory, slide_one
+from ..rheology.law import Elements, law_of, memory_size, rest_memory
+from ..rheology.lookahead import (
+    BLOCK_SAMPLES,
+    fill_memory,
+    lookahead_law,
+    lookahead_memory,
+    slide_element,
+)
 from .tangents import carry_rows, powers_of_steps, tangents_of
 
 TURNS = 60  # at most; a few are enough
@@ -88,7 +94,7 @@ def _found(form: Form, z: np.ndarray, speed: float, load: float, d: float) -> St
 @kernel
 def _solved(form, z, speed, load, d, most):
     """Return the first four fields of SteadyMemory, and the last two."""
-    count, n = memories(form), z.size
+    count, n = memory_size(form), z.size
     first, way = np.argmin(z), -1 if speed > 0.0 else 1
     apart = 1
     while n // (COARSER * apart) >= COARSEST:
@@ -97,13 +103,15 @@ def _solved(form, z, speed, load, d, most):
     x[-1] = d - z[first]
     while apart > 0:
         line = _as_met(z, first, way * apart, n // apart)
-        here, law = load * line.size / n, foreseen(law_of(form, apart / abs(speed)))
+        here, law = load * line.size / n, lookahead_law(law_of(form, apart / abs(speed)))
         if not residual < 1.0:
             held = np.array([x[-1]])
             if not np.isnan(load):
                 held[0], _ = solve_indentation(line, here, here / line.size)
             x[-1], held[0] = held[0], max(held[0], 0.0)
-            x[:-1] = from_memory(law, np.ascontiguousarray(rest(form, held)[:, 0]), held[0])
+            x[:-1] = lookahead_memory(
+                law, np.ascontiguousarray(rest_memory(form, held)[:, 0]), held[0]
+            )
         forces = np.empty(line.size)
         turns, residual = _solve(law, line, here, EXACT if apart == 1 else GUESSED, most, x, forces)
         updates += turns * line.size * (count + 2)
@@ -131,7 +139,7 @@ def _as_met(z, first, way, count):
 @kernel
 def _remembered(form, speed, y, p, first):
     """Return what elements under the forces p remember, shape (M, n); y is changed."""
-    law, way = foreseen(law_of(form, 1.0 / abs(speed))), -1 if speed > 0.0 else 1
+    law, way = lookahead_law(law_of(form, 1.0 / abs(speed))), -1 if speed > 0.0 else 1
     n, memory, i, j = p.size, np.empty((y.size, p.size)), 0, first
     while i < n:
         j = (j + way) % n
@@ -209,11 +217,11 @@ def _turn(law, line, x, powers, forces):
         while stop < line.size and line[stop] >= d:
             forces[stop] = 0.0
             stop += 1
-        if stop - i >= BLOCK:
+        if stop - i >= BLOCK_SAMPLES:
             carry_rows(powers, False, stop - i, x.reshape(1, -1))
         else:
             stop = min(i + APART, line.size)
-            total += slide_one(law, x[:count], d, line[i:stop], forces[i:stop])
+            total += slide_element(law, x[:count], d, line[i:stop], forces[i:stop])
         i = stop
     x[count + 1] = total
 

@@ -9,7 +9,7 @@ from typing import NamedTuple
 import numpy as np
 
 from ..compile.jit import kernel, refcount_free_kernel
-from ..rheology.law import predict, settle
+from ..rheology.law import advance_memory, predict
 
 RADIX = 32  # of the powers of a step that are kept
 WIDE = 8  # what a loop over columns takes at once; they are filled up with zeros to a multiple
@@ -49,7 +49,7 @@ def powers_of_steps(law, size, most):
         predict(law, memory, new, w)
         if kind == 1:
             new = law.stiffness * (w + d)
-        settle(law, memory, w, new, new)
+        advance_memory(law, memory, w, new, new)
         step = of[kind, 0]
         step[:] = 0.0
         for r in range(size):

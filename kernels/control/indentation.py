@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ..model.balance import balance, balance_rows, note
+from ..model.balance import balance, balance_history, balance_rows
 
 
 class PrescribedIndentation(NamedTuple):
@@ -17,7 +17,7 @@ class PrescribedIndentation(NamedTuple):
     indentation: np.ndarray  # at the end of every step, in h over the deepest point
 
 
-@note.register(PrescribedIndentation)
+@balance_history.register(PrescribedIndentation)
 def _note(control, c, d, first, rings):
     return None
 

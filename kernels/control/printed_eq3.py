@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ..model.balance import balance, note
+from ..model.balance import balance, balance_history
 from ..model.contact import solve_indentation
 
 
@@ -18,7 +18,7 @@ class PrintedForce(NamedTuple):
     load: float  # sum of the forces of all elements, n Fbar
 
 
-@note.register(PrintedForce)
+@balance_history.register(PrintedForce)
 def _held(control, c, d, first, rings):
     """Return which samples an element reaches straight from contact one sample upstream."""
     held = np.zeros(c.size, np.bool_)

@@ -12,7 +12,7 @@ from ..compile.jit import kernel
 from ..model.balance import balance_rows
 from ..rheology.law import Elements, law_of
 from ..rheology.retardation import Retardation
-from ..rheology.scaled import BLOCK, catch_up, go_on, predict_block
+from ..rheology.scaled_units import BLOCK_ELEMENTS, advance_scales, predict_block, rescale_blocks
 from ..scene.march_blocks import SLACK, ElementBlocks, can_touch, cap_over, in_blocks, round_apart
 from ..scene.samples import samples_per_contact
 from ..scene.spring_rows import SpringRows, refilled, spring_rows_of
@@ -30,7 +30,7 @@ class BlockRig(NamedTuple):
     control: Any  # what the indentation follows from (model/balance.py)
     line: PosedLine
     blocks: ElementBlocks  # whose memory knows of all forces
-    p: np.ndarray  # shape (blocks, BLOCK): forces of the last step
+    p: np.ndarray  # shape (blocks, BLOCK_ELEMENTS): forces of the last step
     rows: SpringRows
     z: np.ndarray  # shape (n,): heights at the blocks that can touch
     number: np.ndarray  # shape (3,): steps taken; interval of element 0 where blocks were chosen,
@@ -63,9 +63,9 @@ def _attempt(rig, places, dt):
     c, d, count = rig.rows.c, rig.d[TRIED], 0
     some, p = np.empty(n, np.int64), np.empty(n)
     for b in rig.rows.some[: rig.number[COUNT]]:
-        for i in range(BLOCK):
+        for i in range(BLOCK_ELEMENTS):
             if c[b, i] < d:
-                some[count], p[count] = b * BLOCK + i, law.stiffness * (d - c[b, i])
+                some[count], p[count] = b * BLOCK_ELEMENTS + i, law.stiffness * (d - c[b, i])
                 count += 1
     return friction_of(rig, places, law.lag, some[:count], p[:count]), law.lag
 
@@ -88,12 +88,12 @@ def _balance(rig, law, begin, t):
     c, _, sums, highest, found = rig.rows
     some, old, now = rig.rows.some[: rig.number[COUNT]], rig.d[D], law.stale.sum()
     rows = SpringRows(c, some, sums, highest, found)
-    catch_up(scales, memory, seen, some, rig.number[TAKEN])
-    share, w = law.decay * scales.scale, np.empty(BLOCK)
+    rescale_blocks(scales, memory, seen, some, rig.number[TAKEN])
+    share, w = law.decay * scales.scale, np.empty(BLOCK_ELEMENTS)
     refilled(rows)
     for b in some:
-        z = rig.z[b * BLOCK : (b + 1) * BLOCK]
-        heights_at(rig.line, begin + b * BLOCK, t, z)
+        z = rig.z[b * BLOCK_ELEMENTS : (b + 1) * BLOCK_ELEMENTS]
+        heights_at(rig.line, begin + b * BLOCK_ELEMENTS, t, z)
         predict_block(share, memory, b, w)
         for i in range(z.size):
             c[b, i] = z[i] - (w[i] - now * rig.p[b, i])
@@ -105,12 +105,12 @@ def _accept(rig, dt):
     law = law_of(rig.form, dt)
     memory, seen, scales = rig.blocks
     rig.number[TAKEN] += 1
-    go_on(law, scales, rig.number[TAKEN])
+    advance_scales(law, scales, rig.number[TAKEN])
     some = rig.rows.some[: rig.number[COUNT]]
-    catch_up(scales, memory, seen, some, rig.number[TAKEN])
+    rescale_blocks(scales, memory, seen, some, rig.number[TAKEN])
     fresh, stale = law.fresh / scales.scale, law.stale / scales.scale
     for b in some:
-        for i in range(BLOCK):
+        for i in range(BLOCK_ELEMENTS):
             depth = rig.d[TRIED] - rig.rows.c[b, i]
             new, old = law.stiffness * depth if depth > 0.0 else 0.0, rig.p[b, i]
             rig.p[b, i] = new

@@ -5,7 +5,12 @@ from typing import NamedTuple
 import numpy as np
 
 from ..compile.jit import kernel
-from ..lines.polynomials import bends, bernstein, septic, steepness
+from ..lines.polynomials import (
+    bernstein_coefficients,
+    sample_derivatives,
+    septic_coefficients,
+    septic_slope,
+)
 from ..scene.march_blocks import CELL
 
 
@@ -28,12 +33,12 @@ class PosedLine(NamedTuple):
 def posed(z, slope, m):
     """Return a line that can be seen at any place; m : samples per spacing, a float."""
     n, spacing = z.size, 1.0 / m
-    bend = bends(z, slope, spacing)
+    bend = sample_derivatives(z, slope, spacing)
     polynomials = np.empty((8, 2 * n))
     lowest = np.full((2 * n + CELL - 1) // CELL, np.inf)
     for j in range(2 * n):
-        c = septic(z, slope, bend, spacing, j % n)
-        b = bernstein(c)
+        c = septic_coefficients(z, slope, bend, spacing, j % n)
+        b = bernstein_coefficients(c)
         for power in range(8):
             polynomials[power, j] = c[power]
             lowest[j // CELL] = min(lowest[j // CELL], b[power])
@@ -66,4 +71,4 @@ def slope_at(line, j, t):
     if t == 0.0:
         return -m * c[1, j]
     low, high = (c[0, j], c[1, j], c[2, j], c[3, j]), (c[4, j], c[5, j], c[6, j], c[7, j])
-    return -m * steepness(low + high, t)
+    return -m * septic_slope(low + high, t)

@@ -5,7 +5,7 @@ import numpy as np
 from ..compile.jit import kernel
 from ..lines.line import Line
 from ..model.force import ConstantForce
-from ..model.friction import weighed
+from ..model.friction import weighted_sums
 from ..rheology.forms import form_of
 from ..rheology.law import Elements, law_of
 from ..rheology.retardation import Retardation
@@ -41,7 +41,7 @@ def run_pulled(line: Line, scene: SceneCase, drive: Drive) -> dict[str, np.ndarr
     if speed:
         earlier = np.roll(line.slope, -way)
         slope = slope + law_of(form, 1.0 / (m * abs(speed))).lag * (earlier - slope)
-    normal, tangential, touching = weighed(-begin.p, None, slope, 0.0)
+    normal, tangential, touching = weighted_sums(-begin.p, None, slope, 0.0)
     means = normal / n, tangential / n, touching / n
     forces = tangential / normal, begin.d, *means, samples_per_contact(begin.p)
     start = Start(rig, m, line.slope, forces)

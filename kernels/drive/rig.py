@@ -11,8 +11,8 @@ import numpy as np
 
 from ..compile.jit import dispatch_on_type, kernel
 from ..model.balance import balance
-from ..model.friction import weighed
-from ..rheology.law import Elements, law_of, predict, settle
+from ..model.friction import weighted_sums
+from ..rheology.law import Elements, advance_memory, law_of, predict
 from ..scene.samples import samples_per_contact
 from .posed_line import PosedLine, heights_at, seen_from, slope_at
 
@@ -89,14 +89,14 @@ def friction_of(rig, places, lag, some, p):
         slope[j] = slope_at(line, after + some[j], t)
         if lag > 0.0:
             slope[j] += lag * (slope_at(line, before + some[j], s) - slope[j])
-    rig.sums[0], friction, rig.sums[1] = weighed(-p, None, slope, 0.0)
+    rig.sums[0], friction, rig.sums[1] = weighted_sums(-p, None, slope, 0.0)
     return friction / n
 
 
 @accept.register(Rig)
 def _accept(rig, dt):
     law = law_of(rig.form, dt)
-    settle(law, rig.memory, rig.w, rig.p, rig.new)
+    advance_memory(law, rig.memory, rig.w, rig.p, rig.new)
     rig.p[:] = rig.new
     d = rig.d[1] + law.lag * (rig.d[0] - rig.d[1])
     rig.d[0] = rig.d[1]

@@ -7,7 +7,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from ..motion.legs import (
-    FIRST_OF_HOLD,
+    FIRST_HOLD_STEP,
     Hold,
     Programme,
     Sampled,
@@ -15,8 +15,8 @@ from ..motion.legs import (
     leg_duration,
     speed_at_start,
 )
-from ..motion.path import growth
-from ..rheology.spectrum import shortest_step
+from ..motion.path import hold_step_ratio
+from ..rheology.spectrum import min_step
 from ..scene.records import TRACES
 from ..scene.scene_case import SceneCase, check_scene, scene_steps
 from .slider_record import (
@@ -79,7 +79,7 @@ def first_motion(programme: Programme, m: int, first: Moment) -> SliderState:
     elif speed:
         dt = FIRST_OF_LEG / (m * abs(speed))
     else:
-        dt = FIRST_OF_HOLD * leg_duration(programme[0])
+        dt = FIRST_HOLD_STEP * leg_duration(programme[0])
     return SliderState(0.0, 0.0, dt, first.speed, 0.0, -dt, -dt, first.friction)
 
 
@@ -129,7 +129,7 @@ def pull_through(
     events = np.full((2, MOST_EVENTS if "slip_events" in scene.asked else 0), math.nan)
     record = SliderRecord(times, kept, np.zeros(2, np.int64), tally, sticks, events)
     scale = scene.load * math.sqrt(float(np.mean(start.slope**2)))
-    limits = FREE * shortest_step(scene.spectrum), TOLERANCE * scale, growth(m)
+    limits = FREE * min_step(scene.spectrum), TOLERANCE * scale, hold_step_ratio(m)
     search = np.zeros(2), np.zeros(1, np.int64)
     pulled = Pulled(start.rig, m, drive, *limits, record, *search)
     motion = first_motion(scene.programme, m, moment)

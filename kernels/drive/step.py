@@ -15,7 +15,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from ..compile.jit import jitable, kernel
-from ..motion.path import NEAR, WHOLE
+from ..motion.path import MIN_PARTIAL_STEP, SNAP_TOLERANCE
 from .posed_line import Places
 from .rig import accept, attempt, patch_width
 from .search import SLOPE, narrow_enough, new_search, next_guess
@@ -74,9 +74,9 @@ def follow_leg(pulled: Pulled, course: Course, going: Going) -> Going:
     while end - going.motion.time > REST * going.motion.dt:
         motion, pace, left = going.motion, going.pace, end - going.motion.time
         place = m * motion.place
-        if abs(place - np.floor(place + 0.5)) <= WHOLE * max(1.0, abs(place)):
+        if abs(place - np.floor(place + 0.5)) <= SNAP_TOLERANCE * max(1.0, abs(place)):
             place = np.floor(place + 0.5)
-        edges = np.ceil(place - NEAR) - 1.0, np.floor(place + NEAR) + 1.0
+        edges = np.ceil(place - MIN_PARTIAL_STEP) - 1.0, np.floor(place + MIN_PARTIAL_STEP) + 1.0
         ahead = edges[1] if motion.speed > 0.0 else edges[0]
         moved = (ahead - place) / m
         if abs(moved) <= SOON * abs(motion.speed) * pace:

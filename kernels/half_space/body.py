@@ -12,7 +12,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from ..compile.jit import kernel
-from ..rheology.law import lasting, law_of, predict, rest, settle
+from ..rheology.law import advance_memory, law_of, predict, rest_memory, static_pressure
 from ..rheology.spectrum import KELVIN, Spectrum
 from .contact import ElasticContact, Operator, press
 from .surface import Surface
@@ -148,17 +148,17 @@ def rest_on(space: HalfSpace, stiffness: float = 1.0) -> tuple[Body, int]:
     """
     found = press(stiffness * space.surface.z, space.pressure, space.operator, None, TOLERANCE)
     depth = at_elements(found.depth, 0)
-    memory = rest(space.form, depth / stiffness)
+    memory = rest_memory(space.form, depth / stiffness)
     return Body(memory, depth, found.p, found.d / stiffness, 0), found.passes
 
 
 @kernel
 def take(law, memory, w, depth, new):
     """Settle the memory."""
-    settle(law, memory, w, depth, new)
+    advance_memory(law, memory, w, depth, new)
 
 
 @kernel
 def lasting_depth(form, memory):
     """Return (viscosity, A p without the dashpot's part at no rate)."""
-    return lasting(form, memory)
+    return static_pressure(form, memory)

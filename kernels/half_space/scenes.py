@@ -10,8 +10,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ..model.friction import weighed
-from ..motion.fourier import Fractions
+from ..model.friction import weighted_sums
+from ..motion.fourier import FractionalShifts
 from ..motion.legs import speed_at_start
 from ..rheology.forms import form_of
 from ..rheology.law import law_of
@@ -41,7 +41,7 @@ class Moving:
     def __init__(self, surface: Surface) -> None:
         """Take the surface as it is at place zero."""
         self.surface = surface
-        self.at = Fractions(*surface[:3]).at
+        self.at = FractionalShifts(*surface[:3]).at
 
     def slope_over(self, place: float, offset: int) -> np.ndarray:
         """Return the slopes at a place, at the samples over which those of ``offset`` lie."""
@@ -96,7 +96,7 @@ def run_scene_on_half_space(
             earlier, now = (
                 moving.slope_over(place, body.offset).ravel() for place in (before, places[step])
             )
-            sums = weighed(-body.p.ravel(), None, now + lag * (earlier - now), 0.0)
+            sums = weighted_sums(-body.p.ravel(), None, now + lag * (earlier - now), 0.0)
         if averaged:
             add_impulses(spell, sums, way.dt[step - 1])
         if step in kept:

@@ -25,7 +25,7 @@ from typing import NamedTuple
 import numpy as np
 
 from ..model.friction import mean_slope
-from ..rheology.law import memories
+from ..rheology.law import memory_size
 from ..rheology.spectrum import KELVIN, Spectrum, complex_modulus
 from .body import TOLERANCE, Body, HalfSpace, Step, rest_on, take_step
 from .contact import ElasticContact, Operator, press
@@ -60,7 +60,7 @@ def slide_steadily(
     step = Step.of(space.form, surface, speed)
     q = wave_numbers(surface.z.shape, surface.steps_per_spacing)[1][0]
     zeta = np.exp(1j * step.way * q / surface.steps_per_spacing)
-    response, memory = steady_response(step.law, memories(space.form), zeta)
+    response, memory = steady_response(step.law, memory_size(space.form), zeta)
     full = _everywhere(space, response)
     everywhere = bool(full.min() > 0.0)
     if everywhere:

@@ -10,7 +10,7 @@ from .measured_modes import measured_modes
 from .self_affine import sample_line, sample_modes
 
 QUARTET = 4  # lines that one drawing of phases gives
-TALLEST = 1e50  # and its inverse: heights far above numbers that count as zero
+MAX_HEIGHT = 1e50  # and its inverse: heights far above numbers that count as zero
 
 
 class Line(NamedTuple):
@@ -91,7 +91,7 @@ def _check(highest: float, lowest: float, slope: np.ndarray) -> None:
     if not (math.isfinite(highest) and math.isfinite(lowest) and np.isfinite(slope).all()):
         raise ValueError("the line holds samples that are not finite numbers")
     height = max(highest, -lowest)
-    if height > 0.0 and not 1.0 / TALLEST <= height <= TALLEST:
+    if height > 0.0 and not 1.0 / MAX_HEIGHT <= height <= MAX_HEIGHT:
         raise ValueError(f"height = {height:g}: heights must be in units of their roughness")
 
 

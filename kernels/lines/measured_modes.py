@@ -8,7 +8,7 @@ times as finely: sample_line (self_affine.py) does both.
 
 import numpy as np
 
-LEAST_SAMPLES = 4  # of a line: below, there is no slope to speak of
+MIN_LINE_SAMPLES = 4  # of a line: below, there is no slope to speak of
 
 
 def measured_modes(heights: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
@@ -46,6 +46,6 @@ def _coefficients(heights: np.ndarray) -> np.ndarray:
     if not np.isfinite(heights).all():
         raise ValueError("the line holds samples that are not finite numbers")
     samples = heights.shape[-1]
-    if samples < LEAST_SAMPLES:
-        raise ValueError(f"a measured line of {samples} samples: needs {LEAST_SAMPLES} or more")
+    if samples < MIN_LINE_SAMPLES:
+        raise ValueError(f"a measured line of {samples} samples: needs {MIN_LINE_SAMPLES} or more")
     return np.fft.rfft(heights, axis=-1)[..., 1:] / samples

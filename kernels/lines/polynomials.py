@@ -12,7 +12,7 @@ from ..compile.jit import inlined_kernel, kernel, refcount_free_kernel
 
 
 @kernel
-def bends(z, slope, spacing):
+def sample_derivatives(z, slope, spacing):
     """Return the second and the third derivative (in h/dx^2 and h/dx^3), shape (2, n).
 
     Both are found to eighth order from five heights and slopes.
@@ -20,16 +20,16 @@ def bends(z, slope, spacing):
     n = z.size
     found = np.empty((2, n))
     for j in range(2, n - 2):  # without a branch, so that several are found at once
-        bend_at(z, slope, spacing, (j - 2, j - 1, j, j + 1, j + 2), found)
+        fill_derivatives(z, slope, spacing, (j - 2, j - 1, j, j + 1, j + 2), found)
     for j in range(-2, min(2, n - 2)):  # round the end
         near = (j - 2) % n, (j - 1) % n, j % n, (j + 1) % n, (j + 2) % n
-        bend_at(z, slope, spacing, near, found)
+        fill_derivatives(z, slope, spacing, near, found)
     return found
 
 
 @inlined_kernel
-def bend_at(z, slope, spacing, near, found):
-    """Fill in ``found``, as ``bends`` returns it, at the middle one of five samples ``near``."""
+def fill_derivatives(z, slope, spacing, near, found):
+    """Fill the derivatives at the middle one of the five samples ``near``."""
     before, left, j, right, after = near
     rise = 64.0 / 27.0 * ((z[right] - z[j]) - (z[j] - z[left]))
     rise += 7.0 / 54.0 * ((z[after] - z[j]) - (z[j] - z[before]))
@@ -43,19 +43,19 @@ def bend_at(z, slope, spacing, near, found):
 
 
 @refcount_free_kernel
-def septic(z, slope, bend, h, j):
+def septic_coefficients(z, slope, bend, h, j):
     """Return the eight coefficients of the height in interval j, a polynomial in t.
 
-    bend : from bends. h : spacing.
+    bend : from sample_derivatives. h : spacing.
     """
-    return septic_between(z, slope, bend, h, j + 1 if j + 1 < z.size else 0, j)
+    return coefficients_between(z, slope, bend, h, j + 1 if j + 1 < z.size else 0, j)
 
 
 @inlined_kernel
-def septic_between(z, slope, bend, h, k, j):
-    """Return the coefficients as ``septic`` does, of the interval between samples j and k = j + 1.
+def coefficients_between(z, slope, bend, h, k, j):
+    """Return the coefficients of the interval between samples j and k.
 
-    Of the last interval k is 0.
+    k is j + 1, or 0 for the last interval.
     """
     s, c, e = -h * slope[k], 0.5 * h * h * bend[0, k], -h * h * h / 6.0 * bend[1, k]
     # What the height and its derivatives, over 1, 2 and 6, lack at t = 1.
@@ -76,7 +76,7 @@ def septic_between(z, slope, bend, h, k, j):
 
 
 @inlined_kernel
-def bernstein(c):
+def bernstein_coefficients(c):
     """Return eight numbers between whose extremes the polynomial stays from t = 0 to 1."""
     c0, c1, c2, c3, c4, c5, c6, c7 = c
     # Each power of t over the binomial coefficient that it has: numbers of which sums are left.
@@ -95,7 +95,7 @@ def bernstein(c):
 
 
 @kernel
-def height(c, t):
+def septic_height(c, t):
     """Return the value of a polynomial; by pairs (G. Estrin), which wait for each other less."""
     square = t * t
     low = (c[0] + t * c[1]) + square * (c[2] + t * c[3])
@@ -103,7 +103,7 @@ def height(c, t):
 
 
 @kernel
-def steepness(c, t):
+def septic_slope(c, t):
     """Return the derivative of a polynomial."""
     square = t * t
     low = (c[1] + t * (2.0 * c[2])) + square * (3.0 * c[3] + t * (4.0 * c[4]))

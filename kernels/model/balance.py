@@ -8,7 +8,7 @@ from ..compile.jit import dispatch_on_type
 
 
 @dispatch_on_type
-def note(control, c, d, first, rings):
+def balance_history(control, c, d, first, rings):
     """Return what ``balance`` needs to know of the step before, or None.
 
     c, d, first, rings : as the march leaves them at its end (motion/slide.py). They change next.

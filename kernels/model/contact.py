@@ -35,7 +35,7 @@ def excess_at(contact, load, d):
 
 
 @dispatch_on_type
-def lowest_of(contact, load):
+def lowest_threshold(contact, load):
     """Return (the lowest threshold, d at which some element alone would carry the load)."""
 
 
@@ -55,7 +55,7 @@ def indentation_under(contact, load, guess):
         passes += 1
         if count == 0.0:
             # One element carrying all is an upper bound.
-            lowest, new = lowest_of(contact, load)
+            lowest, new = lowest_threshold(contact, load)
             if fallen or not new > d:  # the load is below rounding, or not a number
                 return np.nextafter(lowest, np.inf) if d <= lowest else d, passes
             fallen = True
@@ -92,13 +92,13 @@ def _excess_of_unlike_springs(contact, load, d):
     return force - load, slope, count
 
 
-@lowest_of.register(Springs)
+@lowest_threshold.register(Springs)
 def _lowest_of_springs(contact, load):
     lowest = contact.c.min()
     return lowest, lowest + load
 
 
-@lowest_of.register(UnlikeSprings)
+@lowest_threshold.register(UnlikeSprings)
 def _lowest_of_unlike_springs(contact, load):
     at = np.argmin(contact.c)
     return contact.c[at], contact.c[at] + load / contact.stiffness[at]

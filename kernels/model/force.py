@@ -2,7 +2,7 @@
 
 from typing import NamedTuple
 
-from .balance import balance, balance_rows, note
+from .balance import balance, balance_history, balance_rows
 from .contact import indentation_under, solve_indentation
 
 
@@ -12,7 +12,7 @@ class ConstantForce(NamedTuple):
     load: float  # sum of the forces of all elements, n Fbar
 
 
-@note.register(ConstantForce)
+@balance_history.register(ConstantForce)
 def _note(control, c, d, first, rings):
     return None
 

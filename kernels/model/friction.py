@@ -12,8 +12,8 @@ import numpy as np
 from ..compile.jit import kernel
 from .contact import solve_indentation
 
-LEAST_COVERED = 0.01  # of a sample: keeps every touching sample in the load balance
-LEAST_REACH, MOST_REACH = -0.5, 1.5  # samples; a trailing edge farther off is not resolved
+MIN_COVERAGE = 0.01  # of a sample: keeps every touching sample in the load balance
+MIN_EDGE_REACH, MAX_EDGE_REACH = -0.5, 1.5  # samples; a trailing edge farther off is not resolved
 
 
 @kernel
@@ -35,7 +35,7 @@ def quadrature(z, slope, w, d, formed, speed, load):
     threshold = (z[at] - d) - speed * slope[at]  # minus the pressure where d' = 0
     # As a first guess every element is pressed, but perhaps one.
     rate, _ = solve_indentation(threshold, load, threshold.max(), weight)
-    normal, tangential, contact = weighed(threshold, weight, slope[at], rate)
+    normal, tangential, contact = weighted_sums(threshold, weight, slope[at], rate)
     return tangential / normal, rate, min(contact / z.size, 1.0)  # edges of two can overlap
 
 
@@ -60,7 +60,7 @@ def sliding_friction(line, state, speed, load):
     """
     z, slope, (w, d), steps = line.z, line.slope, state, line.steps_per_spacing
     mu, rate, _ = quadrature(z, slope, w, d, speed, speed, load)
-    share = corrected_share(steps, speed)
+    share = correction_share(steps, speed)
     if share > 0.0:
         missing = elastic_correction(z, slope, w, d, speed, rate, steps)
         steepest = np.abs(slope[_touching(z, w, d)]).max()
@@ -71,7 +71,7 @@ def sliding_friction(line, state, speed, load):
     return mu
 
 
-def corrected_share(steps: float, speed: float) -> float:
+def correction_share(steps: float, speed: float) -> float:
     """Return which share of the elastic part of mu is corrected.
 
     As far as a sample lasts longer than tau: by measurement the better estimate there, and the
@@ -99,7 +99,7 @@ def elastic_correction(z, slope, w, d, speed, rate, steps):
             after = z[j] + _reach(z, slope, w, d, speed, j, ahead) * (z[ahead] - z[j])
         if not z[behind] - w[behind] < d:
             reach = _reach(z, slope, w, d, speed, j, behind)
-            if not LEAST_REACH < reach < MOST_REACH:
+            if not MIN_EDGE_REACH < reach < MAX_EDGE_REACH:
                 continue
             before = z[j] + reach * (z[behind] - z[j])
         deep = d + rate
@@ -123,18 +123,18 @@ def _reach(z, slope, w, d, formed, j, k):
         c = z[j] - w[j]
         return (d - c) / ((z[k] - w[k]) - c)
     here = (d - z[j]) + formed * slope[j]
-    return trailing_reach(here, (d - z[k]) + formed * slope[k])
+    return trailing_edge_reach(here, (d - z[k]) + formed * slope[k])
 
 
 @kernel
-def trailing_reach(here, there):
+def trailing_edge_reach(here, there):
     """Return how far behind a touching sample the pressure, linear in between, vanishes.
 
     In samples, cut off where that is not resolved. here, there : pressure at that sample and at
     its free neighbour.
     """
     fall = here - there
-    return min(max(here / fall, LEAST_REACH), MOST_REACH) if fall > 0.0 else 0.5
+    return min(max(here / fall, MIN_EDGE_REACH), MAX_EDGE_REACH) if fall > 0.0 else 0.5
 
 
 @kernel
@@ -147,7 +147,7 @@ def _covered(z, slope, w, d, formed, j):
     for k in ((j + 1) % z.size, (j - 1) % z.size):
         if not z[k] - w[k] < d:
             covered += _reach(z, slope, w, d, formed, j, k) - 0.5
-    return max(covered, LEAST_COVERED)
+    return max(covered, MIN_COVERAGE)
 
 
 @kernel
@@ -170,12 +170,12 @@ def step_average(weight, c, d):
     weight : lagged slope, in h/dx, c : contact thresholds, in h, both of shape (n,).
     d : indentation, in h.
     """
-    normal, tangential, _ = weighed(c, None, weight, d)
+    normal, tangential, _ = weighted_sums(c, None, weight, d)
     return tangential / normal
 
 
 @kernel
-def weighed(threshold, covered, slope, d):
+def weighted_sums(threshold, covered, slope, d):
     """Return the sums of eq. 5: of forces, of forces times slopes, and of what is in contact.
 
     The forces are p = d - threshold, where that is positive. covered : how much of each sample the

@@ -1,10 +1,10 @@
 """What doubles can resolve: the loads and speeds of steady sliding, whatever the path."""
 
-LOADS = (1e-100, 1e100)  # Fbar; the rounding of d does not depend on it
-SPEEDS = (1e-12, 1e12)  # vbar; slower, rounding would show in the jump, which falls with v
+LOAD_LIMITS = (1e-100, 1e100)  # Fbar; the rounding of d does not depend on it
+SPEED_LIMITS = (1e-12, 1e12)  # vbar; slower, rounding would show in the jump, which falls with v
 
 
-def check_between(name: str, value: float, limits: tuple[float, float]) -> None:
+def check_range(name: str, value: float, limits: tuple[float, float]) -> None:
     """Raise ValueError, which names the value, where it lies outside the limits; NaN does."""
     least, most = limits
     if not least <= value <= most:

@@ -9,8 +9,8 @@ import numpy as np
 
 from ..compile.jit import kernel
 from ..motion.slide import shift, start_rings
-from ..motion.stretches import bounds, gather, touchable
-from .balance import balance, note
+from ..motion.stretches import gather, piece_bounds, touchable
+from .balance import balance, balance_history
 from .friction import step_average
 
 
@@ -31,7 +31,7 @@ def march(law, control, z, weight, state, kept_steps, cap):
     lengths = np.empty(start.size, np.int64)
     for s in range(start.size):
         lengths[s] = stop[s] - start[s]
-    first = bounds(lengths)
+    first = piece_bounds(lengths)
     rings = start_rings(law, z, state, start, stop)
     # What lies above cap in short gaps cannot touch at any height: low, it costs w no digits.
     z, weight, w = gather(z, start, stop), gather(weight, start, stop), gather(state.w, start, stop)
@@ -45,7 +45,7 @@ def march(law, control, z, weight, state, kept_steps, cap):
     kept = 0
     passes = 0
     for step in range(1, kept_steps[-1] + 1):
-        noted = note(control, c, d, first, rings)
+        noted = balance_history(control, c, d, first, rings)
         shift(law, z, c, d, first, rings, step)
         d, used = balance(control, law, z, c, noted, d, step)
         passes += used

@@ -17,10 +17,10 @@ import numpy as np
 
 from ..compile.jit import kernel
 from ..rheology.kelvin import Kelvin
-from ..rheology.law import NEGLIGIBLE, State, reach
+from ..rheology.law import MIN_MAGNITUDE, State, free_displacement
 from .contact import excess_at, solve_indentation
 
-ROUNDING = 4e-16  # of the load: an excess that is as good as none
+EXCESS_TOLERANCE = 4e-16  # of the load: an excess that is as good as none
 
 
 @kernel
@@ -38,8 +38,8 @@ def sweep(law, z, d, deepest, w):
     # Two plain loops round the period: a test for the end of the line in one loop costs time.
     for first, last in ((deepest - 1, -1), (z.size - 1, deepest - 1)):
         for j in range(first, last, -1):
-            free = reach(law, u) if u < -NEGLIGIBLE else 0.0
-            du = reach(law, du) if du > NEGLIGIBLE else 0.0
+            free = free_displacement(law, u) if u < -MIN_MAGNITUDE else 0.0
+            du = free_displacement(law, du) if du > MIN_MAGNITUDE else 0.0
             gap = z[j] - d
             w[j] = free
             if gap < free:
@@ -105,5 +105,5 @@ def steady_sliding(law, z, load):
     elements = PlainSliding(law, z, deepest, np.empty_like(z))
     # F(d) >= sum (d - z)+: the elastic indentation (v -> 0) bounds d from above.
     guess, _ = solve_indentation(z, load, z[deepest] + load / z.size)
-    d, sweeps, _ = steady_indentation(elements, load, guess, True, z.size, ROUNDING)
+    d, sweeps, _ = steady_indentation(elements, load, guess, True, z.size, EXCESS_TOLERANCE)
     return State(elements.w, d), sweeps

@@ -8,9 +8,9 @@ import math
 
 import numpy as np
 
-from ..rheology.spectrum import SHORTEST
+from ..rheology.spectrum import MIN_DASHPOT_STEP
 from .legs import (
-    FIRST_OF_HOLD,
+    FIRST_HOLD_STEP,
     Hold,
     Leg,
     Oscillation,
@@ -21,10 +21,19 @@ from .legs import (
     check_leg,
     last_speed,
 )
-from .path import NEAR, WHOLE, Path, fewest_steps, growth, oscillating, piecewise, whole_or_as_it_is
+from .path import (
+    MIN_PARTIAL_STEP,
+    SNAP_TOLERANCE,
+    Path,
+    hold_step_ratio,
+    min_cycle_steps,
+    oscillation_path,
+    piecewise_path,
+    snap_to_sample,
+)
 
-MOST_STEPS = 10_000_000  # of a programme
-LEAST_FIRST = 1e12  # times the first step at rest is shorter than the rest, at most
+MAX_PROGRAMME_STEPS = 10_000_000  # of a programme
+MAX_HOLD_STEP_RATIO = 1e12  # times the first step at rest is shorter than the rest, at most
 
 
 def count_steps(
@@ -32,7 +41,7 @@ def count_steps(
     steps_per_spacing: int,
     position: float = 0.0,
     speed: float = 0.0,
-    shortest: float = SHORTEST,
+    shortest: float = MIN_DASHPOT_STEP,
 ) -> np.ndarray:
     """Return the number of steps of each leg, or a bound of it; arguments as of ``steps_of``.
 
@@ -47,7 +56,7 @@ def count_steps(
             break
         if isinstance(leg, Slide):
             end = position + math.copysign(leg.distance * m, leg.speed)
-            end = whole_or_as_it_is(end) if math.isfinite(end) else end
+            end = snap_to_sample(end) if math.isfinite(end) else end
             counts.append(_crossings(position, end))
             position = end
         elif isinstance(leg, Hold):
@@ -56,7 +65,7 @@ def count_steps(
             count, moved = _of_path(leg, m)
             counts.append(count)
             moved += position
-            position = whole_or_as_it_is(moved) if math.isfinite(moved) else moved
+            position = snap_to_sample(moved) if math.isfinite(moved) else moved
         if counts[-1]:
             speed = last_speed(leg)
     return np.array(counts + [0.0] * (len(programme) - len(counts)), float)
@@ -67,31 +76,34 @@ def _crossings(begin: float, end: float) -> float:
     low, high = min(begin, end), max(begin, end)
     if not math.isfinite(high - low):
         return math.inf
-    return max(math.floor(high - NEAR) - math.ceil(low + NEAR) + 1.0, 0.0) + 1.0
+    return (
+        max(math.floor(high - MIN_PARTIAL_STEP) - math.ceil(low + MIN_PARTIAL_STEP) + 1.0, 0.0)
+        + 1.0
+    )
 
 
 def _of_hold(leg: Hold, m: int, speed: float, shortest: float) -> float:
     if leg.duration <= 0.0:
         return 0.0
-    first = max(0.25 / (m * abs(speed)) if speed else FIRST_OF_HOLD * leg.duration, shortest)
-    ratio = growth(m)
+    first = max(0.25 / (m * abs(speed)) if speed else FIRST_HOLD_STEP * leg.duration, shortest)
+    ratio = hold_step_ratio(m)
     return float(math.ceil(math.log1p(leg.duration / first * (ratio - 1.0)) / math.log(ratio)))
 
 
 def _of_path(leg: Leg, m: int) -> tuple[float, float]:
     """Return a bound of the steps along a path, and how far it goes, in samples."""
-    fewest = fewest_steps(m)
+    fewest = min_cycle_steps(m)
     if isinstance(leg, Oscillation):  # all cycles are alike
         fastest = abs(leg.speed) + 2.0 * math.pi * leg.frequency * leg.amplitude
         if fastest * m <= leg.frequency * fewest:
             return float(fewest * leg.cycles), m * leg.speed * leg.cycles / leg.frequency
-        path = oscillating(leg.speed, leg.amplitude, leg.frequency, 1, m)
+        path = oscillation_path(leg.speed, leg.amplitude, leg.frequency, 1, m)
         count, moved = _bound(path, m)
         return leg.cycles * count, leg.cycles * moved
     if isinstance(leg, Ramp):
-        return _bound(piecewise((0.0, leg.duration), (leg.first, leg.last), m), m)
+        return _bound(piecewise_path((0.0, leg.duration), (leg.first, leg.last), m), m)
     assert isinstance(leg, Sampled)
-    return _bound(piecewise(leg.times, leg.speeds, m), m)
+    return _bound(piecewise_path(leg.times, leg.speeds, m), m)
 
 
 def _bound(path: Path, m: int) -> tuple[float, float]:
@@ -99,7 +111,9 @@ def _bound(path: Path, m: int) -> tuple[float, float]:
     with np.errstate(over="ignore", invalid="ignore"):
         places = path.where(path.breaks)
     pieces = np.abs(np.diff(places))
-    resting = math.ceil(math.log1p(LEAST_FIRST * (growth(m) - 1.0)) / math.log(growth(m)))
-    each = np.ceil(pieces) + 2.0 + np.where(pieces > WHOLE, fewest_steps(m), resting)
+    resting = math.ceil(
+        math.log1p(MAX_HOLD_STEP_RATIO * (hold_step_ratio(m) - 1.0)) / math.log(hold_step_ratio(m))
+    )
+    each = np.ceil(pieces) + 2.0 + np.where(pieces > SNAP_TOLERANCE, min_cycle_steps(m), resting)
     count = float(each.sum())
     return (count, float(places[-1])) if math.isfinite(count) else (math.inf, math.inf)

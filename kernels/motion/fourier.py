@@ -9,7 +9,7 @@ from functools import lru_cache
 import numpy as np
 
 
-class Shifted:
+class FourierShift:
     """The heights and slopes of a line, or of a map along x, moved by a fraction of a sample."""
 
     def __init__(self, z: np.ndarray, slope: np.ndarray, steps_per_spacing: int) -> None:
@@ -35,13 +35,13 @@ class Shifted:
         return z, slope
 
 
-class Fractions:
+class FractionalShifts:
     """A surface at fractions of a sample: as it is given, or shifted, the last few at hand."""
 
     def __init__(self, z: np.ndarray, slope: np.ndarray, steps_per_spacing: int) -> None:
-        """Take a surface as Shifted does."""
+        """Take a surface as FourierShift does."""
         self.given = z, slope, steps_per_spacing
-        self.shifted: Shifted | None = None
+        self.shifted: FourierShift | None = None
         self.at = lru_cache(maxsize=4)(self._at)
 
     def _at(self, fraction: float) -> tuple[np.ndarray, np.ndarray]:
@@ -49,5 +49,5 @@ class Fractions:
         if fraction == 0.0:
             return self.given[:2]
         if self.shifted is None:
-            self.shifted = Shifted(*self.given)
+            self.shifted = FourierShift(*self.given)
         return self.shifted.by(fraction)

@@ -11,10 +11,18 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ..rheology.spectrum import SHORTEST
-from .path import along, crossed, fewest_steps, geometric, growth, oscillating, piecewise
+from ..rheology.spectrum import MIN_DASHPOT_STEP
+from .path import (
+    growing_steps,
+    hold_step_ratio,
+    min_cycle_steps,
+    oscillation_path,
+    piecewise_path,
+    step_ends,
+    steps_along,
+)
 
-FIRST_OF_HOLD = 1e-6  # of a hold, where no speed before it tells how soon something happens
+FIRST_HOLD_STEP = 1e-6  # of a hold, where no speed before it tells how soon something happens
 
 
 class Slide(NamedTuple):
@@ -71,7 +79,7 @@ def steps_of(
     steps_per_spacing: int,
     position: float = 0.0,
     speed: float = 0.0,
-    shortest: float = SHORTEST,
+    shortest: float = MIN_DASHPOT_STEP,
 ) -> Steps:
     """Return the steps of a programme.
 
@@ -164,23 +172,23 @@ def _steps(
     """Return (positions, dt) of one leg."""
     if isinstance(leg, Slide):
         end = position + math.copysign(leg.distance * m, leg.speed)
-        place = np.concatenate([[position], crossed(position, end)])
+        place = np.concatenate([[position], step_ends(position, end)])
         return place[1:], np.abs(np.diff(place)) / (m * abs(leg.speed))
     if isinstance(leg, Hold):
-        first = 0.25 / (m * abs(speed)) if speed else FIRST_OF_HOLD * leg.duration
-        dt = geometric(leg.duration, max(first, shortest), growth(m))
+        first = 0.25 / (m * abs(speed)) if speed else FIRST_HOLD_STEP * leg.duration
+        dt = growing_steps(leg.duration, max(first, shortest), hold_step_ratio(m))
         return np.full(dt.size, position), dt
     if isinstance(leg, Oscillation):
-        path = oscillating(leg.speed, leg.amplitude, leg.frequency, leg.cycles, m)
+        path = oscillation_path(leg.speed, leg.amplitude, leg.frequency, leg.cycles, m)
         fastest = abs(leg.speed) + 2.0 * math.pi * leg.frequency * leg.amplitude
-        count = fewest_steps(m)
+        count = min_cycle_steps(m)
         if fastest * m <= leg.frequency * count:  # no step of more than a sample
             return _equal_steps(leg, m, position, count)
     elif isinstance(leg, Ramp):
-        path = piecewise((0.0, leg.duration), (leg.first, leg.last), m)
+        path = piecewise_path((0.0, leg.duration), (leg.first, leg.last), m)
     else:
-        path = piecewise(leg.times, leg.speeds, m)
-    return along(path, m, position)
+        path = piecewise_path(leg.times, leg.speeds, m)
+    return steps_along(path, m, position)
 
 
 def _equal_steps(

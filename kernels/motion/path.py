@@ -10,9 +10,11 @@ from typing import NamedTuple
 
 import numpy as np
 
-WHOLE = 1e-9  # of a sample: nearer to a whole one, rounding made the difference
-NEAR = 0.25  # of a sample: no step is shorter than this because the path turns or ends there
-BISECTIONS = 60  # to the last bit of a time, unless it is tiny beside the piece
+SNAP_TOLERANCE = 1e-9  # of a sample: nearer to a whole one, rounding made the difference
+MIN_PARTIAL_STEP = (
+    0.25  # of a sample: no step is shorter than this because the path turns or ends there
+)
+TIME_BISECTIONS = 60  # to the last bit of a time, unless it is tiny beside the piece
 
 
 class Path(NamedTuple):
@@ -22,17 +24,17 @@ class Path(NamedTuple):
     breaks: np.ndarray  # times from 0 to the end; between two of them X rises, falls or rests
 
 
-def fewest_steps(m: int) -> int:
+def min_cycle_steps(m: int) -> int:
     """Return in how many time steps a cycle is resolved at least, at m samples to a spacing."""
     return max(64, 16 * m)
 
 
-def growth(m: int) -> float:
+def hold_step_ratio(m: int) -> float:
     """Return the ratio of consecutive time steps while the line rests."""
     return 1.0 + 1.0 / (2.0 * m)
 
 
-def geometric(duration: float, first: float, ratio: float) -> np.ndarray:
+def growing_steps(duration: float, first: float, ratio: float) -> np.ndarray:
     """Return time steps that grow by ``ratio``, from ``first`` or less, and fill the duration."""
     if duration <= 0.0:
         return np.empty(0)
@@ -42,35 +44,39 @@ def geometric(duration: float, first: float, ratio: float) -> np.ndarray:
     return np.diff(times * (duration / times[-1]))
 
 
-def crossed(begin: float, end: float) -> np.ndarray:
+def step_ends(begin: float, end: float) -> np.ndarray:
     """Return where steps from one position to another end: whole samples, and the end itself."""
-    end = whole_or_as_it_is(end)
+    end = snap_to_sample(end)
     low, high = min(begin, end), max(begin, end)
-    inner = np.arange(math.ceil(low + NEAR), math.floor(high - NEAR) + 1.0)
+    inner = np.arange(math.ceil(low + MIN_PARTIAL_STEP), math.floor(high - MIN_PARTIAL_STEP) + 1.0)
     return np.append(inner if end > begin else inner[::-1], end)
 
 
-def whole_or_as_it_is(position: float) -> float:
+def snap_to_sample(position: float) -> float:
     """Return a position, or the whole sample that it is but for rounding."""
     nearest = round(position)
-    return float(nearest) if abs(position - nearest) <= WHOLE * max(1.0, abs(nearest)) else position
+    return (
+        float(nearest)
+        if abs(position - nearest) <= SNAP_TOLERANCE * max(1.0, abs(nearest))
+        else position
+    )
 
 
-def along(path: Path, m: int, start: float) -> tuple[np.ndarray, np.ndarray]:
+def steps_along(path: Path, m: int, start: float) -> tuple[np.ndarray, np.ndarray]:
     """Return (positions, dt) of the steps along a path, from position ``start`` in samples."""
     places, times = [np.empty(0)], [np.zeros(1)]
     position, dt = start, math.inf
     for begin, end in zip(path.breaks[:-1], path.breaks[1:], strict=True):
         goal = start + float(path.where(np.array([end]))[0])
-        if abs(goal - position) <= WHOLE * max(1.0, abs(position)):
-            first = min(dt, 2.0 * (end - begin) / fewest_steps(m))
-            time = begin + np.cumsum(geometric(end - begin, first, growth(m)))
+        if abs(goal - position) <= SNAP_TOLERANCE * max(1.0, abs(position)):
+            first = min(dt, 2.0 * (end - begin) / min_cycle_steps(m))
+            time = begin + np.cumsum(growing_steps(end - begin, first, hold_step_ratio(m)))
             time[-1] = end
             place = np.full(time.size, position)
         else:
-            place = crossed(position, goal)
+            place = step_ends(position, goal)
             time = np.append(_times(path, place[:-1] - start, begin, end), end)
-            place, time = _resolved(path, place, time, begin, start, fewest_steps(m) // 2)
+            place, time = _resolved(path, place, time, begin, start, min_cycle_steps(m) // 2)
         dt = float(time[-1] - (time[-2] if time.size > 1 else begin))
         position = float(place[-1])
         places.append(place)
@@ -82,7 +88,7 @@ def _times(path: Path, moved: np.ndarray, begin: float, end: float) -> np.ndarra
     """Return when a path has moved so far, by bisection of a piece on which it is monotone."""
     low, high = np.full(moved.size, begin), np.full(moved.size, end)
     rising = path.where(np.array([end]))[0] > path.where(np.array([begin]))[0]
-    for _ in range(BISECTIONS):
+    for _ in range(TIME_BISECTIONS):
         middle = 0.5 * (low + high)
         before = (path.where(middle) < moved) == rising
         low, high = np.where(before, middle, low), np.where(before, high, middle)
@@ -105,7 +111,7 @@ def _resolved(
     return at, split
 
 
-def oscillating(speed: float, amplitude: float, frequency: float, cycles: int, m: int) -> Path:
+def oscillation_path(speed: float, amplitude: float, frequency: float, cycles: int, m: int) -> Path:
     """Return the path of an Oscillation (legs.py); every cycle ends at a break."""
     omega = 2.0 * math.pi * frequency
     turns = np.zeros(0)
@@ -122,7 +128,7 @@ def oscillating(speed: float, amplitude: float, frequency: float, cycles: int, m
     return Path(where, np.append(0.0, breaks))
 
 
-def piecewise(times: tuple[float, ...], speeds: tuple[float, ...], m: int) -> Path:
+def piecewise_path(times: tuple[float, ...], speeds: tuple[float, ...], m: int) -> Path:
     """Return the path whose speed is linear between samples in time."""
     t, v = np.asarray(times, float), np.asarray(speeds, float)
     duration = np.diff(t)

@@ -10,8 +10,8 @@ from typing import NamedTuple
 import numpy as np
 
 from ..compile.jit import kernel
-from ..rheology.law import NEGLIGIBLE, reach
-from .stretches import bounds
+from ..rheology.law import MIN_MAGNITUDE, free_displacement
+from .stretches import piece_bounds
 
 
 class Rings(NamedTuple):
@@ -33,13 +33,13 @@ def start_rings(law, z, state, start, stop):
     lengths = np.empty(start.size, np.int64)
     for s in range(start.size):
         lengths[s] = (start[s + 1] if s + 1 < start.size else start[0] + n) - stop[s] + 1
-    at = bounds(lengths)
+    at = piece_bounds(lengths)
     slots = np.empty(at[-1])
     crossing = np.ones(start.size)
     for s in range(start.size):
         for t in range(1, lengths[s] + 1):
-            crossing[s] = reach(law, crossing[s])
-            if crossing[s] < NEGLIGIBLE:
+            crossing[s] = free_displacement(law, crossing[s])
+            if crossing[s] < MIN_MAGNITUDE:
                 crossing[s] = 0.0
             j = (stop[s] - 1 + t) % n
             slots[at[s] + t % lengths[s]] = crossing[s] * min(state.w[j], z[j] - state.d)
@@ -57,7 +57,7 @@ def shift(law, z, c, d, first, rings, step):
         _depart(z, c, d, first, rings, step - 1)
     for s in range(first.size - 1):
         for i in range(first[s], first[s + 1] - 1):
-            c[i] = z[i] - reach(law, z[i + 1] - max(c[i + 1], d))
+            c[i] = z[i] - free_displacement(law, z[i + 1] - max(c[i + 1], d))
         last = first[s + 1] - 1
         c[last] = z[last] - rings.slots[_slot(rings, s, step)]
 

@@ -47,7 +47,7 @@ def gather(values, start, stop):
 
 
 @kernel
-def bounds(lengths):
+def piece_bounds(lengths):
     """Return where each of consecutive pieces begins, and the end of the last."""
     out = np.zeros(lengths.size + 1, np.int64)
     for s in range(lengths.size):

@@ -9,12 +9,12 @@ from typing import NamedTuple
 
 import numpy as np
 
-from .fourier import Shifted
+from .fourier import FourierShift
 from .legs import Steps
 
-SHIFTED = 1 << 21  # samples of shifted lines in a stage, at most, but for one line
-LINES = 512  # shifted lines in a stage, at most
-PIECE = 1 << 18  # steps of a stage, at most
+MAX_SHIFTED_SAMPLES = 1 << 21  # samples of shifted lines in a stage, at most, but for one line
+MAX_SHIFTED_LINES = 512  # shifted lines in a stage, at most
+MAX_STAGE_STEPS = 1 << 18  # steps of a stage, at most
 
 
 class Track(NamedTuple):
@@ -38,8 +38,8 @@ def tracks(
     first step, in samples and in tau.
     """
     n, shifted = z.size, None
-    for piece in range(0, max(steps.dt.size, 1), PIECE):
-        some = slice(piece, piece + PIECE)
+    for piece in range(0, max(steps.dt.size, 1), MAX_STAGE_STEPS):
+        some = slice(piece, piece + MAX_STAGE_STEPS)
         place = np.append(start, steps.position[some])
         times = np.cumsum(np.append(time, steps.dt[some]))
         start, time = float(place[-1]), float(times[-1])
@@ -47,8 +47,10 @@ def tracks(
         fraction = place - whole
         begin = (-whole % n).astype(np.int64)
         if shifted is None and fraction.any():
-            shifted = Shifted(z, slope, m)
-        for first, last in _stages(fraction, max(2, min(LINES, SHIFTED // n))):
+            shifted = FourierShift(z, slope, m)
+        for first, last in _stages(
+            fraction, max(2, min(MAX_SHIFTED_LINES, MAX_SHIFTED_SAMPLES // n))
+        ):
             parts, line = np.unique(np.append(0.0, fraction[first : last + 1]), return_inverse=True)
             both = [(z, slope)]
             both += [shifted.by(part) for part in parts[1:]] if shifted else []

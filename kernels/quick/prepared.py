@@ -5,8 +5,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ..model.limits import LOADS, SPEEDS, check_between
-from ..rheology.spectrum import shortest_step
+from ..model.limits import LOAD_LIMITS, SPEED_LIMITS, check_range
+from ..rheology.spectrum import min_step
 from .case import Case, Quantities
 from .contacts.steady_friction import AtSpeed
 
@@ -66,14 +66,14 @@ def _together(rows: list[int], cases: Sequence[Case], steps: int, asked: Quantit
 
 def _check(case: Case, steps: int, asked: Quantities) -> None:
     speeds = [abs(speed) for speed in (case.speed, *(r * case.speed for r in case.ratios))]
-    check_between("load", case.load, LOADS)
+    check_range("load", case.load, LOAD_LIMITS)
     for speed in speeds:
-        check_between("speed", speed, SPEEDS)
+        check_range("speed", speed, SPEED_LIMITS)
     for ratio in case.ratios:
         if 0.0 < abs(ratio - 1.0) < 0.99 * LEAST_STEP:  # or 1e-9 itself would round out of it
             raise ValueError(f"ratio = 1 + {ratio - 1.0:g}: the step is lost in rounding")
     shortest = 1.0 / (steps * max(speeds))
-    if shortest < shortest_step(case.spectrum):
+    if shortest < min_step(case.spectrum):
         raise ValueError(f"speed = {max(speeds):g}: steps of {shortest:g} tau are lost in rounding")
     for kept in case.kept_steps if asked.relaxation else ():
         if not (len(kept) and kept[0] >= 1 and (kept[1:] > kept[:-1]).all()):

@@ -9,13 +9,13 @@ from .retardation import Retardation, retardation
 from .spectrum import Spectrum
 
 Form = Retardation | RelaxationForm
-FORMS: dict[str, Callable[[Spectrum], Form]] = {
-    prony.SCHEME: retardation,
-    relaxed.SCHEME: relaxation,
+FORMS_BY_SCHEME: dict[str, Callable[[Spectrum], Form]] = {
+    prony.PRONY_SCHEME: retardation,
+    relaxed.RELAXATION_SCHEME: relaxation,
 }
 
 
 @lru_cache(maxsize=100)
 def form_of(spectrum: Spectrum, scheme: str) -> Form:
     """Return the form of a material for a time scheme. Raises ValueError as retardation does."""
-    return FORMS[scheme](spectrum)
+    return FORMS_BY_SCHEME[scheme](spectrum)

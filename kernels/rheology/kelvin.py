@@ -8,7 +8,7 @@ import math
 from collections.abc import Callable
 from typing import NamedTuple
 
-from .law import NEGLIGIBLE, reach
+from .law import MIN_MAGNITUDE, free_displacement
 
 
 class Kelvin(NamedTuple):
@@ -19,7 +19,7 @@ class Kelvin(NamedTuple):
     lag: float  # (law.py)
 
 
-@reach.register(Kelvin)
+@free_displacement.register(Kelvin)
 def _reach(law, u):
     return law.decay * u
 
@@ -39,7 +39,7 @@ def exponential(dt: float) -> Kelvin:
 
 
 def _decay(value: float) -> float:
-    return value if value > math.sqrt(NEGLIGIBLE) else 0.0
+    return value if value > math.sqrt(MIN_MAGNITUDE) else 0.0
 
 
 def _weight_centre(dt: float) -> float:

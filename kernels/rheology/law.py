@@ -1,16 +1,16 @@
-"""What a law of the elastomer must provide. A file beside this one holds one law.
+"""Interface of the laws of the elastomer; each law has its own file in this folder.
 
 A law is a NamedTuple of the constants of one time step. Two fields are common to all:
 
 stiffness   A free element would reach w in the step. The step's force is stiffness * (w - u)
             in units of 4 G dx h, where u is the displacement at its end.
-lag         Where within the step this force acts, as a fraction of the step before its end:
-            the slope that weighs it is read there.
+lag         When this force acts, as a fraction of the step before its end. The slope that
+            weights the force is taken there.
 
-Elements that remember their displacement alone need a ``reach``. Others have internal variables:
-their laws come from a form of the material, which holds for steps of any length.
+A law of elements that remember only their displacement provides ``free_displacement``. Laws with
+internal variables are derived from a form of the material, which holds for steps of any length.
 
-The functions declared here are reached by the type of the law, or of the form.
+The functions declared here dispatch on the type of the law or of the form.
 """
 
 from typing import NamedTuple
@@ -21,7 +21,7 @@ from ..compile.jit import dispatch_on_type
 
 # What decays below this is zero: subnormal numbers would slow a sweep tenfold. Below its root
 # so is the decay of one step, whose product with what is left then stays a normal number.
-NEGLIGIBLE = 1e-200
+MIN_MAGNITUDE = 1e-200
 
 
 class State(NamedTuple):
@@ -40,7 +40,7 @@ class Elements(NamedTuple):
 
 
 @dispatch_on_type
-def reach(law, u):
+def free_displacement(law, u):
     """Return the displacement of an element one step after u, if no force acts on it."""
 
 
@@ -50,12 +50,12 @@ def law_of(form, dt):
 
 
 @dispatch_on_type
-def memories(form):
+def memory_size(form):
     """Return M, the number of internal variables of an element."""
 
 
 @dispatch_on_type
-def rest(form, p):
+def rest_memory(form, p):
     """Return the memory, shape (M, n), of elements that have carried forces p (n,) for ever."""
 
 
@@ -65,7 +65,7 @@ def displacement(form, memory, p):
 
 
 @dispatch_on_type
-def lasting(form, memory):
+def static_pressure(form, memory):
     """Return (viscosity, pressures (n,) without the dashpot's part, at no rate, in G h)."""
 
 
@@ -78,7 +78,7 @@ def predict(law, memory, p, w):
 
 
 @dispatch_on_type
-def settle(law, memory, w, p, new):
+def advance_memory(law, memory, w, p, new):
     """Take memory (M, n) over the step, in place. Linear in all that follows the law.
 
     w (n,) : as predict left it; it may be changed. p (n,) : forces of the step before.

@@ -21,20 +21,22 @@ import numpy as np
 
 from ..compile.jit import inlined_kernel, refcount_free_kernel
 from .law import (
-    NEGLIGIBLE,
+    MIN_MAGNITUDE,
+    advance_memory,
     displacement,
-    lasting,
     law_of,
-    memories,
+    memory_size,
     predict,
-    rest,
-    settle,
+    rest_memory,
+    static_pressure,
 )
 from .retardation import Retardation
 
-SCHEME = "exponential"
-HALF_GONE = math.log(2.0)
-SHARES = tuple(1.0 / power for power in range(11, 2, -1))  # of a series, from its last term on
+PRONY_SCHEME = "exponential"
+LN_2 = math.log(2.0)
+SERIES_COEFFICIENTS = tuple(
+    1.0 / power for power in range(11, 2, -1)
+)  # of a series, from its last term on
 
 
 class Prony(NamedTuple):
@@ -51,7 +53,7 @@ class Prony(NamedTuple):
 @inlined_kernel
 def moments(x):
     """Return (E, 1 - E, beta, alpha): E = exp(-x), weights of the end and the start force."""
-    if x > HALF_GONE:
+    if x > LN_2:
         left = math.exp(-x)
         gone = 1.0 - left
         return left, gone, 1.0 - gone / x, gone / x - left
@@ -59,7 +61,7 @@ def moments(x):
         gone = -math.expm1(-x)
         return 1.0 - gone, gone, 1.0 - gone / x, gone / x - (1.0 - gone)
     end = 1.0  # a difference of nearly equal numbers otherwise
-    for share in SHARES:
+    for share in SERIES_COEFFICIENTS:
         end = 1.0 - x * share * end
     end *= 0.5 * x
     gone = x * (1.0 - end)
@@ -81,7 +83,7 @@ def fill_law(form, dt, constants):
     for k in range(form.times.size):
         x, compliance = dt / form.times[k], form.compliances[k]
         left, gone, end, start = moments(x)
-        decay[k] = left if left > math.sqrt(NEGLIGIBLE) else 0.0
+        decay[k] = left if left > math.sqrt(MIN_MAGNITUDE) else 0.0
         fresh[k], stale[k] = compliance * end, compliance * start
         moved[k], late[k] = compliance * gone, start / gone
         ramp += stale[k]
@@ -99,12 +101,12 @@ def fill_law(form, dt, constants):
     return 1.0 / softness, (1.0 - linear) * ramp / answered, linear
 
 
-@memories.register(Retardation)
+@memory_size.register(Retardation)
 def _memories(form):
     return form.times.size
 
 
-@rest.register(Retardation)
+@rest_memory.register(Retardation)
 def _rest(form, p):
     return -form.compliances.reshape(-1, 1) * p
 
@@ -114,7 +116,7 @@ def _displacement(form, memory, p):
     return memory.sum(0) - form.glass * p
 
 
-@lasting.register(Retardation)
+@static_pressure.register(Retardation)
 def _lasting(form, memory):
     """Without a glassy spring the units' rates add up to du/dt: p = -eta (du/dt + sum y/lambda)."""
     viscosity = 1.0 / (form.compliances / form.times).sum() if form.glass == 0.0 else 0.0
@@ -135,10 +137,10 @@ def _predict(law, memory, p, w):
             w[i] += decay * memory[k, i]
 
 
-@settle.register(Prony)
+@advance_memory.register(Prony)
 def _settle(law, memory, w, p, new):
     for k in range(law.decay.size):
         decay, fresh, stale = law.decay[k], law.fresh[k], law.stale[k]
         for i in range(p.size):
             y = decay * memory[k, i] - fresh * new[i] - stale * p[i]
-            memory[k, i] = y if abs(y) > NEGLIGIBLE else 0.0
+            memory[k, i] = y if abs(y) > MIN_MAGNITUDE else 0.0

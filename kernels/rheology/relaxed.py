@@ -13,19 +13,19 @@ import numpy as np
 
 from ..compile.jit import refcount_free_kernel
 from .law import (
-    NEGLIGIBLE,
+    MIN_MAGNITUDE,
+    advance_memory,
     displacement,
-    lasting,
     law_of,
-    memories,
+    memory_size,
     predict,
-    rest,
-    settle,
+    rest_memory,
+    static_pressure,
 )
-from .retardation import merged
+from .retardation import merged_branches
 from .spectrum import Spectrum
 
-SCHEME = "implicit-euler"
+RELAXATION_SCHEME = "implicit-euler"
 
 
 class RelaxationForm(NamedTuple):
@@ -47,8 +47,8 @@ class Relaxed(NamedTuple):
 
 
 def relaxation(spectrum: Spectrum) -> RelaxationForm:
-    """Return the relaxation form. Raises ValueError as ``merged`` does."""
-    return RelaxationForm(*merged(spectrum), spectrum.viscosity)
+    """Return the relaxation form. Raises ValueError as ``merged_branches`` does."""
+    return RelaxationForm(*merged_branches(spectrum), spectrum.viscosity)
 
 
 @law_of.register(RelaxationForm)
@@ -60,19 +60,19 @@ def _law_of(form, dt):
     for b in range(count):
         x = dt / form.times[b]
         decay[b] = math.exp(-x)
-        if not decay[b] > math.sqrt(NEGLIGIBLE):
+        if not decay[b] > math.sqrt(MIN_MAGNITUDE):
             decay[b] = 0.0
         gain[b] = form.moduli[b] * (-math.expm1(-x) / x)
         stiffness += gain[b]
     return Relaxed(decay, gain, drag, stiffness, 0.0)
 
 
-@memories.register(RelaxationForm)
+@memory_size.register(RelaxationForm)
 def _memories(form):
     return form.times.size + 1
 
 
-@rest.register(RelaxationForm)
+@rest_memory.register(RelaxationForm)
 def _rest(form, p):
     memory = np.zeros((form.times.size + 1, p.size))
     memory[-1] -= p
@@ -84,7 +84,7 @@ def _displacement(form, memory, p):
     return memory[-1].copy()
 
 
-@lasting.register(RelaxationForm)
+@static_pressure.register(RelaxationForm)
 def _lasting(form, memory):
     return form.viscosity, -memory.sum(0)
 
@@ -101,22 +101,22 @@ def _predict(law, memory, p, w):
             w[i] -= share * memory[b, i]
 
 
-@settle.register(Relaxed)
+@advance_memory.register(Relaxed)
 def _settle(law, memory, w, p, new):
     count = law.decay.size
     for i in range(w.size):
         u = w[i] - new[i] / law.stiffness
         w[i] = u - memory[count, i]
-        memory[count, i] = u if abs(u) > NEGLIGIBLE else 0.0
+        memory[count, i] = u if abs(u) > MIN_MAGNITUDE else 0.0
     for b in range(count):
         decay, gain = law.decay[b], law.gain[b]
         for i in range(w.size):
             s = decay * memory[b, i] + gain * w[i]
-            memory[b, i] = s if abs(s) > NEGLIGIBLE else 0.0
+            memory[b, i] = s if abs(s) > MIN_MAGNITUDE else 0.0
 
 
 @refcount_free_kernel
-def predict_one(law, y):
+def predict_element(law, y):
     """Return what predict gives for one element; y (M,) : its memory."""
     count = law.decay.size
     carried, keep = 0.0, law.drag
@@ -127,12 +127,12 @@ def predict_one(law, y):
 
 
 @refcount_free_kernel
-def settle_one(law, y, w, new):
-    """Take the memory y (M,) of one element over the step, as settle."""
+def advance_element(law, y, w, new):
+    """Take the memory y (M,) of one element over the step, as advance_memory."""
     count = law.decay.size
     u = w - new / law.stiffness
     moved = u - y[count]
-    y[count] = u if abs(u) > NEGLIGIBLE else 0.0
+    y[count] = u if abs(u) > MIN_MAGNITUDE else 0.0
     for b in range(count):
         s = law.decay[b] * y[b] + law.gain[b] * moved
-        y[b] = s if abs(s) > NEGLIGIBLE else 0.0
+        y[b] = s if abs(s) > MIN_MAGNITUDE else 0.0

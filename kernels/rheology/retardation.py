@@ -27,8 +27,8 @@ class Retardation(NamedTuple):
 
 
 def retardation(spectrum: Spectrum) -> Retardation:
-    """Return the retardation form. Raises ValueError as ``merged`` does."""
-    moduli, times = merged(spectrum)
+    """Return the retardation form. Raises ValueError as ``merged_branches`` does."""
+    moduli, times = merged_branches(spectrum)
     viscous = spectrum.viscosity > 0.0
     glass = 0.0 if viscous else 1.0 / (1.0 + float(moduli.sum()))
     count = times.size + (1 if viscous else 0)
@@ -36,7 +36,7 @@ def retardation(spectrum: Spectrum) -> Retardation:
     return Retardation(glass, *np.array(units).T.copy())
 
 
-def merged(spectrum: Spectrum) -> tuple[np.ndarray, np.ndarray]:
+def merged_branches(spectrum: Spectrum) -> tuple[np.ndarray, np.ndarray]:
     """Return (moduli, times) of the branches, both (B,), slowest first, equal times added up.
 
     Raises ValueError for a material that does not relax or has a branch without a meaning.

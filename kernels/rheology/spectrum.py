@@ -25,16 +25,20 @@ KELVIN = Spectrum((), (), 1.0)
 
 # Shortest step of a dashpot, in tau: displacements change by dt of themselves in a step, so that
 # rounding, 1e-16 of them, comes back as 1e-16 / dt of the force.
-SHORTEST = 1e-10
+MIN_DASHPOT_STEP = 1e-10
 
 
-def shortest_step(spectrum: Spectrum) -> float:
+def min_step(spectrum: Spectrum) -> float:
     """Return the shortest step (in tau) in which the force is not lost in rounding.
 
     Without a dashpot a step is never stiffer than the glass, and the branch that relaxes first
     decides: slower ones add up what they are given.
     """
-    return SHORTEST if spectrum.viscosity > 0.0 else SHORTEST * min(1.0, *spectrum.times)
+    return (
+        MIN_DASHPOT_STEP
+        if spectrum.viscosity > 0.0
+        else MIN_DASHPOT_STEP * min(1.0, *spectrum.times)
+    )
 
 
 def relaxation_modulus(spectrum: Spectrum, t: np.ndarray) -> np.ndarray:

@@ -9,7 +9,7 @@ from ..model.steady import steady_sliding, sweep
 from ..motion.legs import speed_at_start
 from ..rheology.forms import Form, form_of
 from ..rheology.kelvin import SCHEMES
-from ..rheology.law import Elements, rest
+from ..rheology.law import Elements, rest_memory
 from ..rheology.relaxed import RelaxationForm
 from ..rheology.retardation import Retardation
 from ..rheology.spectrum import KELVIN, Spectrum
@@ -74,7 +74,7 @@ def _pressed(form: Form, z: np.ndarray, load: float | None, d: float, stiffness:
     if load is not None:
         d, _ = solve_indentation(z, load / stiffness, z.min() + load / (stiffness * z.size))
     u = np.minimum(z - d, 0.0)
-    memory = rest(form, -u)
+    memory = rest_memory(form, -u)
     if isinstance(form, RelaxationForm):
         memory[:-1] = 0.0
     return Elements(memory, -stiffness * u, d)

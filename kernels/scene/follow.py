@@ -10,8 +10,8 @@ import numpy as np
 
 from ..compile.jit import kernel
 from ..model.balance import balance
-from ..model.friction import weighed
-from ..rheology.law import Elements, displacement, law_of, predict, settle
+from ..model.friction import weighted_sums
+from ..rheology.law import Elements, advance_memory, displacement, law_of, predict
 from .cycles import add_impulses
 from .energy import book, keep_energies
 from .records import count_lengths, keep_frame, keep_motion, keep_trace
@@ -54,11 +54,11 @@ def follow(form, control, track, elements, done, kept, frames, trace, ledger, le
                 u[i] = w[i] - new[i] / law.stiffness
             keep_frame(film, frame, z, d, u)
             frame += 1
-        settle(law, memory, w, p, new)
+        advance_memory(law, memory, w, p, new)
         p, new = new, p
         if spell is not None and spell.after < step <= spell.last:
             before, now = seen_at(track.slope, track, s, n), seen_at(track.slope, track, s + 1, n)
-            sums = weighed(-p, None, now + law.lag * (before - now), 0.0)
+            sums = weighted_sums(-p, None, now + law.lag * (before - now), 0.0)
             add_impulses(spell, sums, track.dt[s])
         if k < kept.size and step == kept[k]:
             _keep(k, form, law, track, s, old, d, memory, p, trace, ledger, lengths)

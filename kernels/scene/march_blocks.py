@@ -2,8 +2,8 @@
 
 An element is never pulled up, so that none touches where the line lies above a cap that the
 indentation does not reach. Elements are stepped block by block where some of the line is below
-the cap; the memory of all others counts in what decays as it does (rheology/scaled.py) and needs
-no step. Where the indentation passes the cap, more blocks are looked at in the same step. Which
+the cap; the memory of all others is divided by its decay (rheology/scaled_units.py) and needs no
+step. Where the indentation passes the cap, more blocks are looked at in the same step. Which
 they are changes no bit.
 
 A step is one pass over the blocks, in which the forces follow from the thresholds of the last step,
@@ -21,20 +21,20 @@ import numpy as np
 from ..compile.jit import inlined_kernel, kernel
 from ..model.balance import balance_rows
 from ..motion.track import Track
-from ..rheology.law import NEGLIGIBLE, Elements, law_of
+from ..rheology.law import MIN_MAGNITUDE, Elements, law_of
 from ..rheology.prony import Prony, fill_law
 from ..rheology.retardation import Retardation
-from ..rheology.scaled import (
-    BLOCK,
-    Pressing,
+from ..rheology.scaled_units import (
+    BLOCK_ELEMENTS,
+    Indenter,
     Scales,
-    all_settled,
-    as_it_is,
-    catch_up,
-    force_on,
-    go_on,
+    advance_and_predict,
+    advance_scales,
+    element_force,
+    mark_forces_applied,
     predict_block,
-    settle_and_predict,
+    rescale_blocks,
+    unit_scales,
 )
 from .cycles import add_impulses
 from .energy import keep_energies
@@ -58,7 +58,7 @@ SPARE = 0.02  # of the indentation, to the cap
 class ElementBlocks(NamedTuple):
     """The memory of elements in blocks, of which elements that nothing meets fill up the last."""
 
-    memory: np.ndarray  # scaled, shape (blocks, K, BLOCK)
+    memory: np.ndarray  # scaled, shape (blocks, K, BLOCK_ELEMENTS)
     seen: np.ndarray  # shape (blocks,): the last step that the memory knows of
     scales: Scales
 
@@ -67,8 +67,8 @@ class BlockElements(NamedTuple):
     """Elements in blocks after a step whose force their memory may not know of yet."""
 
     blocks: ElementBlocks
-    c: np.ndarray  # thresholds in it, shape (blocks, BLOCK); infinite where none can touch
-    last: Pressing
+    c: np.ndarray  # thresholds in it, shape (blocks, BLOCK_ELEMENTS); infinite where none can touch
+    last: Indenter
     d: float  # in h
 
 
@@ -93,7 +93,7 @@ class BlockMarch(NamedTuple):
     blocks: ElementBlocks
     rows: SpringRows  # the thresholds of blocks, of which those that are chosen come first
     constants: np.ndarray  # of the law of the last step, as fill_law leaves them
-    room: np.ndarray  # of settle_and_predict
+    room: np.ndarray  # of advance_and_predict
     depths: np.ndarray  # of _sums
     carried: np.ndarray  # of median_over_load
 
@@ -104,7 +104,7 @@ class Progress(NamedTuple):
     passes: int  # over the thresholds
     old: float  # indentation before the last step, in h
     d: float  # after it
-    last: Pressing
+    last: Indenter
     law: tuple[float, float, float]  # of the last step: what fill_law returns
     choice: Choice
 
@@ -113,14 +113,14 @@ class Progress(NamedTuple):
 def in_blocks(elements, done):
     """Return the BlockElements of Elements, after a number of steps."""
     units, n = elements.memory.shape
-    count = (n + BLOCK - 1) // BLOCK
-    memory, c = np.zeros((count, units, BLOCK)), np.full((count, BLOCK), np.inf)
+    count = (n + BLOCK_ELEMENTS - 1) // BLOCK_ELEMENTS
+    memory, c = np.zeros((count, units, BLOCK_ELEMENTS)), np.full((count, BLOCK_ELEMENTS), np.inf)
     for b in range(count):
-        first, size = b * BLOCK, min(BLOCK, n - b * BLOCK)
+        first, size = b * BLOCK_ELEMENTS, min(BLOCK_ELEMENTS, n - b * BLOCK_ELEMENTS)
         c[b, :size] = -elements.p[first : first + size]
         memory[b, :, :size] = elements.memory[:, first : first + size]
-    blocks = ElementBlocks(memory, np.full(count, done), as_it_is(units, done))
-    return BlockElements(blocks, c, Pressing(0.0, 1.0), elements.d)
+    blocks = ElementBlocks(memory, np.full(count, done), unit_scales(units, done))
+    return BlockElements(blocks, c, Indenter(0.0, 1.0), elements.d)
 
 
 @kernel
@@ -132,11 +132,11 @@ def elements_of(state, n):
 
 @kernel
 def _forces(c, last):
-    """Return the forces of all elements, shape (blocks * BLOCK,)."""
+    """Return the forces of all elements, shape (blocks * BLOCK_ELEMENTS,)."""
     p = np.empty(c.size)
     thresholds = c.reshape(-1)
     for i in range(p.size):
-        p[i] = force_on(last, thresholds[i])
+        p[i] = element_force(last, thresholds[i])
     return p
 
 
@@ -147,7 +147,9 @@ def _memory(blocks, p):
     for k in range(memory.shape[0]):
         scale, fresh = blocks.scales.scale[k], blocks.scales.fresh[k]
         for i in range(p.size):
-            memory[k, i] = _known(scale, fresh, blocks.memory[i // BLOCK, k, i % BLOCK], p[i])
+            memory[k, i] = _known(
+                scale, fresh, blocks.memory[i // BLOCK_ELEMENTS, k, i % BLOCK_ELEMENTS], p[i]
+            )
     return memory
 
 
@@ -155,7 +157,7 @@ def _memory(blocks, p):
 def _known(scale, fresh, scaled, p):
     """Return memory as it is, which knows of the force p of the last step."""
     y = scale * scaled - fresh * p
-    return y if abs(y) > NEGLIGIBLE else 0.0
+    return y if abs(y) > MIN_MAGNITUDE else 0.0
 
 
 @kernel
@@ -170,7 +172,7 @@ def follow_blocks(
     blocks, c, last, d = state
     n, s, rows = track.z.shape[1] // 2, 0, spring_rows_of(c)
     k, frame, end = first_after(kept, done), first_after(frames, done), first_after(ends, done)
-    room = np.empty((5, blocks.memory.shape[1])), np.empty(2 * BLOCK)
+    room = np.empty((5, blocks.memory.shape[1])), np.empty(2 * BLOCK_ELEMENTS)
     more_room = np.empty(c.size + c.shape[0] + 1), np.zeros(n)
     every, lowest, memory = ledger is not None, _lowest(track.z), np.empty((0, n))
     march = BlockMarch(form, control, track, done, every, lowest, blocks, rows, *room, *more_room)
@@ -227,7 +229,7 @@ def _march(march, now, s, until):
         law, old = Prony(constants[0], constants[1], constants[2], *of_law), d
         d, used, choice = _step(march, law, t, old, last, choice)
         passes += used
-        last = Pressing(d, law.stiffness)
+        last = Indenter(d, law.stiffness)
     return Progress(passes, old, d, last, of_law, choice)
 
 
@@ -235,11 +237,11 @@ def _march(march, now, s, until):
 def _step(march, law, t, old, last, choice):
     """Take some blocks over step t from the indentation ``old``; return (d, passes, Choice).
 
-    last : Pressing of the last step. Their thresholds fill the rows.
+    last : Indenter of the last step. Their thresholds fill the rows.
     """
     track, rows, lowest = march.track, march.rows, march.lowest
     n, begin = track.z.shape[1] // 2, track.begin[t + 1]
-    go_on(law, march.blocks.scales, march.done + t + 1)
+    advance_scales(law, march.blocks.scales, march.done + t + 1)
     at, cap, chosen, count = choice
     if at < 0 or round_apart(begin, at, n) > SLACK:
         at, cap = begin, np.inf if march.every else cap_over(old, chosen, lowest)
@@ -259,14 +261,14 @@ def _balance(march, law, t, old, last, count):
     c, some, sums, highest, found = march.rows
     rows, begin = SpringRows(c, some[:count], sums, highest, found), track.begin[t + 1]
     step, z = march.done + t + 1, track.z[track.line[t + 1], begin : begin + track.z.shape[1] // 2]
-    catch_up(scales, memory, seen, rows.some, step)
+    rescale_blocks(scales, memory, seen, rows.some, step)
     refilled(rows)
     for b in rows.some:
-        settle_and_predict(scales.due, scales.scale, memory, b, last, c[b], room)
-        here = z[b * BLOCK : (b + 1) * BLOCK]
+        advance_and_predict(scales.due, scales.scale, memory, b, last, c[b], room)
+        here = z[b * BLOCK_ELEMENTS : (b + 1) * BLOCK_ELEMENTS]
         for i in range(here.size):
             c[b, i] = here[i] - room[i]
-    all_settled(scales)
+    mark_forces_applied(scales)
     return balance_rows(march.control, law, rows, old, step)
 
 
@@ -303,8 +305,8 @@ def round_apart(one, other, n):
 @inlined_kernel
 def can_touch(lowest, begin, b, n, cap):
     """Return whether the line is below the cap over block b, while it moves by SLACK."""
-    first = (begin + b * BLOCK - SLACK) % n
-    last = min(first + BLOCK + 2 * SLACK, 2 * n) - 1
+    first = (begin + b * BLOCK_ELEMENTS - SLACK) % n
+    last = min(first + BLOCK_ELEMENTS + 2 * SLACK, 2 * n) - 1
     below = False
     for cell in range(first // CELL, last // CELL + 1):
         below = below or lowest[cell] < cap
@@ -318,9 +320,9 @@ def _choose(rows, lowest, begin, n, cap, level):
     for b in range(rows.c.shape[0]):
         chosen = can_touch(lowest, begin, b, n, cap)
         if not chosen and rows.c[b, 0] < np.inf:
-            for i in range(BLOCK):
+            for i in range(BLOCK_ELEMENTS):
                 chosen = chosen or rows.c[b, i] < level
-            for i in range(0 if chosen else BLOCK):
+            for i in range(0 if chosen else BLOCK_ELEMENTS):
                 rows.c[b, i] = np.inf
         if chosen:
             rows.some[count] = b
@@ -332,12 +334,12 @@ def _choose(rows, lowest, begin, n, cap, level):
 def _count_as_it_is(blocks, p, step):
     """Let the memory of all blocks count as it is, and know of the last step; p : its forces."""
     memory, seen, scales = blocks
-    catch_up(scales, memory, seen, np.arange(seen.size), step)
+    rescale_blocks(scales, memory, seen, np.arange(seen.size), step)
     for b in range(seen.size):
-        of_block = p[b * BLOCK : (b + 1) * BLOCK]
+        of_block = p[b * BLOCK_ELEMENTS : (b + 1) * BLOCK_ELEMENTS]
         for k in range(scales.scale.size):
             scale, fresh = scales.scale[k], scales.fresh[k]
-            for i in range(BLOCK):
+            for i in range(BLOCK_ELEMENTS):
                 memory[b, k, i] = _known(scale, fresh, memory[b, k, i], of_block[i])
     for k in range(scales.scale.size):
         scales.scale[k], scales.fresh[k] = 1.0, 0.0
@@ -367,26 +369,26 @@ def _sums(march, now, s):
     for i in range(COLUMNS):
         sums[0, i] = sums[1, i] = sums[2, i] = 0.0
     for b in rows.some[: now.choice.number]:
-        touching, size = 0, min(BLOCK, n - b * BLOCK)
+        touching, size = 0, min(BLOCK_ELEMENTS, n - b * BLOCK_ELEMENTS)
         if b != after:
             depths[at] = 0.0
             at += 1
-        deep = depths[at : at + BLOCK]
-        for i in range(BLOCK):
+        deep = depths[at : at + BLOCK_ELEMENTS]
+        for i in range(BLOCK_ELEMENTS):
             depth = now.d - rows.c[b, i]
             deep[i] = depth if depth > 0.0 else 0.0
             touching += 1 if depth > 0.0 else 0
         if touching == 0:
             continue
         add_overlap(rows, b, now.d)
-        one, two = before[b * BLOCK :], ahead[b * BLOCK :]
+        one, two = before[b * BLOCK_ELEMENTS :], ahead[b * BLOCK_ELEMENTS :]
         for i in range(size):
             slope[i] = two[i] + lag * (one[i] - two[i])
-        for part in range(0, BLOCK, COLUMNS):
+        for part in range(0, BLOCK_ELEMENTS, COLUMNS):
             for i in range(COLUMNS):
                 sums[2, i] += deep[part + i] * slope[part + i]
         at, after = at + size, b + 1
-    if after * BLOCK < n:
+    if after * BLOCK_ELEMENTS < n:
         depths[at] = 0.0
         at += 1
     fold(sums)
@@ -396,10 +398,12 @@ def _sums(march, now, s):
 @kernel
 def _keep_frame(film, frame, blocks, step, p, z, d, stiffness):
     """Keep the line and all elements at the end of a step, whose force no memory knows of yet."""
-    catch_up(blocks.scales, blocks.memory, blocks.seen, np.arange(blocks.seen.size), step)
+    rescale_blocks(blocks.scales, blocks.memory, blocks.seen, np.arange(blocks.seen.size), step)
     u = np.empty(p.size)
     for b in range(blocks.seen.size):
-        predict_block(blocks.scales.scale, blocks.memory, b, u[b * BLOCK : (b + 1) * BLOCK])
+        predict_block(
+            blocks.scales.scale, blocks.memory, b, u[b * BLOCK_ELEMENTS : (b + 1) * BLOCK_ELEMENTS]
+        )
     for i in range(z.size):
         u[i] -= p[i] / stiffness
     keep_frame(film, frame, z, d, u[: z.size])

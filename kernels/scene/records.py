@@ -8,7 +8,7 @@ from typing import NamedTuple
 import numpy as np
 
 from ..compile.jit import inlined_kernel, kernel
-from ..model.friction import weighed
+from ..model.friction import weighted_sums
 from .samples import samples_per_contact
 
 
@@ -55,7 +55,7 @@ def keep_trace(trace, k, lag, before, now, old, new, p):
     before, now : slopes before and after it, in h/dx. old, new : indentation, in h. p : forces
     of its elements. All of shape (n,).
     """
-    sums = weighed(-p, None, now + lag * (before - now), 0.0)
+    sums = weighted_sums(-p, None, now + lag * (before - now), 0.0)
     keep_forces(trace, k, lag, sums, p.size, old, new)
     trace.samples_per_contact[k] = samples_per_contact(p)
 

@@ -5,10 +5,10 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ..model.limits import LOADS, SPEEDS, check_between
-from ..motion.counts import MOST_STEPS, count_steps
+from ..model.limits import LOAD_LIMITS, SPEED_LIMITS, check_range
+from ..motion.counts import MAX_PROGRAMME_STEPS, count_steps
 from ..motion.legs import Programme, Steps, speed_at_start, steps_of
-from ..rheology.spectrum import Spectrum, shortest_step
+from ..rheology.spectrum import Spectrum, min_step
 
 ASKED = (
     "trace",
@@ -70,13 +70,15 @@ class Saved(NamedTuple):
 def scene_steps(scene: SceneCase, steps_per_spacing: int, origin: Origin = START) -> Steps:
     """Return all time steps of a scene that begins at ``origin``; steps_per_spacing : m.
 
-    Raises ValueError as steps_of, where there is none, and for more than MOST_STEPS.
+    Raises ValueError as steps_of, where there is none, and for more than MAX_PROGRAMME_STEPS.
     """
     position, speed, time = origin
-    shortest = shortest_step(scene.spectrum)
+    shortest = min_step(scene.spectrum)
     most = count_steps(scene.programme, steps_per_spacing, position, speed, shortest).sum()
-    if most > MOST_STEPS:
-        raise ValueError(f"programme: takes up to {most:.3g} steps, more than {MOST_STEPS:g}")
+    if most > MAX_PROGRAMME_STEPS:
+        raise ValueError(
+            f"programme: takes up to {most:.3g} steps, more than {MAX_PROGRAMME_STEPS:g}"
+        )
     steps = steps_of(scene.programme, steps_per_spacing, position, speed, shortest)
     if not steps.dt.size:
         raise ValueError("programme: its legs take no time")
@@ -130,8 +132,8 @@ def check_scene(scene: SceneCase, steps: Steps, resumed: bool) -> None:
 def _check_control(scene: SceneCase, resumed: bool) -> None:
     """Raise ValueError where load, indentation or first speed have no meaning."""
     if scene.indentation is None:
-        check_between("load", scene.load, LOADS)
+        check_range("load", scene.load, LOAD_LIMITS)
     elif not math.isnan(scene.load):
         raise ValueError("load and indentation are both given: one of them follows from the other")
     if scene.start == "steady" and not resumed:
-        check_between("first speed", abs(speed_at_start(scene.programme)), SPEEDS)
+        check_range("first speed", abs(speed_at_start(scene.programme)), SPEED_LIMITS)

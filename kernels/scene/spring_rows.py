@@ -1,4 +1,4 @@
-"""The thresholds of elements in rows of BLOCK, of which some are left out.
+"""The thresholds of elements in rows of BLOCK_ELEMENTS, of which some are left out.
 
 Those that are left out are not reached by an indentation below some bound. The load is balanced as
 in model/contact.py.
@@ -9,16 +9,18 @@ from typing import NamedTuple
 import numpy as np
 
 from ..compile.jit import inlined_kernel, kernel
-from ..model.contact import excess_at, lowest_of
-from ..rheology.scaled import BLOCK
+from ..model.contact import excess_at, lowest_threshold
+from ..rheology.scaled_units import BLOCK_ELEMENTS
 
-COLUMNS = BLOCK // 4  # of sums
+COLUMNS = BLOCK_ELEMENTS // 4  # of sums
 
 
 class SpringRows(NamedTuple):
     """Elements in rows, all of the stiffness 1."""
 
-    c: np.ndarray  # contact thresholds z_i - w_i, shape (rows, BLOCK), in h; infinite: no element
+    c: (
+        np.ndarray
+    )  # contact thresholds z_i - w_i, shape (rows, BLOCK_ELEMENTS), in h; infinite: no element
     some: np.ndarray  # the rows that are not left out, in ascending order
     sums: np.ndarray  # room, shape (3, COLUMNS)
     highest: np.ndarray  # shape (1,): the highest indentation at which they were asked
@@ -82,10 +84,10 @@ def _excess_of_spring_rows(contact, load, d):
     return found[1] - load, found[2], found[2]
 
 
-@lowest_of.register(SpringRows)
+@lowest_threshold.register(SpringRows)
 def _lowest_of_spring_rows(contact, load):
     lowest = np.inf
     for row in contact.some:
-        for i in range(BLOCK):
+        for i in range(BLOCK_ELEMENTS):
             lowest = min(lowest, contact.c[row, i])
     return lowest, lowest + load

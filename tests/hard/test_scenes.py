@@ -5,7 +5,7 @@ import pytest
 
 from elastomer_friction.kernels.lines.line import Line
 from elastomer_friction.kernels.motion.legs import Hold, Oscillation, Ramp, Slide
-from elastomer_friction.kernels.rheology.forms import FORMS
+from elastomer_friction.kernels.rheology.forms import FORMS_BY_SCHEME
 from elastomer_friction.kernels.rheology.spectrum import Spectrum, complex_modulus
 from tests.kernels.scene.given import MATERIALS, OF_ANY, SOLID, a_line, trace
 from tests.kernels.scene.test_known_answers import Q, response
@@ -27,7 +27,7 @@ def assert_sound(found, load=0.3):
 
 
 @pytest.mark.parametrize("start", ["steady", "relaxed", "fresh"])
-@pytest.mark.parametrize("scheme", FORMS)
+@pytest.mark.parametrize("scheme", FORMS_BY_SCHEME)
 def test_thirty_branches_over_fourteen_decades(scheme, start):
     """Some relax within a step and some not in the whole programme."""
     asked = OF_ANY if scheme == "exponential" else ("trace",)

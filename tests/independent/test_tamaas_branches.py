@@ -12,7 +12,7 @@ import pytest
 
 from elastomer_friction.kernels.lines.line import Line
 from elastomer_friction.kernels.motion.legs import Slide
-from elastomer_friction.kernels.rheology.forms import FORMS
+from elastomer_friction.kernels.rheology.forms import FORMS_BY_SCHEME
 from elastomer_friction.kernels.rheology.law import law_of
 from elastomer_friction.kernels.rheology.spectrum import Spectrum
 from elastomer_friction.kernels.scene import Saved, run_scene
@@ -31,7 +31,7 @@ TOLERANCE = 1e-6
 
 def by_tamaas(line):
     """Return mu at the end of every step, from a foundation that nothing has touched."""
-    law = law_of(FORMS["implicit-euler"](SPECTRUM), 1.0 / SPEED)
+    law = law_of(FORMS_BY_SCHEME["implicit-euler"](SPECTRUM), 1.0 / SPEED)
     model = tamaas.ModelFactory.createModel(tamaas.model_type.basic_1d, [1.0], [line.z.size])
     model.nu, model.E = 0.0, 2.0  # shear modulus 1, the spring beside the branches
     times = law.decay / (1.0 - law.decay) / SPEED

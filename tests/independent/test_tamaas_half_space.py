@@ -12,7 +12,7 @@ from elastomer_friction.kernels.half_space.body import Body, HalfSpace, Step, ta
 from elastomer_friction.kernels.half_space.contact import Operator, press
 from elastomer_friction.kernels.half_space.surface import Surface, ring_amplitudes
 from elastomer_friction.kernels.half_space.waves import half_space_stiffness
-from elastomer_friction.kernels.rheology.forms import FORMS
+from elastomer_friction.kernels.rheology.forms import FORMS_BY_SCHEME
 from elastomer_friction.kernels.rheology.spectrum import Spectrum
 
 tamaas = pytest.importorskip("tamaas", reason="needs the extra 'verify': pip install '.[verify]'")
@@ -47,7 +47,7 @@ def test_an_elastic_contact_has_the_same_pressures() -> None:
 
 
 def test_two_branches_forth_and_back_have_the_same_pressures() -> None:
-    surface, form = a_surface(), FORMS["implicit-euler"](SPECTRUM)
+    surface, form = a_surface(), FORMS_BY_SCHEME["implicit-euler"](SPECTRUM)
     space = HalfSpace.under(form, surface, PRESSURE * ELEMENTS)
     law = Step.of(form, surface, SPEED).law
     times = law.decay / (1.0 - law.decay) / (M * SPEED)

@@ -35,12 +35,16 @@ def listings() -> dict[str, list[str]]:
     from elastomer_friction.kernels.motion.track import Track
     from elastomer_friction.kernels.rheology.kelvin import SCHEMES
     from elastomer_friction.kernels.rheology.law import Elements, State
-    from elastomer_friction.kernels.rheology.prony import SCHEME
+    from elastomer_friction.kernels.rheology.prony import PRONY_SCHEME
     from elastomer_friction.kernels.rheology.retardation import retardation
     from elastomer_friction.kernels.rheology.spectrum import KELVIN
     from elastomer_friction.kernels.scene.follow import follow
 
-    z, kelvin, control = np.array([3.0, 1.0, 0.0, 2.0]), SCHEMES[SCHEME](0.3), ConstantForce(4.0)
+    z, kelvin, control = (
+        np.array([3.0, 1.0, 0.0, 2.0]),
+        SCHEMES[PRONY_SCHEME](0.3),
+        ConstantForce(4.0),
+    )
     state = State(np.zeros(4), 2.0)
     twice, steps = np.tile(z, (1, 2)), np.zeros(2, np.int64)
     track = Track(twice, twice, steps, steps, np.ones(1), np.ones(2), np.ones(2))

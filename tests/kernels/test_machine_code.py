@@ -12,7 +12,7 @@ import pytest
 from elastomer_friction.kernels import ConstantForce
 from elastomer_friction.kernels.motion.legs import Slide, steps_of
 from elastomer_friction.kernels.motion.track import tracks
-from elastomer_friction.kernels.rheology.forms import FORMS
+from elastomer_friction.kernels.rheology.forms import FORMS_BY_SCHEME
 from elastomer_friction.kernels.scene.begin import relaxed
 from elastomer_friction.kernels.scene.follow import follow
 from elastomer_friction.kernels.scene.records import Trace
@@ -77,7 +77,7 @@ def test_recorders_that_are_off_leave_nothing_in_the_machine_code():
     names = dict(function.__globals__)
     exec(compile(ast.fix_missing_locations(tree), "<stripped>", "exec"), names)
     line = a_line(10)
-    form, control = FORMS["exponential"](SOLID), ConstantForce(0.3 * line.z.size)
+    form, control = FORMS_BY_SCHEME["exponential"](SOLID), ConstantForce(0.3 * line.z.size)
     (track,) = tracks(line.z, line.slope, 4, steps_of((Slide(1.0, 1.0),), 4), 0.0, 0.0)
     elements = relaxed(form, line.z, control.load, np.nan)
     none = np.arange(0)

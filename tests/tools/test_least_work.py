@@ -3,7 +3,11 @@
 import numpy as np
 import pytest
 
-from elastomer_friction.kernels.lines.polynomials import bend_at, height, septic_between
+from elastomer_friction.kernels.lines.polynomials import (
+    coefficients_between,
+    fill_derivatives,
+    septic_height,
+)
 from tests.tools.rivals import limits
 
 
@@ -37,9 +41,12 @@ def flops_of(kernel, *arguments):
 @pytest.mark.parametrize(
     ("least", "done"),
     [
-        (limits.COEFFICIENTS, flops_of(septic_between, (4,), (4,), (2, 4), Counted(0.5), 2, 1)),
-        (limits.VALUE, flops_of(height, (8,), Counted(0.5))),
-        (limits.BENDS, flops_of(bend_at, (5,), (5,), Counted(0.5), range(5), (2, 5))),
+        (
+            limits.COEFFICIENTS,
+            flops_of(coefficients_between, (4,), (4,), (2, 4), Counted(0.5), 2, 1),
+        ),
+        (limits.VALUE, flops_of(septic_height, (8,), Counted(0.5))),
+        (limits.BENDS, flops_of(fill_derivatives, (5,), (5,), Counted(0.5), range(5), (2, 5))),
     ],
 )
 def test_least_flops_are_nearly_those_of_the_kernels(least, done):

@@ -9,9 +9,9 @@ from typing import NamedTuple
 import numpy as np
 
 from ...kernels import KELVIN, QUARTET
-from ...kernels.model.limits import SPEEDS
+from ...kernels.model.limits import SPEED_LIMITS
 from ...kernels.quick.contacts.between_samples import LEAST_STEPS
-from ...kernels.rheology.spectrum import shortest_step
+from ...kernels.rheology.spectrum import min_step
 from ..ground import UserError
 from ..simulate import Problem
 from ..study import HALF_SPACE, MAX_BLOCKS, Numerics, Scene, Study, accuracy_estimates
@@ -157,7 +157,7 @@ def least_steps(problem: Problem, scene: Scene) -> Numbers:
     """Return the least m for what is asked: a step must be short enough for the relaxation."""
     if "relaxation" not in scene.quantities:
         return 1
-    slowest = np.maximum(problem.speed * np.minimum(1.0, problem.ratio), SPEEDS[0])
+    slowest = np.maximum(problem.speed * np.minimum(1.0, problem.ratio), SPEED_LIMITS[0])
     return rung(expected_rate(problem) / slowest / allowed_share(problem))
 
 
@@ -201,7 +201,7 @@ def may_be_so_long(problem: Problem, steps: Numbers) -> Numbers:
 def may_have(problem: Problem, steps: int) -> bool:
     """Return whether a line of so many steps per spacing fits into a worker, and none is lost."""
     fastest = max(abs(problem.speed), abs(problem.speed * problem.ratio))
-    lost = steps * fastest * shortest_step(problem.spectrum) > 1.0
+    lost = steps * fastest * min_step(problem.spectrum) > 1.0
     return may_be_so_long(problem, steps) and not lost
 
 
@@ -222,12 +222,13 @@ def check_resolution(problem: Problem, steps: Numbers, numerics: Numerics) -> No
             f"line; {_shorter(problem, int(elements[long][0]))}"
         )
     speeds = np.sort(np.abs([speed, speed * ratio]), axis=0)
-    most = np.minimum(SPEEDS[1], 1.0 / shortest_step(problem.spectrum) / steps)
-    odd = ~((speeds[0] >= SPEEDS[0]) & (speeds[1] <= most))
+    most = np.minimum(SPEED_LIMITS[1], 1.0 / min_step(problem.spectrum) / steps)
+    odd = ~((speeds[0] >= SPEED_LIMITS[0]) & (speeds[1] <= most))
     if odd.any():
         raise UserError(
             f"grid.velocity: v tau/dx runs from {speeds[0][odd][0]:.3g} to "
-            f"{speeds[1][odd][0]:.3g}, but must lie between {SPEEDS[0]:g} and {most[odd][0]:.3g}, "
+            f"{speeds[1][odd][0]:.3g}, but must lie between {SPEED_LIMITS[0]:g} and "
+            f"{most[odd][0]:.3g}, "
             "where rounding shows"
         )
 

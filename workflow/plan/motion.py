@@ -9,7 +9,7 @@ import numpy as np
 
 from ... import kernels
 from ...kernels import (
-    MOST_STEPS,
+    MAX_PROGRAMME_STEPS,
     Origin,
     Quantities,
     rms_slope,
@@ -157,7 +157,7 @@ def _leg(segment: Segment, scale: Scale) -> kernels.Leg:
 
 
 def check_programme(problem: Problem, steps: Any, origin: Origin) -> None:
-    """Raise UserError for more than MOST_STEPS steps, and for some that are lost in rounding.
+    """Raise UserError for more than MAX_PROGRAMME_STEPS steps or steps lost in rounding.
 
     So too for a drive that never moves the line. steps : numbers of them per spacing, of problems
     that share this programme.
@@ -167,12 +167,12 @@ def check_programme(problem: Problem, steps: Any, origin: Origin) -> None:
         _check_pull(problem, problem.drive)
     for m in np.unique(steps) if programme else ():
         counts = max_leg_counts(problem, int(m), origin)
-        if counts.sum() > MOST_STEPS:
+        if counts.sum() > MAX_PROGRAMME_STEPS:
             leg = int(np.argmax(counts))
             raise UserError(
                 f"scene.programme: takes {counts.sum():.3g} steps, {counts[leg]:.3g} of them in "
                 f"segment {leg} ({type(programme[leg]).__name__.lower()}), more than "
-                f"{MOST_STEPS:g}: shorten it, or take a larger grid.spacing or fewer "
+                f"{MAX_PROGRAMME_STEPS:g}: shorten it, or take a larger grid.spacing or fewer "
                 "numerics.steps_per_spacing"
             )
         try:

@@ -14,7 +14,7 @@ import numpy as np
 
 from ...kernels import Spectrum, amplitudes, rms_slope
 from ...kernels.half_space.surface import ring_amplitudes, rms_slope_of
-from ...kernels.model.limits import LOADS, SPEEDS
+from ...kernels.model.limits import LOAD_LIMITS, SPEED_LIMITS
 from ...kernels.quick.prepared import LEAST_STEP
 from ..ground import UserError
 from ..kinetic_law import relaxation_rate
@@ -143,10 +143,10 @@ def _numbers(study: Study, label: str, others: list[Parts], points: Points) -> l
     if study.scene.control == "indentation":
         load = np.zeros_like(load)
     else:
-        _check("normal_force", "F_N/(4 G L h)", load, LOADS)
+        _check("normal_force", "F_N/(4 G L h)", load, LOAD_LIMITS)
         if study.surface.profile is not None:
             check_load("grid.normal_force", study.surface.profile, load)
-    _check("velocity", "v1 tau/dx", speed, SPEEDS)
+    _check("velocity", "v1 tau/dx", speed, SPEED_LIMITS)
     if study.scene.programme:  # which says the speeds
         speed, step = np.zeros_like(speed), np.zeros_like(speed)
     else:

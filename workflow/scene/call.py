@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 import xarray as xr
 
-from ...kernels import START, Saved, form_of, memories
+from ...kernels import START, Saved, form_of, memory_size
 from ...kernels.compile import cache
 from ..ground import UserError
 from ..plan import Plan, Variant, cut, make_batches, make_plan, missing_work
@@ -156,7 +156,7 @@ def saved_state(state: xr.Dataset, study: Study) -> Saved:
             f"realizations = {study.realizations_requested}: a state is that of one line"
         )
     numerics = study.variants[""]
-    units = memories(form_of(study.material.spectrum(), numerics.scheme))
+    units = memory_size(form_of(study.material.spectrum(), numerics.scheme))
     memory = np.ascontiguousarray(state["state_memory"].values[:units])
     numbers = {name: float(state[FIELDS[name]]) for name in ("d", "position", "time", "speed")}
     return Saved(memory=memory, p=np.ascontiguousarray(state["state_p"].values), **numbers)

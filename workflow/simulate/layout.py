@@ -8,7 +8,7 @@ import math
 
 import numpy as np
 
-from ...kernels import ENERGIES, TRACES, Quantities, Saved, form_of, memories
+from ...kernels import ENERGIES, TRACES, Quantities, Saved, form_of, memory_size
 from ...kernels.drive import MOST_EVENTS, PULLED_TRACES, SLIP_EVENTS, SLIPS
 from .recorded_steps import trace_steps
 from .tasks import Recording, Task
@@ -67,7 +67,7 @@ def _snapshots(task: Task, of_line: tuple[int, ...]) -> dict[str, tuple[int, ...
 def _programme_shapes(task: Task, scheme: str, recording: Recording) -> dict[str, tuple[int, ...]]:
     kept = (trace_steps(task.problem, task.steps_per_spacing, recording).size,)
     samples = task.problem.elements * task.steps_per_spacing
-    units = memories(form_of(task.problem.spectrum, scheme))
+    units = memory_size(form_of(task.problem.spectrum, scheme))
     shapes: dict[str, dict[str, tuple[int, ...]]] = {
         "trace": dict.fromkeys(PULLED_TRACES if task.problem.drive else TRACES, kept),
         "stick_slip": dict.fromkeys(SLIPS, ()),

@@ -19,7 +19,7 @@ from ...kernels import (
     law_of,
     scene_steps,
 )
-from ...kernels.rheology.spectrum import shortest_step
+from ...kernels.rheology.spectrum import min_step
 from .tasks import Problem, Recording, ScaledHistory
 
 RESTART = 64  # samples of the leg after a hold, at times that grow by a factor
@@ -88,7 +88,7 @@ def programme_steps(
 
 def max_leg_counts(problem: Problem, steps_per_spacing: int, origin: Origin = START) -> np.ndarray:
     """Return how many steps each leg of a programme takes at most, by formula, shape (legs,)."""
-    shortest = shortest_step(problem.spectrum)
+    shortest = min_step(problem.spectrum)
     return count_steps(problem.programme, steps_per_spacing, *origin[:2], shortest)
 
 

@@ -11,7 +11,7 @@ from typing import NamedTuple
 import numpy as np
 
 from ...compile.jit import kernel, refcount_free_kernel
-from ...lines.polynomials import height, septic, steepness
+from ...lines.polynomials import septic_coefficients, septic_height, septic_slope
 from ..steady.sliding import power_step
 from ..steady.spans import SPAN
 from .events import AREA, BOTTOM, GROWTH, MOST_EVENTS, RISE, TOP, WIDTH, room_for_patches, turn
@@ -120,7 +120,7 @@ def _sums(line, contact, patches):
             elif stop - start == 1.0:
                 square += each.square[j]
             else:
-                square += squared(septic(z, slope, bend, h, j), start, stop) / h
+                square += squared(septic_coefficients(z, slope, bend, h, j), start, stop) / h
             i += SPAN if b >= 0 else 1
     return Integrals(length, rise, square)
 
@@ -161,9 +161,9 @@ def _grown(line, speed, deep, left, patches, count):
     for k in range(count):
         for end in (TOP, BOTTOM):
             i, t = after[k, end], at[k, end]
-            c = septic(z, slope, bend, h, _interval(first, i, z.size))
-            along = -steepness(c, t) / h
-            some = max(deep - height(c, t) + speed * along, 0.0) * at[k, GROWTH + end] * left
+            c = septic_coefficients(z, slope, bend, h, _interval(first, i, z.size))
+            along = -septic_slope(c, t) / h
+            some = max(deep - septic_height(c, t) + speed * along, 0.0) * at[k, GROWTH + end] * left
             force, work = force + some, work + some * along
     return force, work
 
@@ -191,17 +191,20 @@ def _unpressed(line, speed, deep, patches, count):
                 continue
             t = at[k, TOP] if i == after[k, TOP] else 0.0
             stop = at[k, BOTTOM] if i == after[k, BOTTOM] else 1.0
-            c = septic(z, slope, bend, h, j)
+            c = septic_coefficients(z, slope, bend, h, j)
             p = pressure(c, deep, speed / h)
             pull = (-p[0], -p[1], -p[2], -p[3], -p[4], -p[5], -p[6], -p[7])
-            pressed, fresh = height(p, t) > 0.0, True
+            pressed, fresh = septic_height(p, t) > 0.0, True
             for _ in range(MOST_EVENTS):
                 zero = first_zero(p if pressed else pull, 0.0, 0.0, t, stop, fresh)
                 end = min(zero, stop)
                 if not pressed:
                     some, along = products(p, c, t, end)
                     force, work = force + h * some, work - along
-                    length, rise = length + h * (end - t), rise + height(c, t) - height(c, end)
+                    length, rise = (
+                        length + h * (end - t),
+                        rise + septic_height(c, t) - septic_height(c, end),
+                    )
                 if zero > stop:
                     break
                 t, pressed, fresh = end, not pressed, False

@@ -14,8 +14,8 @@ from typing import NamedTuple
 import numpy as np
 
 from ...compile.jit import kernel, refcount_free_kernel
-from ...lines.polynomials import height, septic, steepness
-from ...rheology.law import NEGLIGIBLE
+from ...lines.polynomials import septic_coefficients, septic_height, septic_slope
+from ...rheology.law import MIN_MAGNITUDE
 from ..steady.spans import SPAN
 from .smooth_line import first_zero, integral, pressure, span_of
 
@@ -82,14 +82,14 @@ def turn(line, speed, d, patches):
             while i < n:
                 b = span_of(j, n - i)
                 if b >= 0 and spans.low[b] - d >= span * u:
-                    u = span * u if u < -NEGLIGIBLE else 0.0
+                    u = span * u if u < -MIN_MAGNITUDE else 0.0
                     i, j = i + SPAN, b * SPAN - 1 if b > 0 else n - 1
                 elif each.low[j] - d >= once * u:
-                    u = once * u if u < -NEGLIGIBLE else 0.0
+                    u = once * u if u < -MIN_MAGNITUDE else 0.0
                     i, j = i + 1, j - 1 if j > 0 else n - 1
                 else:
                     break
-        c, stop, fresh = septic(z, slope, bend, h, j), 1.0 if i < n else begin, True
+        c, stop, fresh = septic_coefficients(z, slope, bend, h, j), 1.0 if i < n else begin, True
         over = (c[0] - d, c[1], c[2], c[3], c[4], c[5], c[6], c[7])
         for _ in range(MOST_EVENTS):
             if held:
@@ -99,24 +99,24 @@ def turn(line, speed, d, patches):
                 area, width = area - h * integral(over, t, end), width + h * (end - t)
                 if zero > stop:
                     break
-                t, held, fresh, u = zero, False, False, height(over, zero)
+                t, held, fresh, u = zero, False, False, septic_height(over, zero)
                 left, since = u, i + t
                 after[count, BOTTOM], at[count, BOTTOM] = i, t
-                at[count, GROWTH + BOTTOM] = -h / min(steepness(p, t), -LEAST)
+                at[count, GROWTH + BOTTOM] = -h / min(septic_slope(p, t), -LEAST)
                 at[count, AREA], at[count, WIDTH], at[count, RISE] = area, width, top - u
                 force, rate, count = force + area, rate + width, count + 1
                 area = width = 0.0
             else:
                 zero = first_zero(over, u, a, t, stop, fresh)
                 if zero > stop and i < n:
-                    u = u * math.exp(-a * (stop - t)) if u < -NEGLIGIBLE else 0.0
+                    u = u * math.exp(-a * (stop - t)) if u < -MIN_MAGNITUDE else 0.0
                     break
                 t, held = min(zero, stop), True
-                top = height(over, t)
+                top = septic_height(over, t)
                 lost = -math.expm1(-a * (i + t - since))
                 force, rate = force - speed * lost * left, rate + speed * lost
                 work += 0.5 * left * left * lost * (2.0 - lost)
-                along = -steepness(c, t) / h
+                along = -septic_slope(c, t) / h
                 turning += speed * lost * along
                 after[count, TOP], at[count, TOP] = i, t
                 at[count, GROWTH + TOP] = speed * lost / max(speed * along - top, LEAST)

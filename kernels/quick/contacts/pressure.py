@@ -9,8 +9,8 @@ Source: Li et al. (2014), doi:10.1038/srep05795.
 import numpy as np
 
 from ...compile.jit import kernel, refcount_free_kernel
-from ...model.contact import excess_at, lowest_of
-from ...model.friction import LEAST_REACH, MOST_REACH
+from ...model.contact import excess_at, lowest_threshold
+from ...model.friction import MAX_EDGE_REACH, MIN_EDGE_REACH
 from ..steady.contacts import AHEAD, BEHIND
 from ..steady.spans import HEIGHT, SLOPE, SPAN, SQUARE, STEEP, WORK
 from .pressed import Pressed, span_under, weighed_side_by_side
@@ -35,7 +35,7 @@ def _excess_of_pressed(contact, load, d):
     return force - load, count, count
 
 
-@lowest_of.register(Pressed)
+@lowest_threshold.register(Pressed)
 def _lowest_of_pressed(contact, load):
     lowest = bound = np.inf
     for i in range(contact.threshold.size):
@@ -48,7 +48,7 @@ def _lowest_of_pressed(contact, load):
 def friction(contact, deep):
     """Return (mu, samples under pressure): eq. 5, in h/dx. deep : d + d'.
 
-    As weighed (model/friction.py), with the sums of spans that are all pressed.
+    As weighted_sums (model/friction.py), with the sums of spans that are all pressed.
     """
     touching, line = contact.touching, contact.line
     normal, tangential, count = weighed_side_by_side(
@@ -106,7 +106,7 @@ def elastic_part(contact, contacts, deep, steps):
         top, bottom = contacts.ends[i, 0], contacts.ends[i, 1]
         ahead, behind = contacts.edges[i, AHEAD], contacts.edges[i, BEHIND]
         left = z[bottom] + behind * (z[bottom - 1] - z[bottom])  # z[-1] is the last sample
-        if not LEAST_REACH < behind < MOST_REACH:
+        if not MIN_EDGE_REACH < behind < MAX_EDGE_REACH:
             at_top, at_bottom = covered(contacts, i)
             whole = at_top if top == bottom else at_bottom
             s = slope[bottom]

@@ -8,12 +8,12 @@ import numpy as np
 from ...compile.jit import inlined_kernel, kernel, refcount_free_kernel
 from ...lines.polynomials import (
     bending,
-    bends,
-    bernstein,
-    height,
-    septic,
-    septic_between,
-    steepness,
+    bernstein_coefficients,
+    coefficients_between,
+    sample_derivatives,
+    septic_coefficients,
+    septic_height,
+    septic_slope,
 )
 from ..steady.spans import SPAN
 
@@ -54,7 +54,7 @@ class SmoothLine(NamedTuple):
 def smooth_line(z, slope, spacing):
     """Return the SmoothLine of samples. z (in h), slope (in h/dx) : shape (n,)."""
     n = z.size
-    bend = bends(z, slope, spacing)
+    bend = sample_derivatives(z, slope, spacing)
     each, spans = _room(n), _room(n // SPAN)
     for j in range(n - 1):  # without a branch, so that several are found at once
         _fill_interval(z, slope, bend, spacing, j + 1, j, each)
@@ -84,8 +84,8 @@ def lower(one, other):
 @inlined_kernel
 def _fill_interval(z, slope, bend, spacing, k, j, each):
     """Fill in the Pieces ``each`` of the interval from sample j to k, the next."""
-    c = septic_between(z, slope, bend, spacing, k, j)
-    b0, b1, b2, b3, b4, b5, b6, b7 = bernstein(c)
+    c = coefficients_between(z, slope, bend, spacing, k, j)
+    b0, b1, b2, b3, b4, b5, b6, b7 = bernstein_coefficients(c)
     each.low[j] = lower(lower(lower(b0, b1), lower(b2, b3)), lower(lower(b4, b5), lower(b6, b7)))
     each.high[j] = -lower(
         lower(lower(-b0, -b1), lower(-b2, -b3)), lower(lower(-b4, -b5), lower(-b6, -b7))
@@ -136,7 +136,10 @@ def integral(c, start, stop):
     out = THIRD_NODE * half
     return (
         half
-        * (8.0 * height(c, middle) + 5.0 * (height(c, middle - out) + height(c, middle + out)))
+        * (
+            8.0 * septic_height(c, middle)
+            + 5.0 * (septic_height(c, middle - out) + septic_height(c, middle + out))
+        )
         / 9.0
     )
 
@@ -146,7 +149,7 @@ def squared(c, start, stop):
     """Return the integral of the square of the derivative from t = start to stop."""
     total = 0.0
     for node, weight in GAUSS:
-        slope = steepness(c, start + node * (stop - start))
+        slope = septic_slope(c, start + node * (stop - start))
         total += weight * slope * slope
     return total * (stop - start)
 
@@ -157,9 +160,9 @@ def products(p, c, start, stop):
     one = other = 0.0
     for node, weight in GAUSS:
         t = start + node * (stop - start)
-        some = weight * height(p, t)
+        some = weight * septic_height(p, t)
         one += some
-        other += some * steepness(c, t)
+        other += some * septic_slope(c, t)
     return one * (stop - start), other * (stop - start)
 
 
@@ -172,11 +175,11 @@ def _deepest_point(z, slope, bend, spacing, low):
     at, least = 1.0, z[best]
     for j in range(z.size):
         if low[j] < least:
-            c = septic(z, slope, bend, spacing, j)
-            if steepness(c, 0.0) < 0.0 < steepness(c, 1.0):
+            c = septic_coefficients(z, slope, bend, spacing, j)
+            if septic_slope(c, 0.0) < 0.0 < septic_slope(c, 1.0):
                 t = _valley(c, 0.0, 0.0, 0.0, 1.0)
-                if height(c, t) < least:
-                    best, at, least = j, t, height(c, t)
+                if septic_height(c, t) < least:
+                    best, at, least = j, t, septic_height(c, t)
     return best, at, least
 
 
@@ -205,7 +208,7 @@ def first_zero(c, u, a, start, stop, fresh):
     f(t) = c(t) - u e^(-a (t - start)), u <= 0. fresh : whether f is positive at ``start``; else
     it is zero there and positive at first, and is looked for where f is negative at ``stop`` alone.
     """
-    begin, fall = height(c, start) - u, steepness(c, start) + a * u
+    begin, fall = septic_height(c, start) - u, septic_slope(c, start) + a * u
     if fresh and begin <= 0.0:
         return start
     end, rise, _ = three_at(c, u, a, start, stop)
@@ -243,6 +246,6 @@ def first_zero(c, u, a, start, stop, fresh):
 def three_at(c, u, a, start, t):
     """Return c(t) - u e^(-a (t - start)), its derivative and the second one."""
     if u == 0.0:
-        return height(c, t), steepness(c, t), bending(c, t)
+        return septic_height(c, t), septic_slope(c, t), bending(c, t)
     left = u * math.exp(-a * (t - start))
-    return height(c, t) - left, steepness(c, t) + a * left, bending(c, t) - a * a * left
+    return septic_height(c, t) - left, septic_slope(c, t) + a * left, bending(c, t) - a * a * left

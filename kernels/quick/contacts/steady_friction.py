@@ -7,7 +7,7 @@ from typing import NamedTuple
 import numpy as np
 
 from ...lines.line import Line
-from ...model.friction import corrected_share
+from ...model.friction import correction_share
 from ...rheology.kelvin import SCHEMES, Kelvin
 from ...rheology.law import State
 from ..steady.carry import Decay, carry
@@ -89,7 +89,7 @@ class AtSpeed(NamedTuple):
     ) -> "AtSpeed":
         """Return what holds at ``speed`` with ``steps`` samples per spacing; all speeds vbar."""
         law = SCHEMES[scheme](1.0 / (steps * speed))
-        return cls(speed, np.array(others, float), scheme, law, corrected_share(steps, speed))
+        return cls(speed, np.array(others, float), scheme, law, correction_share(steps, speed))
 
 
 class Sliding(NamedTuple):

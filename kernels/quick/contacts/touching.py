@@ -5,7 +5,7 @@ from typing import NamedTuple
 import numpy as np
 
 from ...compile.jit import kernel, refcount_free_kernel
-from ...model.friction import LEAST_COVERED, weighed
+from ...model.friction import MIN_COVERAGE, weighted_sums
 from ..steady.contacts import AHEAD, BEHIND, FREE, SUM
 from ..steady.spans import SPAN
 
@@ -27,8 +27,8 @@ def covered(contacts, i):
     """
     ahead, behind = contacts.edges[i, AHEAD] - 0.5, contacts.edges[i, BEHIND] - 0.5
     if contacts.ends[i, 0] == contacts.ends[i, 1]:
-        return max(1.0 + ahead + behind, LEAST_COVERED), 0.0
-    return max(1.0 + ahead, LEAST_COVERED), max(1.0 + behind, LEAST_COVERED)
+        return max(1.0 + ahead + behind, MIN_COVERAGE), 0.0
+    return max(1.0 + ahead, MIN_COVERAGE), max(1.0 + behind, MIN_COVERAGE)
 
 
 @kernel
@@ -84,7 +84,7 @@ def mean_rise(z, d, decay, contacts):
             threshold[count], rise[count] = u - free, z[j + 1 if j + 1 < z.size else 0] - z[j]
             count += 1
             free = decay.once * u
-    forces, work, _ = weighed(threshold[:count], None, rise[:count], 0.0)
+    forces, work, _ = weighted_sums(threshold[:count], None, rise[:count], 0.0)
     return work / forces
 
 

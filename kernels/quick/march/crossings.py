@@ -11,7 +11,7 @@ from typing import NamedTuple
 import numpy as np
 
 from ...compile.jit import dispatch_on_type, kernel, refcount_free_kernel
-from ...rheology.law import NEGLIGIBLE
+from ...rheology.law import MIN_MAGNITUDE
 from .given import a_of
 
 FORGOTTEN = 1e-30  # what decays below this, beside d, is zero
@@ -137,7 +137,7 @@ def _launch_at_first(aloft, values, begin, end, powers, line, top, distance, u):
     count = min(end - begin, powers.size - 1)
     u *= aloft.once ** float(distance - count)
     for k in range(count - 1, -1, -1):
-        u = u if u < -NEGLIGIBLE else 0.0
+        u = u if u < -MIN_MAGNITUDE else 0.0
         values[begin + k] = powers[k + 1] * u
         u *= aloft.once
 

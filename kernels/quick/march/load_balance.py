@@ -5,7 +5,7 @@ from typing import NamedTuple
 import numpy as np
 
 from ...compile.jit import kernel, refcount_free_kernel
-from ...model.contact import excess_at, indentation_under, lowest_of, overlap
+from ...model.contact import excess_at, indentation_under, lowest_threshold, overlap
 from ..contacts.pressed import weighed_side_by_side
 from .given import advance
 
@@ -45,7 +45,7 @@ def _excess_of_partly_listed(contact, load, d):
     return force + more + (contact.carried - load), slope, slope
 
 
-@lowest_of.register(PartlyListed)
+@lowest_threshold.register(PartlyListed)
 def _lowest_listed(contact, load):
     lowest = contact.c.min() if contact.c.size > 0 else np.inf
     return lowest, lowest + load

@@ -7,7 +7,7 @@ E at one of the speeds or the other, and in contact they are z - d.
 from typing import NamedTuple
 
 from ...compile.jit import kernel, refcount_free_kernel
-from ...rheology.law import NEGLIGIBLE
+from ...rheology.law import MIN_MAGNITUDE
 from ..steady.spans import SPAN
 from .given import SteadyState, a_of
 
@@ -38,7 +38,7 @@ def levels_of(march, bounds):
 @refcount_free_kernel
 def reached(decay, u):
     """Return the displacement of an element one sample after u, if no force acts on it."""
-    return decay.once * u if u < -NEGLIGIBLE else 0.0
+    return decay.once * u if u < -MIN_MAGNITUDE else 0.0
 
 
 @refcount_free_kernel

@@ -10,7 +10,7 @@ from typing import NamedTuple
 import numpy as np
 
 from ...compile.jit import kernel, refcount_free_kernel
-from ...rheology.law import NEGLIGIBLE, reach
+from ...rheology.law import MIN_MAGNITUDE, free_displacement
 from .contacts import begin_sum, end_sum, enter_span, join_pieces, leave_piece, open_piece
 from .spans import SPAN
 
@@ -26,10 +26,10 @@ class Decay(NamedTuple):
 @kernel
 def decay_of(law):
     """Return the Decay of a law whose elements remember u alone."""
-    once = reach(law, 1.0)
+    once = free_displacement(law, 1.0)
     span, within = 1.0, 0.0
     for _ in range(SPAN):
-        span *= once if span > NEGLIGIBLE else 0.0
+        span *= once if span > MIN_MAGNITUDE else 0.0
         within += span
     return Decay(once, span, within)
 
@@ -59,7 +59,7 @@ def carry(decay, z, spans, stay, d, contacts, w):
             if j == min(low + SPAN, n) - 1:
                 enter_span(contacts, b, u)
             if j == low + SPAN - 1 and low >= last:
-                left = decay.span * u if u < -NEGLIGIBLE else 0.0
+                left = decay.span * u if u < -MIN_MAGNITUDE else 0.0
                 if held and d > stay[b]:
                     _hold(decay, z, d, u, w, low)
                     u = spans.first[b] - d
@@ -72,7 +72,7 @@ def carry(decay, z, spans, stay, d, contacts, w):
                     _release(decay, u, w, low)
                     total -= decay.within * u
                     slope += decay.within * du
-                    du = decay.span * du if u < -NEGLIGIBLE else 0.0
+                    du = decay.span * du if u < -MIN_MAGNITUDE else 0.0
                     u = left
                     j -= SPAN
                     continue
@@ -91,7 +91,7 @@ def carry(decay, z, spans, stay, d, contacts, w):
 def _samples(decay, z, d, first, stop, element, contacts, w):
     """Carry elements from sample ``first`` down to ``stop``, one by one, as carry does."""
     u, du, held, total, slope, touching, pieces = element
-    if u >= -NEGLIGIBLE:
+    if u >= -MIN_MAGNITUDE:
         u = du = 0.0
     for j in range(first, stop - 1, -1):
         free = decay.once * u
@@ -135,7 +135,7 @@ def _arrive(decay, z, d, deepest, u, held, pieces, contacts, w):
     """Come back to the deepest sample, with which the first piece begins."""
     if deepest % SPAN == SPAN - 1 or deepest == z.size - 1:
         enter_span(contacts, deepest // SPAN, u)
-    free = decay.once * u if u < -NEGLIGIBLE else 0.0
+    free = decay.once * u if u < -MIN_MAGNITUDE else 0.0
     if w is not None:
         w[deepest] = free
     if held:
@@ -159,5 +159,5 @@ def _release(decay, u, w, low):
     """Fill w, if it is given, over a span that is all free, entered with u."""
     if w is not None:
         for j in range(low + SPAN - 1, low - 1, -1):
-            u = decay.once * u if u < -NEGLIGIBLE else 0.0
+            u = decay.once * u if u < -MIN_MAGNITUDE else 0.0
             w[j] = u

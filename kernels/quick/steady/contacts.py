@@ -5,7 +5,7 @@ from typing import NamedTuple
 import numpy as np
 
 from ...compile.jit import kernel, refcount_free_kernel
-from ...model.friction import trailing_reach
+from ...model.friction import trailing_edge_reach
 from .spans import SPAN
 
 AHEAD, BEHIND, FREE, SUM = range(4)  # columns of edges
@@ -64,7 +64,7 @@ def leave_piece(contacts, piece, z, d, j):
     if contacts is not None:
         bottom = j + 1 if j + 1 < z.size else 0
         here = (d - z[bottom]) + contacts.speed * contacts.slope[bottom]
-        behind = trailing_reach(here, (d - z[j]) + contacts.speed * contacts.slope[j])
+        behind = trailing_edge_reach(here, (d - z[j]) + contacts.speed * contacts.slope[j])
         contacts.ends[piece, 1], contacts.edges[piece, BEHIND] = bottom, behind
 
 

@@ -6,7 +6,7 @@ import pytest
 from elastomer_friction.kernels import Line, amplitudes, draw_phases, quadrature, steady_sliding
 from elastomer_friction.kernels.branches.dissipation import friction_by_loss
 from elastomer_friction.kernels.branches.steady_memory import steady_at, steady_memory
-from elastomer_friction.kernels.rheology.forms import FORMS
+from elastomer_friction.kernels.rheology.forms import FORMS_BY_SCHEME
 from elastomer_friction.kernels.rheology.kelvin import SCHEMES
 from elastomer_friction.kernels.rheology.retardation import retardation
 from elastomer_friction.kernels.rheology.spectrum import KELVIN, complex_modulus
@@ -25,7 +25,7 @@ def line_of(m, seed=1, elements=ELEMENTS):
 
 def friction(material, line, speed, load=0.1, scheme="exponential"):
     """Return (mu, contact) of steady sliding."""
-    form = FORMS[scheme](material)
+    form = FORMS_BY_SCHEME[scheme](material)
     m = line.steps_per_spacing
     found = steady_memory(form, line.z, speed * m, load * line.z.size)
     return friction_by_loss(retardation(material), form, line, found.p, speed)
@@ -48,7 +48,7 @@ def errors_in_full_contact(material, rate, refinements, scheme="exponential"):
 
 
 @pytest.mark.parametrize("name", MATERIALS)
-@pytest.mark.parametrize("scheme", FORMS)
+@pytest.mark.parametrize("scheme", FORMS_BY_SCHEME)
 @pytest.mark.parametrize("rate", [0.3, 5.0, -100.0])
 def test_a_sinusoid_in_full_contact_shows_the_loss_modulus(name, scheme, rate):
     """Every element is forced harmonically."""

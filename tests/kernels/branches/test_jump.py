@@ -7,7 +7,7 @@ from elastomer_friction.kernels import Line, amplitudes, draw_phases, quadrature
 from elastomer_friction.kernels.branches.jump import friction_jump, initial_rate
 from elastomer_friction.kernels.branches.steady_memory import steady_memory
 from elastomer_friction.kernels.model.friction import lagged_slope
-from elastomer_friction.kernels.rheology.forms import FORMS
+from elastomer_friction.kernels.rheology.forms import FORMS_BY_SCHEME
 from elastomer_friction.kernels.rheology.kelvin import SCHEMES
 from elastomer_friction.kernels.rheology.law import law_of
 from elastomer_friction.kernels.rheology.retardation import retardation
@@ -24,7 +24,7 @@ def line_of(m):
 
 
 def steady(material, line, speed, scheme="exponential", load=0.3):
-    form = FORMS[scheme](material)
+    form = FORMS_BY_SCHEME[scheme](material)
     m = line.steps_per_spacing
     return form, steady_memory(form, line.z, speed * m, load * line.z.size).elements
 
@@ -52,7 +52,7 @@ def test_full_contact_jumps_by_what_the_dashpot_bears(way):
     x = np.arange(32 * m) / m
     line = Line.from_samples(a * np.cos(q * x), -a * q * np.sin(q * x), m)
     material, load = MATERIALS["dashpot"], 40.0
-    for scheme in FORMS:
+    for scheme in FORMS_BY_SCHEME:
         form, elements = steady(material, line, way * 3.0, scheme, load)
         expected = way * material.viscosity * 3.0 * 0.4 * (a * q) ** 2 / (2.0 * load)
         found = friction_jump(form, line, elements, way * 3.0, 1.4)
@@ -63,7 +63,7 @@ def test_both_forms_jump_alike():
     line = line_of(32)
     found = [
         friction_jump(*at_once(MATERIALS["dashpot"], line, 3.0, scheme), 3.0, 2.0)
-        for scheme in FORMS
+        for scheme in FORMS_BY_SCHEME
     ]
     assert found[0] == pytest.approx(found[1], rel=0.02)
 
@@ -114,7 +114,7 @@ def test_a_jump_to_the_same_speed_is_none():
 
 def test_each_material_has_one_of_them():
     line = line_of(4)
-    for scheme in FORMS:
+    for scheme in FORMS_BY_SCHEME:
         form, elements = steady(STANDARD, line, 1.0, scheme)
         with pytest.raises(ValueError, match="finite instantaneous modulus: mu does not jump"):
             friction_jump(form, line, elements, 1.0, 2.0)

@@ -18,9 +18,9 @@ from elastomer_friction.kernels.branches.tangents import (
     powers_of_steps,
     tangents_of,
 )
-from elastomer_friction.kernels.rheology.forms import FORMS
-from elastomer_friction.kernels.rheology.law import Elements, law_of, memories, rest
-from elastomer_friction.kernels.rheology.next_step import foreseen
+from elastomer_friction.kernels.rheology.forms import FORMS_BY_SCHEME
+from elastomer_friction.kernels.rheology.law import Elements, law_of, memory_size, rest_memory
+from elastomer_friction.kernels.rheology.lookahead import lookahead_law
 from elastomer_friction.kernels.rheology.retardation import retardation
 from elastomer_friction.kernels.rheology.spectrum import KELVIN, Spectrum
 from tests.convergence import observed_order
@@ -40,11 +40,11 @@ def three_modes(n, offset=0.0):
 
 
 @pytest.mark.parametrize("name", MATERIALS)
-@pytest.mark.parametrize("scheme", FORMS)
+@pytest.mark.parametrize("scheme", FORMS_BY_SCHEME)
 @pytest.mark.parametrize("speed", [3.0, -40.0])
 def test_a_march_stays_where_it_started(name, scheme, speed):
     z, _ = random_line(N, 0.7, M, 5)
-    form, load = FORMS[scheme](MATERIALS[name]), LOAD * z.size
+    form, load = FORMS_BY_SCHEME[scheme](MATERIALS[name]), LOAD * z.size
     found = steady_memory(form, z, speed, load)
     line = Foundation(form, z, found.elements)
     way = int(np.sign(speed))
@@ -61,7 +61,7 @@ def test_marching_from_rest_ends_there(name):
     speed = 2.0 * z.size  # memory: the longest time is worth a few periods
     start = sorted_root(z, load)
     p = np.maximum(0.0, start - z)
-    line = Foundation(form, z, Elements(rest(form, p), p, start))
+    line = Foundation(form, z, Elements(rest_memory(form, p), p, start))
     found = steady_memory(form, z, speed, load)
     far = abs(start - found.d)
     for _ in range(24 * z.size):
@@ -78,7 +78,7 @@ def test_thirteen_branches_cost_a_hundredth_of_marching():
     found = steady_memory(form, z, speed, load)
     start = sorted_root(z, load)
     p = np.maximum(0.0, start - z)
-    line = Foundation(form, z, Elements(rest(form, p), p, start))
+    line = Foundation(form, z, Elements(rest_memory(form, p), p, start))
     far = abs(start - found.d)
     for _ in range(100 * found.work // z.size):
         line.step(1, 1.0 / speed, load=load)
@@ -127,7 +127,7 @@ def test_both_schemes_converge_to_one_steady_state(name):
         for offset in (0.0, 0.3, 0.7):
             d = [
                 steady_memory(form(MATERIALS[name]), three_modes(k, offset), 1.0 * k, 0.3 * k)
-                for form in FORMS.values()
+                for form in FORMS_BY_SCHEME.values()
             ]
             gap.append(d[0].d - d[1].d)
         gaps.append(gap)
@@ -160,17 +160,17 @@ LINES = {
 
 
 @pytest.mark.parametrize("name", LINES)
-@pytest.mark.parametrize("scheme", FORMS)
+@pytest.mark.parametrize("scheme", FORMS_BY_SCHEME)
 def test_lines_without_a_slope(name, scheme):
     z = LINES[name]
     for material in (PRONY3, SBR, MATERIALS["dashpot"]):
         for speed, load in ((1e-4, 1e-6), (0.3, 0.1), (-50.0, 3.0), (1e5, 1e-3)):
-            form = FORMS[scheme](material)
+            form = FORMS_BY_SCHEME[scheme](material)
             found = steady_memory(form, z, speed, load * z.size)
             assert found.residual < 1e-7
             assert found.p.sum() == pytest.approx(load * z.size, rel=1e-6)
             assert found.p.min() >= 0.0
-            assert found.elements.memory.shape == (memories(form), z.size)
+            assert found.elements.memory.shape == (memory_size(form), z.size)
     if name in ("flat", "one sample"):
         assert found.d == pytest.approx(load, rel=1e-6)
 
@@ -185,24 +185,26 @@ def test_lines_without_a_slope(name, scheme):
     st.floats(-4, 4),
     st.floats(-6, 3),
     st.sampled_from([1.0, -1.0]),
-    st.sampled_from(list(FORMS)),
+    st.sampled_from(list(FORMS_BY_SCHEME)),
 )
 def test_any_line_and_material(z, branches, speed, load, way, scheme):
     """What is found repeats after a turn and carries the load, whatever was asked."""
     z = np.array(z)
     spectrum = Spectrum(tuple(10.0**g for g, _ in branches), tuple(10.0**t for _, t in branches), 0)
-    found = steady_memory(FORMS[scheme](spectrum), z, way * 10.0**speed, 10.0**load * z.size)
+    found = steady_memory(
+        FORMS_BY_SCHEME[scheme](spectrum), z, way * 10.0**speed, 10.0**load * z.size
+    )
     assert found.residual < 1e-7
     assert found.p.sum() == pytest.approx(10.0**load * z.size, rel=1e-6)
     assert found.p.min() >= 0.0
 
 
 @pytest.mark.parametrize("speed", [1e-9, 1.0, 1e9])
-@pytest.mark.parametrize("scheme", FORMS)
+@pytest.mark.parametrize("scheme", FORMS_BY_SCHEME)
 def test_thirty_branches_over_fourteen_decades(scheme, speed):
     material = of_unit_tau(np.full(30, 0.7), np.geomspace(1e-7, 1e7, 30))
     z, _ = random_line(12, 0.5, M, 5)
-    found = steady_memory(FORMS[scheme](material), z, speed, LOAD * z.size)
+    found = steady_memory(FORMS_BY_SCHEME[scheme](material), z, speed, LOAD * z.size)
     assert found.residual < 1e-9
     assert found.p.sum() == pytest.approx(LOAD * z.size, rel=1e-9)
 
@@ -214,10 +216,10 @@ def test_what_is_not_found_is_said(monkeypatch):
 
 
 @pytest.mark.parametrize("touching", [True, False])
-@pytest.mark.parametrize("scheme", FORMS)
+@pytest.mark.parametrize("scheme", FORMS_BY_SCHEME)
 def test_many_steps_do_to_tangents_what_one_after_the_other_does(scheme, touching):
-    form = FORMS[scheme](PRONY3)
-    law, size = foreseen(law_of(form, 0.01)), memories(form) + 2
+    form = FORMS_BY_SCHEME[scheme](PRONY3)
+    law, size = lookahead_law(law_of(form, 0.01)), memory_size(form) + 2
     powers = powers_of_steps(law, size, 20000)
     start = np.zeros(powers.product.shape)
     start[:size, :size] = np.random.default_rng(2).normal(size=(size, size))
@@ -233,14 +235,14 @@ def test_many_steps_do_to_tangents_what_one_after_the_other_does(scheme, touchin
     assert not at_once[:, size:].any()
 
 
-@pytest.mark.parametrize("scheme", FORMS)
+@pytest.mark.parametrize("scheme", FORMS_BY_SCHEME)
 @pytest.mark.parametrize("speed", [1.0, 50.0, 1e4])
 def test_tangents_are_what_a_turn_makes_of_a_small_change(scheme, speed):
     """At 1 sample per tau what the element remembers is forgotten on the way."""
     z, _ = random_line(N, 0.7, M, 5)
-    form = FORMS[scheme](PRONY3)
+    form = FORMS_BY_SCHEME[scheme](PRONY3)
     found = steady_memory(form, z, speed, LOAD * z.size)
-    law, size = foreseen(law_of(form, 1.0 / speed)), memories(form) + 1
+    law, size = lookahead_law(law_of(form, 1.0 / speed)), memory_size(form) + 1
     line, powers = _as_met(z, np.argmin(z), -1, z.size), powers_of_steps(law, size + 1, z.size)
     ends = []
     for j in range(size):

@@ -5,7 +5,7 @@ import pytest
 
 from elastomer_friction.kernels import SCHEMES, ConstantForce, PrintedForce
 from elastomer_friction.kernels.control.indentation import PrescribedIndentation
-from elastomer_friction.kernels.model.balance import balance, note
+from elastomer_friction.kernels.model.balance import balance, balance_history
 from elastomer_friction.kernels.motion.slide import Rings
 from tests.references import sorted_root
 
@@ -18,7 +18,7 @@ def test_the_forces_of_the_step_carry_the_load(scheme, load):
     law, control = SCHEMES[scheme](0.2), ConstantForce(load)
     z, c = np.random.default_rng(1).normal(size=(2, 50))
     before = c.copy()
-    noted = note(control, c, 0.3, ALL_OF_IT, None)
+    noted = balance_history(control, c, 0.3, ALL_OF_IT, None)
     d, passes = balance(control, law, z, c, noted, 0.3, 1)
     assert d == pytest.approx(sorted_root(before, load / law.stiffness), rel=1e-13)
     assert law.stiffness * np.sum(np.maximum(0.0, d - before)) == pytest.approx(load, rel=1e-11)
@@ -39,7 +39,7 @@ def state(seed=1):
 
 def test_elements_are_held_that_come_straight_from_contact():
     _, c, d = state()
-    held = note(PrintedForce(1.0), c, d, FIRST, RINGS)
+    held = balance_history(PrintedForce(1.0), c, d, FIRST, RINGS)
     expected = np.append(c[1:] < d, False)
     expected[19] = False  # what arrives there has crossed the gap between the stretches
     np.testing.assert_array_equal(held, expected)
@@ -51,6 +51,6 @@ def test_the_indentation_of_every_step_is_the_one_given():
     z, c = np.random.default_rng(1).normal(size=(2, 50))
     before = c.copy()
     for step, expected in enumerate(control.indentation, 1):
-        noted = note(control, c, 9.0, np.array([0, 50]), None)
+        noted = balance_history(control, c, 9.0, np.array([0, 50]), None)
         assert balance(control, law, z, c, noted, 9.0, step) == (expected, 0)
     np.testing.assert_array_equal(c, before)

@@ -17,7 +17,7 @@ from elastomer_friction.kernels.motion.legs import (
     speed_at_start,
     steps_of,
 )
-from elastomer_friction.kernels.rheology.spectrum import SHORTEST
+from elastomer_friction.kernels.rheology.spectrum import MIN_DASHPOT_STEP
 
 M = 4
 
@@ -62,7 +62,7 @@ def test_legs_without_meaning_are_refused(leg):
 
 def test_steps_lost_in_rounding_are_refused():
     with pytest.raises(ValueError, match="lost in rounding"):
-        steps_of((Slide(1.0 / (M * SHORTEST) * 2.0, 5.0),), M)
+        steps_of((Slide(1.0 / (M * MIN_DASHPOT_STEP) * 2.0, 5.0),), M)
 
 
 EVERY = (

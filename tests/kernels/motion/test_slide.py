@@ -6,10 +6,10 @@ import pytest
 from elastomer_friction.kernels import Kelvin, State, amplitudes, draw_phases, sample_line
 from elastomer_friction.kernels.lines.self_affine import mode_numbers
 from elastomer_friction.kernels.motion import track as module
-from elastomer_friction.kernels.motion.fourier import Shifted
+from elastomer_friction.kernels.motion.fourier import FourierShift
 from elastomer_friction.kernels.motion.legs import Hold, Oscillation, Slide, steps_of
 from elastomer_friction.kernels.motion.slide import shift, start_rings
-from elastomer_friction.kernels.motion.stretches import SHORT_GAP, bounds, gather, touchable
+from elastomer_friction.kernels.motion.stretches import SHORT_GAP, gather, piece_bounds, touchable
 from elastomer_friction.kernels.motion.track import tracks
 from tests.lines import random_line
 
@@ -44,7 +44,7 @@ def test_gather_and_bounds_are_those_of_numpy():
     start, stop = np.array([3, 40, 41, 99]), np.array([7, 41, 90, 100])
     pieces = [values[a:b] for a, b in zip(start, stop, strict=True)]
     np.testing.assert_array_equal(gather(values, start, stop), np.concatenate(pieces))
-    np.testing.assert_array_equal(bounds(stop - start), [0, 4, 5, 54, 55])
+    np.testing.assert_array_equal(piece_bounds(stop - start), [0, 4, 5, 54, 55])
 
 
 LAW = Kelvin(0.97, 1.0 / 0.03, 0.5)
@@ -55,7 +55,7 @@ CAPS = {"few": 0.01, "pieces": 0.1, "half": 0.5, "all": 1.0}  # share of the lin
 def sliding(z, state, cap, depth):
     """Yield the thresholds, at all samples that can touch, of each step at given depths."""
     start, stop = touchable(z, cap)
-    first, rings = bounds(stop - start), start_rings(LAW, z, state, start, stop)
+    first, rings = piece_bounds(stop - start), start_rings(LAW, z, state, start, stop)
     low = np.minimum(gather(z, start, stop), cap)
     c, d = low - gather(state.w, start, stop), state.d
     for step in range(1, STEPS + 1):
@@ -123,7 +123,7 @@ def test_the_shift_is_that_of_every_mode(elements, m, fraction):
     amplitude = amplitudes(0.5, elements)
     q = 2.0 * np.pi * mode_numbers(elements) / elements
     at = np.outer((np.arange(elements * m) - fraction) / m, q) + phases
-    z, slope = Shifted(*sample_line(amplitude, phases, elements, m), m).by(fraction)
+    z, slope = FourierShift(*sample_line(amplitude, phases, elements, m), m).by(fraction)
     np.testing.assert_allclose(z, np.cos(at) @ amplitude, atol=1e-13)
     np.testing.assert_allclose(slope, -np.sin(at) @ (amplitude * q), atol=1e-13)
 
@@ -153,7 +153,7 @@ def test_fractions_are_shifted_and_stages_do_not_show(monkeypatch):
     z, slope = random_line(20, 0.7, 2, seed=1)
     steps = steps_of(PROGRAMME, 2, 0.4)
     found = lines(z, slope, 2, steps, 0.4)
-    shifted = Shifted(z, slope, 2)
+    shifted = FourierShift(z, slope, 2)
     for row, place in zip(found, np.append(0.4, steps.position), strict=True):
         whole = int(np.floor(place))
         expected = [np.roll(v, whole) for v in shifted.by(place - whole)]

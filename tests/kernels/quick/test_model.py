@@ -15,7 +15,7 @@ from elastomer_friction.kernels import (
     run_cases,
     steady_sliding,
 )
-from elastomer_friction.kernels.model.limits import LOADS, SPEEDS, check_between
+from elastomer_friction.kernels.model.limits import LOAD_LIMITS, SPEED_LIMITS, check_range
 from elastomer_friction.kernels.model.realization import realization
 from elastomer_friction.kernels.scene.samples import samples_per_contact
 from tests.lines import random_line
@@ -60,13 +60,13 @@ def test_the_quick_path_gives_the_numbers_of_the_model(point, x, scheme):
             assert quick.indentation == pytest.approx(deep, rel=CLOSE, abs=CLOSE)
 
 
-@pytest.mark.parametrize("limits", [LOADS, SPEEDS])
+@pytest.mark.parametrize("limits", [LOAD_LIMITS, SPEED_LIMITS])
 def test_both_limits_are_taken(limits):
     for value in limits:
-        check_between("speed", value, limits)
+        check_range("speed", value, limits)
 
 
 @pytest.mark.parametrize("value", [0.0, -1.0, 1e-13, 1e13, math.inf, math.nan])
 def test_what_lies_outside_is_named_with_what_would_be_right(value):
     with pytest.raises(ValueError, match=r"^speed = \S+: must lie between 1e-12 and 1e\+12$"):
-        check_between("speed", value, SPEEDS)
+        check_range("speed", value, SPEED_LIMITS)

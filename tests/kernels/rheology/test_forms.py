@@ -5,22 +5,22 @@ import pytest
 from scipy.integrate import quad
 
 from elastomer_friction.kernels import SCHEMES, Kelvin
-from elastomer_friction.kernels.rheology.forms import FORMS
+from elastomer_friction.kernels.rheology.forms import FORMS_BY_SCHEME
 from elastomer_friction.kernels.rheology.law import (
     Elements,
+    advance_memory,
     displacement,
-    lasting,
     law_of,
-    memories,
+    memory_size,
     predict,
-    rest,
-    settle,
+    rest_memory,
+    static_pressure,
 )
-from elastomer_friction.kernels.rheology.next_step import (
+from elastomer_friction.kernels.rheology.lookahead import (
     fill_memory,
-    foreseen,
-    from_memory,
-    slide_one,
+    lookahead_law,
+    lookahead_memory,
+    slide_element,
 )
 from elastomer_friction.kernels.rheology.prony import moments
 from elastomer_friction.kernels.rheology.relaxed import relaxation
@@ -97,7 +97,7 @@ def test_a_linear_force_is_followed_exactly():
         law, new = law_of(form, dt), np.array([now])
         assert law.linear == 1.0
         predict(law, memory, p, w)
-        settle(law, memory, w, p, new)
+        advance_memory(law, memory, w, p, new)
         p = new
     lag = form.times * -np.expm1(-now / form.times)
     assert memory[:, 0] == pytest.approx(-form.compliances * (now - lag), rel=1e-13)
@@ -108,7 +108,7 @@ def test_what_is_left_of_a_state_is_never_subnormal():
     memory, w, p = np.array([[-1.0]]), np.empty(1), np.zeros(1)
     for _ in range(1000):
         predict(law, memory, p, w)
-        settle(law, memory, w, p, p)
+        advance_memory(law, memory, w, p, p)
         assert memory[0, 0] == 0.0 or abs(memory[0, 0]) > 1e-201
     assert memory[0, 0] == 0.0
 
@@ -120,7 +120,7 @@ def test_without_branches_it_is_implicit_euler(dt):
     memory, w = np.array([[-1.0]]), np.empty(1)
     predict(law, memory, np.zeros(1), w)
     assert w == pytest.approx(-kelvin.decay, rel=1e-14)
-    settle(law, memory, w, np.zeros(1), np.zeros(1))
+    advance_memory(law, memory, w, np.zeros(1), np.zeros(1))
     assert memory[0] == pytest.approx(-kelvin.decay, rel=1e-14)
 
 
@@ -133,7 +133,7 @@ def test_a_constant_rate_is_followed_exactly():
         law = law_of(form, dt)
         predict(law, memory, p, w)
         p = law.stiffness * (w + now)
-        settle(law, memory, w, p, p)
+        advance_memory(law, memory, w, p, p)
         stresses = form.moduli * form.times * -np.expm1(-now / form.times)
         assert p == pytest.approx(now + stresses.sum(), rel=1e-11)
     assert memory[-1] == pytest.approx(-now, rel=1e-13)
@@ -145,16 +145,16 @@ REFINEMENTS = np.array([1, 2, 4, 8])
 
 def fresh(form, n=1):
     """Return elements that nothing has touched."""
-    return Elements(np.zeros((memories(form), n)), np.zeros(n), 0.0)
+    return Elements(np.zeros((memory_size(form), n)), np.zeros(n), 0.0)
 
 
 def held_indentation(name, scheme, refinement):
     """Return the largest relative error of F(t) at constant d, from the second decade on."""
     spectrum = MATERIALS[name]
-    form = FORMS[scheme](spectrum)
+    form = FORMS_BY_SCHEME[scheme](spectrum)
     glass = 1.0 + sum(spectrum.moduli)
     # At 0+ the line is in, and no time has passed: nothing has crept yet.
-    elements = Elements(np.zeros((memories(form), 1)), np.full(1, glass), 1.0)
+    elements = Elements(np.zeros((memory_size(form), 1)), np.full(1, glass), 1.0)
     if scheme == "implicit-euler":  # its memory is the stress of the branches and u = -1
         elements.memory[:-1, 0] = -form.moduli
         elements.memory[-1, 0] = -1.0
@@ -182,7 +182,7 @@ def test_stress_relaxes_exactly_in_the_relaxation_form(name):
 @pytest.mark.parametrize("name", MATERIALS)
 def test_creep_without_force_is_exact_whatever_the_step(name):
     form = retardation(MATERIALS[name])
-    elements = Elements(rest(form, np.ones(1)), np.zeros(1), -1.0)
+    elements = Elements(rest_memory(form, np.ones(1)), np.zeros(1), -1.0)
     line = Foundation(form, np.zeros(1), elements)
     now = 0.0
     for dt in (1e-9, 1e-3, 0.4, 2.0, 1e3):
@@ -194,13 +194,13 @@ def test_creep_without_force_is_exact_whatever_the_step(name):
 
 
 @pytest.mark.parametrize("name", MATERIALS)
-@pytest.mark.parametrize("scheme", FORMS)
+@pytest.mark.parametrize("scheme", FORMS_BY_SCHEME)
 def test_what_rests_under_a_force_stays(name, scheme):
-    form = FORMS[scheme](MATERIALS[name])
+    form = FORMS_BY_SCHEME[scheme](MATERIALS[name])
     p = np.array([2.0])
-    line = Foundation(form, np.zeros(1), Elements(rest(form, p), p, 2.0))
+    line = Foundation(form, np.zeros(1), Elements(rest_memory(form, p), p, 2.0))
     assert displacement(form, line.memory, line.p) == pytest.approx(-2.0, rel=1e-14)
-    viscosity, pressure = lasting(form, line.memory)
+    viscosity, pressure = static_pressure(form, line.memory)
     assert (viscosity > 0.0) == (MATERIALS[name].viscosity > 0.0)
     if viscosity > 0.0:
         assert viscosity == pytest.approx(MATERIALS[name].viscosity, rel=1e-13)
@@ -216,7 +216,7 @@ def test_both_forms_press_in_alike(name):
     """Indented at a constant rate from nothing: two derivations, one limit."""
 
     def force(scheme, steps):
-        form = FORMS[scheme](MATERIALS[name])
+        form = FORMS_BY_SCHEME[scheme](MATERIALS[name])
         line = Foundation(form, np.zeros(1), fresh(form))
         for k in range(steps):
             line.step(0, 1.0 / steps, d=(k + 1.0) / steps)
@@ -241,15 +241,15 @@ def test_the_old_force_comes_back_with_a_gain_below_one(name, dt):
 
 @pytest.mark.parametrize("count", [1, 7, 8, 9, 16, 30])
 @pytest.mark.parametrize("name", MATERIALS)
-@pytest.mark.parametrize("scheme", FORMS)
+@pytest.mark.parametrize("scheme", FORMS_BY_SCHEME)
 def test_an_element_that_meets_many_samples_is_stepped_like_one(scheme, name, count):
-    form, rng = FORMS[scheme](MATERIALS[name]), np.random.default_rng(3)
+    form, rng = FORMS_BY_SCHEME[scheme](MATERIALS[name]), np.random.default_rng(3)
     law, heights, d = law_of(form, 0.02), rng.normal(size=count), 0.4
-    memory, p, w = rest(form, np.full(1, 0.1)), np.full(1, 0.1), np.empty(1)
-    ahead = foreseen(law)
-    y = from_memory(ahead, memory[:, 0], p[0])
+    memory, p, w = rest_memory(form, np.full(1, 0.1)), np.full(1, 0.1), np.empty(1)
+    ahead = lookahead_law(law)
+    y = lookahead_memory(ahead, memory[:, 0], p[0])
     began, forces = y.copy(), np.empty(count)
-    total = slide_one(ahead, y, d, heights, forces)
+    total = slide_element(ahead, y, d, heights, forces)
     filled = np.empty((memory.size, count))
     fill_memory(ahead, began, forces[::-1].copy(), filled, count - 1, -1, count)
     assert total == pytest.approx(forces.sum(), rel=1e-12)
@@ -257,7 +257,7 @@ def test_an_element_that_meets_many_samples_is_stepped_like_one(scheme, name, co
     for i in range(count):
         predict(law, memory, p, w)
         new = law.stiffness * np.maximum(0.0, w + d - heights[i])
-        settle(law, memory, w, p, new)
+        advance_memory(law, memory, w, p, new)
         p = new
         assert forces[i] == pytest.approx(new[0], rel=1e-11, abs=1e-13)
         np.testing.assert_allclose(filled[:, count - 1 - i], memory[:, 0], rtol=1e-11, atol=1e-13)

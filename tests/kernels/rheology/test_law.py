@@ -18,7 +18,7 @@ from elastomer_friction.kernels import (
 )
 from elastomer_friction.kernels.compile.cache import CACHE_FOLDER
 from elastomer_friction.kernels.model import steady
-from elastomer_friction.kernels.rheology.law import reach
+from elastomer_friction.kernels.rheology.law import free_displacement
 from tests.sizes import PLAIN_PYTHON
 from tests.support.python import printed
 from tests.support.sweeps import sweep
@@ -34,7 +34,7 @@ class Squared(NamedTuple):
     lag: float
 
 
-@reach.register(Squared)
+@free_displacement.register(Squared)
 def _reach(law, u):
     return law.root * (law.root * u)
 

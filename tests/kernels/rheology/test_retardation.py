@@ -6,7 +6,7 @@ from hypothesis import example, given, settings
 from hypothesis import strategies as st
 from scipy.integrate import quad
 
-from elastomer_friction.kernels.rheology.retardation import merged, retardation
+from elastomer_friction.kernels.rheology.retardation import merged_branches, retardation
 from elastomer_friction.kernels.rheology.spectrum import (
     KELVIN,
     Spectrum,
@@ -117,7 +117,7 @@ def test_kelvin_element_is_one_unit():
 
 
 def test_equal_times_are_added_up_slowest_first():
-    moduli, times = merged(Spectrum((1.0, 2.0, 4.0), (0.5, 3.0, 0.5), 0.0))
+    moduli, times = merged_branches(Spectrum((1.0, 2.0, 4.0), (0.5, 3.0, 0.5), 0.0))
     assert times.tolist() == [3.0, 0.5]
     assert moduli.tolist() == [2.0, 5.0]
 

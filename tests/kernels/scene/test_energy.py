@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from elastomer_friction.kernels.motion.legs import Hold, Oscillation, Ramp, Slide
-from elastomer_friction.kernels.rheology.forms import FORMS
+from elastomer_friction.kernels.rheology.forms import FORMS_BY_SCHEME
 from elastomer_friction.kernels.rheology.law import law_of
 from elastomer_friction.kernels.rheology.spectrum import KELVIN
 from elastomer_friction.kernels.scene.energy import book, stored_energy
@@ -90,7 +90,7 @@ def test_no_motion_of_a_relaxed_line_costs_no_work():
 @pytest.mark.parametrize("dt", [1e-6, 0.03, 50.0])
 def test_a_step_dissipates_the_integral_of_the_rates(name, dt):
     """lambda/J int (dy/dt)^2 dt of every unit, under the force that the scheme assumes."""
-    form = FORMS["exponential"](MATERIALS[name])
+    form = FORMS_BY_SCHEME["exponential"](MATERIALS[name])
     law = law_of(form, dt)
     rng = np.random.default_rng(1)
     memory, (p, new) = -rng.random((form.times.size, 3)), rng.random((2, 3))
@@ -114,7 +114,7 @@ def test_a_step_dissipates_the_integral_of_the_rates(name, dt):
 
 
 def test_stored_energy_is_that_of_the_springs():
-    form = FORMS["exponential"](SOLID)
+    form = FORMS_BY_SCHEME["exponential"](SOLID)
     memory, p = np.array([[-0.3, -0.1]]), np.array([0.4, 0.0])
     units = (0.3**2 + 0.1**2) / form.compliances[0]
     assert stored_energy(form, memory, p) == pytest.approx((form.glass * 0.16 + units) / 4.0)

@@ -6,7 +6,7 @@ import pytest
 from elastomer_friction.kernels import SCHEMES, ConstantForce, lagged_slope, march, steady_sliding
 from elastomer_friction.kernels.lines.line import Line
 from elastomer_friction.kernels.motion.legs import Hold, Ramp, Slide
-from elastomer_friction.kernels.rheology.forms import FORMS
+from elastomer_friction.kernels.rheology.forms import FORMS_BY_SCHEME
 from elastomer_friction.kernels.rheology.spectrum import KELVIN
 from tests.convergence import observed_order
 from tests.kernels.scene.given import MATERIALS, a_line, trace
@@ -86,7 +86,7 @@ def gaps_of_schemes(name, refinements, seeds):
             line = a_line(size(20, 8), 1.0, m, seed)
             one, two = (
                 trace(line, programme, MATERIALS[name], start="relaxed", scheme=scheme)["trace_mu"]
-                for scheme in FORMS
+                for scheme in FORMS_BY_SCHEME
             )
             gaps[k, seed] = np.sqrt(np.mean((one - two) ** 2))
     return gaps

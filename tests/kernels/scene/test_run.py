@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from elastomer_friction.kernels.motion.legs import Hold, Oscillation, Slide, steps_of
-from elastomer_friction.kernels.rheology.forms import FORMS
+from elastomer_friction.kernels.rheology.forms import FORMS_BY_SCHEME
 from elastomer_friction.kernels.rheology.law import law_of, predict
 from elastomer_friction.kernels.scene import ASKED, MOTION, TRACES, Saved, run_scene, scene_steps
 from elastomer_friction.kernels.scene.begin import fresh, relaxed
@@ -36,12 +36,12 @@ from tests.kernels.scene.given import (
 M = 4
 
 
-@pytest.mark.parametrize("scheme", FORMS)
+@pytest.mark.parametrize("scheme", FORMS_BY_SCHEME)
 def test_a_trace_is_where_and_when_the_force_of_a_step_acts(scheme):
     found = run_scene(a_line(), a_scene(EVERY, DAMPED, M, scheme=scheme))
     time, distance, velocity = (found[name] for name in MOTION)
     steps = steps_of(EVERY, M)
-    lag = np.array([law_of(FORMS[scheme](DAMPED), dt).lag for dt in steps.dt])
+    lag = np.array([law_of(FORMS_BY_SCHEME[scheme](DAMPED), dt).lag for dt in steps.dt])
     place = np.append(0.0, steps.position) / M
     np.testing.assert_allclose(time[1:], np.cumsum(steps.dt) - lag * steps.dt)
     acting = (1.0 - lag) * place[1:] + lag * place[:-1]
@@ -122,10 +122,10 @@ LINE = a_line()
 TOTAL = 0.3 * LINE.z.size
 
 
-@pytest.mark.parametrize("scheme", FORMS)
+@pytest.mark.parametrize("scheme", FORMS_BY_SCHEME)
 @pytest.mark.parametrize("name", MATERIALS)
 def test_relaxed_elements_stay_where_they_are(scheme, name):
-    form = FORMS[scheme](MATERIALS[name])
+    form = FORMS_BY_SCHEME[scheme](MATERIALS[name])
     elements = relaxed(form, LINE.z, TOTAL, np.nan)
     np.testing.assert_allclose(elements.p, np.maximum(0.0, elements.d - LINE.z), atol=1e-12)
     assert elements.p.sum() == pytest.approx(TOTAL, rel=1e-12)
@@ -135,10 +135,10 @@ def test_relaxed_elements_stay_where_they_are(scheme, name):
     np.testing.assert_allclose(again, elements.p, atol=1e-11)
 
 
-@pytest.mark.parametrize("scheme", FORMS)
+@pytest.mark.parametrize("scheme", FORMS_BY_SCHEME)
 @pytest.mark.parametrize("spectrum", [SOLID, PRONY], ids=["solid", "prony"])
 def test_fresh_elements_are_glassy_and_keep_their_force_for_a_moment(scheme, spectrum):
-    form = FORMS[scheme](spectrum)
+    form = FORMS_BY_SCHEME[scheme](spectrum)
     stiffness = 1.0 + sum(spectrum.moduli)
     elements = fresh(form, spectrum, LINE.z, TOTAL, np.nan)
     np.testing.assert_allclose(

@@ -50,7 +50,11 @@ EDITS = {
     "the steps that a record keeps": ("recorded_steps.py", "np.linspace", "np.geomspace"),
     "a number": ("rheology/spectrum.py", "1e-10", "1e-11"),
     "an operator": ("kernels/model/steady.py", "w[j] = free", "w[j] = -free"),
-    "a body chosen by type": ("kelvin.py", "@reach.register(Kelvin)", "@reach.register(State)"),
+    "a body chosen by type": (
+        "kelvin.py",
+        "@free_displacement.register(Kelvin)",
+        "@free_displacement.register(State)",
+    ),
     "a default": ("self_affine.py", '= "modal"', '= "integral"'),
     "a flag of the compiler": ("jit.py", '"numpy"', '"python"'),
 }

@@ -18,7 +18,12 @@ from elastomer_friction.kernels import (
     quadrature,
     steady_sliding,
 )
-from elastomer_friction.kernels.lines.polynomials import bends, height, septic, steepness
+from elastomer_friction.kernels.lines.polynomials import (
+    sample_derivatives,
+    septic_coefficients,
+    septic_height,
+    septic_slope,
+)
 from elastomer_friction.kernels.quick.contacts.between_samples import slide_between
 from elastomer_friction.kernels.quick.contacts.smooth_line import smooth_line
 from elastomer_friction.kernels.quick.contacts.steady_friction import (
@@ -93,7 +98,7 @@ def slide(line, x, load=LOAD):
 def test_the_highest_peak_alone_is_a_parabola(x):
     found, fine = slide(line_of(8), x), line_of(128)
     peak = int(np.argmin(fine.z))
-    radius = 1.0 / bends(fine.z, fine.slope, 1.0 / fine.steps_per_spacing)[0, peak]
+    radius = 1.0 / sample_derivatives(fine.z, fine.slope, 1.0 / fine.steps_per_spacing)[0, peak]
     forces, load = partial(parabola_forces, radius=radius, speed=x / np.pi), LOAD * ELEMENTS
     d = brentq(lambda d: forces(d)[0] - load, 1e-9, 10.0)
     assert found.samples < 1.0
@@ -103,9 +108,12 @@ def test_the_highest_peak_alone_is_a_parabola(x):
 def fine(line, smooth, fold):
     """Return heights over the deepest sample, slopes and that height, at so many times as many."""
     t = 1.0 - np.arange(fold) / fold
-    parts = [septic(line.z, line.slope, smooth.bend, smooth.spacing, j) for j in range(line.z.size)]
-    z = np.concatenate([height(c, t) for c in parts])
-    slope = np.concatenate([-steepness(c, t) / smooth.spacing for c in parts])
+    parts = [
+        septic_coefficients(line.z, line.slope, smooth.bend, smooth.spacing, j)
+        for j in range(line.z.size)
+    ]
+    z = np.concatenate([septic_height(c, t) for c in parts])
+    slope = np.concatenate([-septic_slope(c, t) / smooth.spacing for c in parts])
     return z - z.min(), slope, z.min()
 
 

@@ -18,84 +18,88 @@ from typing import NamedTuple
 import numpy as np
 
 from ..compile.jit import dispatch_on_type, inlined_kernel
-from .law import NEGLIGIBLE, predict, settle
+from .law import MIN_MAGNITUDE, advance_memory, predict
 from .prony import Prony
-from .relaxed import Relaxed, predict_one, settle_one
+from .relaxed import Relaxed, advance_element, predict_element
 
-BLOCK = 8  # samples; their forces are taken from the v_k by fours
+BLOCK_SAMPLES = 8  # samples; their forces are taken from the v_k by fours
 
 
 @dispatch_on_type
-def foreseen(law):
+def lookahead_law(law):
     """Return a law of the same step whose predictions need no force of the step before."""
 
 
 @dispatch_on_type
-def from_memory(law, memory, p):
+def lookahead_memory(law, memory, p):
     """Return what is counted of an element (M,) with this memory (M,) after a step with force p."""
 
 
 @dispatch_on_type.refcount_free
-def slide_one(law, y, d, heights, forces):
-    """Take an element over samples of these heights (n,) at the indentation d.
+def slide_element(law, y, d, heights, forces):
+    """Move an element over samples of heights (n,) at the indentation d; return the sum of forces.
 
-    law : as ``foreseen`` returns it. y (M,) : what it counts of the element, changed. forces (n,) :
-    filled. Return the sum of the forces.
+    law : from ``lookahead_law``. y (M,) : lookahead memory of the element, updated.
+    forces (n,) : filled.
     """
 
 
 @dispatch_on_type.refcount_free
 def fill_memory(law, y, p, memory, at, way, count):
-    """Fill what an element remembers at samples at, at + way, ... of ``memory`` (M, n).
+    """Fill ``memory`` (M, n) of an element at the samples at, at + way, ... (``count`` of them).
 
-    law : as ``foreseen`` returns it. y (M,) : what it counts of the element before it comes to the
-    first of them, changed to that after the last. p (n,) : forces. count : of these samples.
+    law : from ``lookahead_law``. y (M,) : lookahead memory before the first of these samples,
+    updated to that after the last. p (n,) : forces.
     """
 
 
-class Foreseen(NamedTuple):
+class LookaheadUnits(NamedTuple):
     """Constants of one step of v_k, and of a block; stiffness as of every law (law.py)."""
 
     decay: np.ndarray  # E_k, shape (K,)
     due: np.ndarray  # E_k B_k + A_k, shape (K,): what a force takes from v_k
     fresh: np.ndarray  # B_k, shape (K,): what it takes from the memory
     stiffness: float
-    ahead: np.ndarray  # shape (K, BLOCK): the force that v_k would be at every sample of a block
-    echo: np.ndarray  # shape (BLOCK,): what a force takes from that 1, 2, ... samples later
+    ahead: (
+        np.ndarray
+    )  # shape (K, BLOCK_SAMPLES): the force that v_k would be at every sample of a block
+    echo: np.ndarray  # shape (BLOCK_SAMPLES,): what a force takes from that 1, 2, ... samples later
     left: np.ndarray  # shape (K,): of v_k after a block
-    taken: np.ndarray  # shape (BLOCK, K): what a force at every sample takes from that
+    taken: np.ndarray  # shape (BLOCK_SAMPLES, K): what a force at every sample takes from that
 
 
-@foreseen.register(Prony)
+@lookahead_law.register(Prony)
 def _foreseen_of_units(law):
-    due, powers = law.decay * law.fresh + law.stale, np.ones((BLOCK + 1, law.decay.size))
-    for m in range(BLOCK):
+    due, powers = law.decay * law.fresh + law.stale, np.ones((BLOCK_SAMPLES + 1, law.decay.size))
+    for m in range(BLOCK_SAMPLES):
         for k in range(law.decay.size):
             left = law.decay[k] * powers[m, k]
-            powers[m + 1, k] = left if left > math.sqrt(NEGLIGIBLE) else 0.0
-    ahead, echo = law.stiffness * powers[:BLOCK].T.copy(), np.empty(BLOCK)
-    for m in range(BLOCK):
+            powers[m + 1, k] = left if left > math.sqrt(MIN_MAGNITUDE) else 0.0
+    ahead, echo = law.stiffness * powers[:BLOCK_SAMPLES].T.copy(), np.empty(BLOCK_SAMPLES)
+    for m in range(BLOCK_SAMPLES):
         echo[m] = (due * ahead[:, m]).sum()
-    taken = due * powers[:BLOCK][::-1]
-    return Foreseen(law.decay, due, law.fresh, law.stiffness, ahead, echo, powers[BLOCK], taken)
+    taken = due * powers[:BLOCK_SAMPLES][::-1]
+    return LookaheadUnits(
+        law.decay, due, law.fresh, law.stiffness, ahead, echo, powers[BLOCK_SAMPLES], taken
+    )
 
 
-@foreseen.register(Relaxed)
+@lookahead_law.register(Relaxed)
 def _foreseen_of_branches(law):
     return law
 
 
-@from_memory.register(Foreseen)
+@lookahead_memory.register(LookaheadUnits)
 def _from_memory(law, memory, p):
     return law.decay * (memory + law.fresh * p) - law.due * p
 
 
-@from_memory.register(Relaxed)
+@lookahead_memory.register(Relaxed)
 def _from_memory_of_branches(law, memory, p):
     return memory.copy()
 
 
-@predict.register(Foreseen)
+@predict.register(LookaheadUnits)
 def _predict(law, memory, p, w):
     w[:] = 0.0
     for k in range(law.decay.size):
@@ -103,25 +107,25 @@ def _predict(law, memory, p, w):
             w[i] += memory[k, i]
 
 
-@settle.register(Foreseen)
+@advance_memory.register(LookaheadUnits)
 def _settle(law, memory, w, p, new):
     for k in range(law.decay.size):
         decay, due = law.decay[k], law.due[k]
         for i in range(w.size):
             v = decay * memory[k, i] - due * new[i]
-            memory[k, i] = v if abs(v) > NEGLIGIBLE else 0.0
+            memory[k, i] = v if abs(v) > MIN_MAGNITUDE else 0.0
 
 
-@slide_one.register(Foreseen)
+@slide_element.register(LookaheadUnits)
 def _slide_one(law, y, d, heights, forces):
-    total, whole = 0.0, heights.size // BLOCK * BLOCK
-    for i in range(0, whole, BLOCK):
-        block = forces[i : i + BLOCK]
-        for m in range(BLOCK):
+    total, whole = 0.0, heights.size // BLOCK_SAMPLES * BLOCK_SAMPLES
+    for i in range(0, whole, BLOCK_SAMPLES):
+        block = forces[i : i + BLOCK_SAMPLES]
+        for m in range(BLOCK_SAMPLES):
             block[m] = law.stiffness * (d - heights[i + m])
         _foretell(law.ahead, y, block)
         before = total
-        for m in range(BLOCK):
+        for m in range(BLOCK_SAMPLES):
             force = block[m]
             for r in range(m):
                 force -= law.echo[m - r - 1] * block[r]
@@ -129,7 +133,7 @@ def _slide_one(law, y, d, heights, forces):
             total += block[m]
         for k in range(y.size):
             y[k] *= law.left[k]
-        for m in range(0, BLOCK, 4):
+        for m in range(0, BLOCK_SAMPLES, 4):
             first, second, third, fourth = block[m], block[m + 1], block[m + 2], block[m + 3]
             taken = law.taken[m : m + 4]
             for k in range(y.size):
@@ -138,7 +142,7 @@ def _slide_one(law, y, d, heights, forces):
                 )
         if total == before:
             for k in range(y.size):
-                y[k] = y[k] if abs(y[k]) > NEGLIGIBLE else 0.0
+                y[k] = y[k] if abs(y[k]) > MIN_MAGNITUDE else 0.0
     for i in range(whole, heights.size):
         depth = d - heights[i]
         for k in range(y.size):
@@ -147,7 +151,7 @@ def _slide_one(law, y, d, heights, forces):
         total += forces[i]
         for k in range(y.size):
             v = law.decay[k] * y[k] - law.due[k] * forces[i]
-            y[k] = v if abs(v) > NEGLIGIBLE else 0.0
+            y[k] = v if abs(v) > MIN_MAGNITUDE else 0.0
     return total
 
 
@@ -155,33 +159,33 @@ def _slide_one(law, y, d, heights, forces):
 def _foretell(ahead, y, block):
     """Add to the forces of a block what internal variables y (K,) alone would make of them.
 
-    ahead (K, BLOCK) : that of each, were it one.
+    ahead (K, BLOCK_SAMPLES) : that of each, were it one.
     """
     fours = y.size // 4 * 4
     for k in range(0, fours, 4):
         first, second, third, fourth = y[k], y[k + 1], y[k + 2], y[k + 3]
         some = ahead[k : k + 4]
-        for m in range(BLOCK):
+        for m in range(BLOCK_SAMPLES):
             block[m] += (some[0, m] * first + some[1, m] * second) + (
                 some[2, m] * third + some[3, m] * fourth
             )
     for k in range(fours, y.size):
-        for m in range(BLOCK):
+        for m in range(BLOCK_SAMPLES):
             block[m] += ahead[k, m] * y[k]
 
 
-@slide_one.register(Relaxed)
+@slide_element.register(Relaxed)
 def _slide_of_branches(law, y, d, heights, forces):
     total = 0.0
     for i in range(heights.size):
-        w = predict_one(law, y)
+        w = predict_element(law, y)
         forces[i] = law.stiffness * max(w + (d - heights[i]), 0.0)
         total += forces[i]
-        settle_one(law, y, w, forces[i])
+        advance_element(law, y, w, forces[i])
     return total
 
 
-@fill_memory.register(Foreseen)
+@fill_memory.register(LookaheadUnits)
 def _fill_memory(law, y, p, memory, at, way, count):
     for k in range(y.size):
         decay, due, fresh, v, j = law.decay[k], law.due[k], law.fresh[k], y[k], at
@@ -189,12 +193,12 @@ def _fill_memory(law, y, p, memory, at, way, count):
             memory[k, j] = v - fresh * p[j]
             v = decay * v - due * p[j]
             j += way
-        y[k] = v if abs(v) > NEGLIGIBLE else 0.0
+        y[k] = v if abs(v) > MIN_MAGNITUDE else 0.0
 
 
 @fill_memory.register(Relaxed)
 def _fill_memory_of_branches(law, y, p, memory, at, way, count):
     for j in range(at, at + way * count, way):
-        settle_one(law, y, predict_one(law, y), p[j])
+        advance_element(law, y, predict_element(law, y), p[j])
         for k in range(y.size):
             memory[k, j] = y[k]

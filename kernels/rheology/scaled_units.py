@@ -1,4 +1,4 @@
-"""Units counted in what decays as they do: an element that nothing presses needs no step.
+"""Memory variables divided by their own decay: an element without force needs no step.
 
 Let y_k be the memory of unit k after a step, and y'_k what the next step makes of it before its own
 force acts: y'_k = E_k y_k - A_k p (prony.py), with E_k and A_k of that next step and the force p
@@ -7,12 +7,13 @@ step, that is
 
     a_k <- a_k - (E_k B_k + A_k) / S_k p,
 
-which leaves the a_k of a free element alone, to the bit. Before S_k underflows it is divided by
-SHRUNK, and every a_k is multiplied by it: a power of two, so that an element may learn of it at
-any time and has the same bits. What has met that twice is gone, and so is all memory of a unit
-that decays below FORGOTTEN in one step.
+which leaves the a_k of a free element unchanged, to the bit. Before S_k underflows it is divided by
+RESCALE_FACTOR, and every a_k is multiplied by it. The factor is a power of two, so the bits do not
+depend on when an element is rescaled. Memory that is due for two rescalings is zero, and so is the
+memory of a unit that decays below MIN_DECAY in one step.
 
-Elements come in blocks of BLOCK, so that what a loop runs through is in the first cache.
+Elements form blocks of BLOCK_ELEMENTS, so that the data of one loop fit into the first-level
+cache.
 """
 
 from typing import NamedTuple
@@ -21,39 +22,41 @@ import numpy as np
 
 from ..compile.jit import inlined_kernel, kernel
 
-BLOCK = 64
-SHRUNK = 2.0**-512
-GONE = 2.0**-480  # scaled memory below it is zero
-FORGOTTEN = 2.0**-100  # far below the last digit of what the step adds
+BLOCK_ELEMENTS = 64
+RESCALE_FACTOR = 2.0**-512
+MIN_SCALED_MEMORY = 2.0**-480  # scaled memory below it is zero
+MIN_DECAY = 2.0**-100  # far below the last digit of what the step adds
 
 
 class Scales(NamedTuple):
     """What is common to the units of all elements, each of shape (K,)."""
 
     scale: np.ndarray  # S_k
-    last: np.ndarray  # the last step at which memory was to be multiplied by SHRUNK, or wiped
+    last: (
+        np.ndarray
+    )  # the last step at which memory was to be multiplied by RESCALE_FACTOR, or wiped
     before: np.ndarray  # the one before; the same as last where memory was wiped
     fresh: np.ndarray  # B_k of the last step; 0 where the memory knows of its force
     due: np.ndarray  # what the force of the last step takes from a_k; 0 where it has been taken
 
 
 @kernel
-def as_it_is(units, step):
+def unit_scales(units, step):
     """Return the Scales of a number of units whose memory counts as it is, after a step."""
     zeros, steps = np.zeros((2, units)), np.full((2, units), step)
     return Scales(np.ones(units), steps[0], steps[1], zeros[0], zeros[1])
 
 
 @inlined_kernel
-def go_on(law, scales, step):
+def advance_scales(law, scales, step):
     """Go on to a step; law : a Prony, of that step."""
     for k in range(law.decay.size):
         scale = law.decay[k] * scales.scale[k]
-        if law.decay[k] < FORGOTTEN:
+        if law.decay[k] < MIN_DECAY:
             scale = 1.0
             scales.before[k] = scales.last[k] = step
-        elif scale < SHRUNK:
-            scale /= SHRUNK
+        elif scale < RESCALE_FACTOR:
+            scale /= RESCALE_FACTOR
             scales.before[k], scales.last[k] = scales.last[k], step
         scales.scale[k] = scale
         scales.due[k] = (law.decay[k] * scales.fresh[k] + law.stale[k]) / scale
@@ -61,10 +64,10 @@ def go_on(law, scales, step):
 
 
 @inlined_kernel
-def catch_up(scales, memory, seen, some, step):
+def rescale_blocks(scales, memory, seen, some, step):
     """Shrink the memory of some blocks by what they have not seen until a step.
 
-    memory : shape (blocks, K, BLOCK). seen : the last step that each has seen.
+    memory : shape (blocks, K, BLOCK_ELEMENTS). seen : the last step that each has seen.
     """
     latest = 0
     for k in range(scales.last.size):
@@ -72,27 +75,27 @@ def catch_up(scales, memory, seen, some, step):
     for b in some:
         for k in range(scales.last.size if seen[b] < latest else 0):
             if scales.before[k] > seen[b]:
-                for i in range(BLOCK):
+                for i in range(BLOCK_ELEMENTS):
                     memory[b, k, i] = 0.0
             elif scales.last[k] > seen[b]:
-                for i in range(BLOCK):
-                    y = SHRUNK * memory[b, k, i]
-                    memory[b, k, i] = y if abs(y) > GONE else 0.0
+                for i in range(BLOCK_ELEMENTS):
+                    y = RESCALE_FACTOR * memory[b, k, i]
+                    memory[b, k, i] = y if abs(y) > MIN_SCALED_MEMORY else 0.0
         seen[b] = max(seen[b], step)
 
 
 @inlined_kernel
 def predict_block(share, memory, b, total):
-    """Fill ``total`` (BLOCK,) with sum_k share_k a_k of block b."""
-    for i in range(BLOCK):
+    """Fill ``total`` (BLOCK_ELEMENTS,) with sum_k share_k a_k of block b."""
+    for i in range(BLOCK_ELEMENTS):
         total[i] = 0.0
     for k in range(share.size):
         of_unit = share[k]
-        for i in range(BLOCK):
+        for i in range(BLOCK_ELEMENTS):
             total[i] += of_unit * memory[b, k, i]
 
 
-class Pressing(NamedTuple):
+class Indenter(NamedTuple):
     """What presses elements: the force is stiffness * (level - c) above their threshold c."""
 
     level: float  # in h
@@ -100,35 +103,35 @@ class Pressing(NamedTuple):
 
 
 @inlined_kernel
-def force_on(pressing, c):
+def element_force(pressing, c):
     """Return the force of an element of threshold c."""
     depth = pressing.level - c
     return pressing.stiffness * depth if depth > 0.0 else 0.0
 
 
 @inlined_kernel
-def settle_and_predict(due, share, memory, b, pressing, c, room):
-    """Take due_k p from the memory of block b, and do the same; c : thresholds, shape (BLOCK,).
+def advance_and_predict(due, share, memory, b, pressing, c, room):
+    """Subtract due_k p from the memory of block b, then sum as ``predict_block`` does.
 
-    room : shape (2 BLOCK,): the sums, and the forces p. One array: those that could overlap are
-    looked at for it in every loop.
+    c : thresholds, shape (BLOCK_ELEMENTS,). room : shape (2 BLOCK_ELEMENTS,), filled with the sums
+    and the forces p. It is one array because loops over two arrays check whether they overlap.
     """
     of_unit, taken = share[0], due[0]
-    for i in range(BLOCK):
-        p = force_on(pressing, c[i])
+    for i in range(BLOCK_ELEMENTS):
+        p = element_force(pressing, c[i])
         y = memory[b, 0, i] - taken * p
         memory[b, 0, i] = y
-        room[i], room[BLOCK + i] = of_unit * y, p
+        room[i], room[BLOCK_ELEMENTS + i] = of_unit * y, p
     for k in range(1, share.size):
         of_unit, taken = share[k], due[k]
-        for i in range(BLOCK):
-            y = memory[b, k, i] - taken * room[BLOCK + i]
+        for i in range(BLOCK_ELEMENTS):
+            y = memory[b, k, i] - taken * room[BLOCK_ELEMENTS + i]
             memory[b, k, i] = y
             room[i] += of_unit * y
 
 
 @inlined_kernel
-def all_settled(scales):
+def mark_forces_applied(scales):
     """Note that all memory knows of the force of the last step."""
     for k in range(scales.due.size):
         scales.due[k] = 0.0
