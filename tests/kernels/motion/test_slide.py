@@ -158,7 +158,7 @@ def test_fractions_are_shifted_and_stages_do_not_show(monkeypatch):
         whole = int(np.floor(place))
         expected = [np.roll(v, whole) for v in shifted.by(place - whole)]
         np.testing.assert_allclose(row, expected, atol=1e-14)
-    monkeypatch.setattr(module, "LINES", 3)
+    monkeypatch.setattr(module, "MAX_SHIFTED_LINES", 3)
     assert len(list(tracks(z, slope, 2, steps, 0.4, 1.5))) > 10
     np.testing.assert_array_equal(lines(z, slope, 2, steps, 0.4), found)
 

@@ -74,7 +74,7 @@ def test_what_is_left_out_changes_no_bit(monkeypatch, motion):
     scene = a_scene(MOTIONS[motion], WIDE, load=0.05, start="relaxed", asked=("trace", "state"))
     few = run_scene(line, scene)
     every = run_scene(line, scene._replace(asked=OF_ANY))
-    monkeypatch.setattr("elastomer_friction.kernels.motion.track.PIECE", 13)
+    monkeypatch.setattr("elastomer_friction.kernels.motion.track.MAX_STAGE_STEPS", 13)
     pieces = run_scene(line, scene)
     for name, values in few.items():
         np.testing.assert_array_equal(every[name], values, err_msg=name)

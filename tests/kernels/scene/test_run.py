@@ -54,7 +54,7 @@ def test_a_trace_is_where_and_when_the_force_of_a_step_acts(scheme):
 def test_a_path_in_pieces_is_the_whole_to_the_bit(monkeypatch, piece):
     scene = a_scene(EVERY, DAMPED, M)._replace(asked=ASKED)
     whole = run_scene(a_line(), scene)
-    monkeypatch.setattr("elastomer_friction.kernels.motion.track.PIECE", piece)
+    monkeypatch.setattr("elastomer_friction.kernels.motion.track.MAX_STAGE_STEPS", piece)
     parts = run_scene(a_line(), scene)
     for name, values in whole.items():
         np.testing.assert_array_equal(parts[name], values, err_msg=name)
