@@ -20,7 +20,12 @@ import xarray as xr
 from elastomer_friction.kernels import equivalent_amplitudes
 from elastomer_friction.kernels.half_space.surface import ring_amplitudes, rms_slope_of
 from elastomer_friction.workflow.scene import compute
-from elastomer_friction.workflow.study import FOUNDATION, HALF_SPACE, given_profile, read_grid_study
+from elastomer_friction.workflow.study import (
+    FOUNDATION,
+    HALF_SPACE,
+    profile_of_array,
+    read_grid_study,
+)
 
 HURST, SIDE, HEIGHT, SPEED, MODULUS = 0.7, 1e-3, 1e-6, 1e-2, 1e6  # SI; E* = 4 G
 SEED, STEP, SLOW, LOST = 29, 0.2, 0.01, 0.02  # LOST: branches over G
@@ -81,7 +86,7 @@ class Rough(NamedTuple):
             tables["scene"]["quantities"] += ["jump", "relaxation"]
         if lines is not None:
             tables["study"]["realizations"] = len(lines)
-            given = given_profile(lines, SIDE)
+            given = profile_of_array(lines, SIDE)
             return compute(read_grid_study("rough", Path(), tables, True, given)).squeeze()
         if body == FOUNDATION:
             tables["study"]["realizations"] = max(200, 1600 // self.lengths)

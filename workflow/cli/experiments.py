@@ -27,7 +27,7 @@ def run_prony(options: argparse.Namespace) -> int:
     measured, keys = _at_one_temperature(options, measured)
     fit = laboratory.fit_material(options.file, measured, options.branches)
     described = laboratory.describe_material(measured, fit, options.branches)
-    said = [f"# {line}" for line in (*measured.told, *described)]
+    said = [f"# {line}" for line in (*measured.description, *described)]
     rows = [f"{modulus:.6g}, {time:.6g}" for modulus, time in fit.branches]
     modulus = f"shear_modulus = {fit.shear_modulus:.6g}"
     table = ["[material]", modulus, *keys]

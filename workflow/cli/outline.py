@@ -205,8 +205,10 @@ def _shares(errors: np.ndarray) -> str:
 
 def _read(study: Study) -> list[dict[str, Any]]:
     """Return what files were read as; of lines their numbers, too, in m."""
-    found: list[dict[str, Any]] = [{"what": what, "told": told} for what, told in study.told]
-    profiles = {own.told: own.profile for own in study.surfaces.values()}
+    found: list[dict[str, Any]] = [
+        {"what": what, "told": told} for what, told in study.descriptions
+    ]
+    profiles = {own.description: own.profile for own in study.surfaces.values()}
     for each in found:
         if (profile := profiles.get(each["told"])) is not None:
             lines, *samples = profile.heights.shape
@@ -217,7 +219,7 @@ def _read(study: Study) -> list[dict[str, Any]]:
 
 def read_lines_of(study: Study) -> list[str]:
     """Return what was read of files of lines, a line for each kind of lines made of them."""
-    told = dict.fromkeys(surface.told for surface in study.surfaces.values())
+    told = dict.fromkeys(surface.description for surface in study.surfaces.values())
     return [f"lines       {each}" for each in told if each]
 
 
@@ -332,8 +334,8 @@ def _materials(study: Study) -> Iterator[tuple[bool, str]]:
     if not any(material.branches for material in study.materials.values()):
         yield False, "branches of relaxation: material.branches is not given"
     for label, material in study.materials.items():
-        if material.told:
-            yield True, f"branches{f' of {label}' if label else ''}: {material.told}"
+        if material.description:
+            yield True, f"branches{f' of {label}' if label else ''}: {material.description}"
     count = len(study.grid.get("temperature", ()))
     if count:
         yield True, f"{count} temperatures: all times shifted by {_law(study.material)}"
@@ -417,7 +419,7 @@ def _motion(study: Study) -> Iterator[tuple[bool, str]]:
     else:
         kind = "over time" if scene.indentation_history else "constant"
         yield False, 'constant normal force: scene.control is "indentation"'
-        told = f" ({scene.indentation_told})" if scene.indentation_told else ""
+        told = f" ({scene.indentation_description})" if scene.indentation_description else ""
         yield True, f"prescribed indentation, {kind}{told}"
 
 

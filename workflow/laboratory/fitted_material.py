@@ -24,8 +24,8 @@ def fit_material(name: str, measured: Moduli, branches: int | None) -> PronyFit:
     if fit.dense > LARGEST_RESIDUAL:
         raise UserError(
             f"{where}: no Prony series describes it: {100 * fit.dense:.2g} % of the moduli are "
-            f"left over, more than {100 * LARGEST_RESIDUAL:g} %; {measured.told[0]}; give other "
-            "--columns or units, and the temperatures of all sweeps"
+            f"left over, more than {100 * LARGEST_RESIDUAL:g} %; {measured.description[0]}; "
+            "give other --columns or units, and the temperatures of all sweeps"
         )
     if fit.rms > LARGEST_RESIDUAL:
         raise UserError(

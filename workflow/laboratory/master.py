@@ -57,7 +57,7 @@ def master_curve(name: str, measured: Moduli, asked: Shifting) -> tuple[Moduli, 
         values[rows] *= 10.0**up
     order = np.argsort(omega, kind="stable")
     law_told, key = _law_told(f"{reference:g}", fit)
-    said = (*measured.told, *_told(each, reference, shift, fit, asked), law_told)
+    said = (*measured.description, *_told(each, reference, shift, fit, asked), law_told)
     return Moduli(omega[order], values[order], said), (key, f"temperature = {reference:g}")
 
 

@@ -11,14 +11,22 @@ from typing import NamedTuple
 import numpy as np
 
 from ..ground import UserError
-from ..text_tables import TextTable, Wanted, picked, picked_by_name, read_text_table, told, unit_of
+from ..text_tables import (
+    ColumnSpec,
+    TextTable,
+    describe_columns,
+    find_column,
+    read_text_table,
+    select_columns,
+    unit_of,
+)
 
-TIME = Wanted("a time", "time", r"time|zeit|^t$", "s", "--time")
-VELOCITY = Wanted("a velocity", "velocity", r"vel|speed|geschw|^v([_ ]|$)", "m/s", "--velocity")
-PLACE = Wanted(
+TIME = ColumnSpec("a time", "time", r"time|zeit|^t$", "s", "--time")
+VELOCITY = ColumnSpec("a velocity", "velocity", r"vel|speed|geschw|^v([_ ]|$)", "m/s", "--velocity")
+PLACE = ColumnSpec(
     "a displacement", "length", r"disp|posit|slip|dist|^weg|^[xs]$", "m", "--displacement"
 )
-FRICTION = Wanted(
+FRICTION = ColumnSpec(
     "a coefficient of friction",
     "number",
     r"fric|reibung|^(mu|\u03bc|\u00b5)([\W_\d]|$)|coef|cof",
@@ -35,7 +43,7 @@ class Record(NamedTuple):
     time: np.ndarray  # s, increasing
     velocity: np.ndarray  # m/s, of any sign
     friction: np.ndarray  # coefficient of friction, of any sign
-    told: tuple[str, ...] = ()  # what the file was read as, in sentences
+    description: tuple[str, ...] = ()  # what the file was read as, in sentences
 
 
 def read_record(
@@ -57,8 +65,8 @@ def read_record(
     """
     table = read_text_table("fit", path)
     second = _second(table, columns, displacement)._replace(unit=displacement or velocity)
-    found = picked(table, (TIME._replace(unit=time), second, FRICTION), columns)
-    said = [told(table, found)]
+    found = select_columns(table, (TIME._replace(unit=time), second, FRICTION), columns)
+    said = [describe_columns(table, found)]
     values = np.array([one.values for one in found])
     there = np.isfinite(values).all(axis=0)
     t, moved, mu = values[:, there]
@@ -80,7 +88,9 @@ def read_record(
     return Record(path.name, t, moved, mu, tuple(said))
 
 
-def _second(table: TextTable, columns: Sequence[int] | None, displacement: str | None) -> Wanted:
+def _second(
+    table: TextTable, columns: Sequence[int] | None, displacement: str | None
+) -> ColumnSpec:
     """Return whether the second column is a velocity or a displacement, by its name and unit."""
     if displacement:
         return PLACE
@@ -92,9 +102,9 @@ def _second(table: TextTable, columns: Sequence[int] | None, displacement: str |
         return PLACE if family == PLACE.family or (placed and family == "") else VELOCITY
     units = [unit_of(title.unit) for title in table.titles]
     families = [unit.family for unit in units if unit]
-    if picked_by_name(table, VELOCITY) is not None or VELOCITY.family in families:
+    if find_column(table, VELOCITY) is not None or VELOCITY.family in families:
         return VELOCITY
-    placed = picked_by_name(table, PLACE) is not None or PLACE.family in families
+    placed = find_column(table, PLACE) is not None or PLACE.family in families
     return PLACE if placed else VELOCITY
 
 

@@ -14,7 +14,7 @@ NAMES = {"mu_2": "friction after, mu_2", "amplitude": "amplitude", "jump": "jump
 
 def describe(fit: Fit) -> list[str]:
     """Return lines for a terminal: each step, then what all determine together."""
-    lines = [*fit.told, ""] if fit.told else []
+    lines = [*fit.description, ""] if fit.description else []
     for step, ageing in zip(fit.steps, fit.ageing, strict=True):
         lines += _step(step, min(step.rms, ageing.rms))
         for law, label in ((step, "Ruina's law (eq. 6)"), (ageing, "Dieterich's law")):

@@ -221,7 +221,7 @@ class Fit(NamedTuple):
     rates: Rates | None  # None where no step determines its rate
     slope: Estimate  # grad z
     known: Known
-    told: tuple[str, ...] = ()  # what the files were read as, in sentences
+    description: tuple[str, ...] = ()  # what the files were read as, in sentences
 
 
 def fit_records(
@@ -245,5 +245,7 @@ def fit_records(
         rates=fit_rates(fits, known),
         slope=fit_slope(fits),
         known=known,
-        told=tuple(line for one in records for line in (*one.told, *no_steps_of(one))),
+        description=tuple(
+            line for one in records for line in (*one.description, *no_steps_of(one))
+        ),
     )

@@ -52,9 +52,9 @@ def build_dataset(
     if share != 1.0:  # coordinates of a comparison are those of the study
         facts["normal_force_share"] = share
     if variant.lines.profile is not None:
-        facts |= {"lines": variant.lines.told, "lines_digest": variant.lines.profile.digest}
-    if variant.material.told:
-        facts["branches"] = variant.material.told
+        facts |= {"lines": variant.lines.description, "lines_digest": variant.lines.profile.digest}
+    if variant.material.description:
+        facts["branches"] = variant.material.description
     if variant.material.shifts and variant.material.shifts.told:
         facts["shifts"] = variant.material.shifts.told
     if sampled := plan.study.scene.sampled:

@@ -92,7 +92,7 @@ class Summary:
             f"reused; {duration(self.used)} of core time used, {duration(self.foreseen)} predicted "
             f"for them{factor}{whole}"
         ]
-        found += [f"{what}: {told}" for what, told in plan.study.told]
+        found += [f"{what}: {told}" for what, told in plan.study.descriptions]
         if self.unchanged:
             found.append("the result is there already, of the same study, program and records")
         if self.batches:

@@ -22,9 +22,9 @@ from ..study import (
     PROGRAMME_AXES,
     Profile,
     Study,
-    given_map,
-    given_profile,
+    map_of_array,
     positive,
+    profile_of_array,
     read_grid_study,
 )
 from ..system import import_dask, report_compilation
@@ -100,7 +100,9 @@ def _profile(arguments: Mapping[str, Any]) -> Profile | None:
         return None
     if length is None:
         raise UserError("length: missing; it is that of the profile, one period, in m")
-    given = given_map if toml_value("body", arguments["body"]) == HALF_SPACE else given_profile
+    given = (
+        map_of_array if toml_value("body", arguments["body"]) == HALF_SPACE else profile_of_array
+    )
     return given(profile, positive("length", toml_value("length", length)))
 
 

@@ -15,13 +15,13 @@ import numpy as np
 
 from ..ground import UserError
 from ..text_tables import (
-    Picked,
+    Column,
+    ColumnSpec,
     TextTable,
-    Wanted,
-    picked,
-    picked_by_name,
+    describe_columns,
+    find_column,
     read_text_table,
-    told,
+    select_columns,
 )
 from .sweeps import temperatures_of
 
@@ -31,26 +31,26 @@ INCOMPRESSIBLE = 0.5  # Poisson's ratio of rubber
 OF_PHASE = r"tan|loss[ _-]*fact|damping"
 PRIME = r"['`\u2032\u2019\u00b4]"  # as people write G'
 PRIMES = rf"({PRIME}{{2}}|[\"\u2033\u201d])"
-OMEGA = Wanted(
+OMEGA = ColumnSpec(
     "a frequency", "frequency", r"freq|omega|\u03c9|^[fw\u03bd]$", "rad/s", "--frequency"
 )
-STORAGE = Wanted(
+STORAGE = ColumnSpec(
     "a storage modulus G'",
     "pressure",
     rf"^(?!.*({OF_PHASE})).*(stor|speicher|elastic|\b[GE]({PRIME}(?!{PRIME})|_?1\b|p\b|_?prime\b))",
     "Pa",
     "--modulus",
 )
-LOSS = Wanted(
+LOSS = ColumnSpec(
     "a loss modulus G''",
     "pressure",
     rf"^(?!.*({OF_PHASE})).*(loss|verlust|viscous|\b[GE]({PRIMES}|_?2\b|pp\b|_?(double|2)_?prime\b))",
     "Pa",
     "--modulus",
 )
-PHASE = Wanted("tan delta, for G''", "number", OF_PHASE, "1")
-TIME = Wanted("a time", "time", r"time|^t([\W_]|$)", "s")
-RELAXED = Wanted(
+PHASE = ColumnSpec("tan delta, for G''", "number", OF_PHASE, "1")
+TIME = ColumnSpec("a time", "time", r"time|^t([\W_]|$)", "s")
+RELAXED = ColumnSpec(
     "a relaxation modulus", "pressure", r"modul|relax|^[GE]([\W_]|$)", "Pa", "--modulus"
 )
 OF_YOUNG = re.compile(rf"\bE({PRIME}|{PRIMES}|_|[12p]\b|\b)|young|tens|extens|bend|flex", re.I)
@@ -69,7 +69,7 @@ class Moduli(NamedTuple):
 
     omega: np.ndarray  # rad/s, shape (n,); of a relaxation test 1/t in 1/s
     values: np.ndarray  # G' + i G'' in Pa, shape (n,); of a relaxation test G(t), real
-    told: tuple[str, ...]  # in sentences
+    description: tuple[str, ...]  # in sentences
     temperatures: np.ndarray | None = None  # °C of each sweep, shape (n,); None: there is one
 
     @property
@@ -100,9 +100,9 @@ def read_moduli(
     found = _columns(table, frequency, modulus, columns)
     each, said = temperatures_of(table, found[0].values, temperatures)
     values, there, left_out = _complete(path, table, found, each)
-    said = [told(table, found), *left_out, *said]
+    said = [describe_columns(table, found), *left_out, *said]
     omega, storage, *loss = values
-    if loss and found[2].wanted.family == "number":
+    if loss and found[2].spec.family == "number":
         loss = [loss[0] * storage]
         said.append("G'' = G' tan delta")
     measured = storage + 1j * loss[0] if loss else storage
@@ -124,7 +124,7 @@ def read_moduli(
     return Moduli(omega, measured, tuple(said), each)
 
 
-def _of_young(table: TextTable, moduli: Sequence[Picked]) -> bool:
+def _of_young(table: TextTable, moduli: Sequence[Column]) -> bool:
     """Return whether moduli are Young's: by their names, else by the way of loading above them."""
     names = [one.title.name for one in moduli]
     if any(map(OF_YOUNG.search, names)) or any(map(OF_SHEAR.search, names)):
@@ -139,44 +139,44 @@ def _over_time(table: TextTable, columns: Sequence[int] | None) -> bool:
         return len(columns) == 2
     if len(table.numeric) == 2:
         return True
-    lossy = any(picked_by_name(table, one) is not None for one in (LOSS, PHASE, OMEGA))
-    return not lossy and picked_by_name(table, TIME) is not None
+    lossy = any(find_column(table, one) is not None for one in (LOSS, PHASE, OMEGA))
+    return not lossy and find_column(table, TIME) is not None
 
 
 def _columns(
     table: TextTable, frequency: str | None, modulus: str | None, columns: Sequence[int] | None
-) -> tuple[Picked, ...]:
+) -> tuple[Column, ...]:
     """Return the columns frequency, G' and G'' or tan delta; one states the unit of both moduli.
 
     Of a relaxation test they are time and G(t).
     """
     if _over_time(table, columns):
-        return picked(table, (TIME, RELAXED._replace(unit=modulus)), columns)
+        return select_columns(table, (TIME, RELAXED._replace(unit=modulus)), columns)
     wanted = [OMEGA._replace(unit=frequency), *(w._replace(unit=modulus) for w in (STORAGE, LOSS))]
     if columns is None:
-        phase = picked_by_name(table, LOSS) is None and picked_by_name(table, PHASE) is not None
+        phase = find_column(table, LOSS) is None and find_column(table, PHASE) is not None
     else:
         phase = columns[2] < table.width and bool(
             re.search(OF_PHASE, table.title(columns[2]).name, re.I)
         )
     if phase:
         wanted[2] = PHASE
-    found = picked(table, wanted, columns)
-    if not phase and {found[1].whose, found[2].whose} == {"of the file", "assumed"}:
-        unit = next(one.unit.text for one in found[1:] if one.whose == "of the file")
+    found = select_columns(table, wanted, columns)
+    if not phase and {found[1].unit_source, found[2].unit_source} == {"of the file", "assumed"}:
+        unit = next(one.unit.text for one in found[1:] if one.unit_source == "of the file")
         wanted[1:] = [one._replace(default=unit) for one in wanted[1:]]
-        found = picked(table, wanted, columns)
+        found = select_columns(table, wanted, columns)
     for one in found[1:]:
         if OTHER.search(one.title.name):
             raise UserError(
                 f"prony = {table.name!r}: column {one.number} {one.title.name!r} is not "
-                f"{one.wanted.what}: give G' = |G*| cos delta and G'' = |G*| sin delta"
+                f"{one.spec.meaning}: give G' = |G*| cos delta and G'' = |G*| sin delta"
             )
     return found
 
 
 def _complete(
-    path: Path, table: TextTable, found: tuple[Picked, ...], each: np.ndarray | None
+    path: Path, table: TextTable, found: tuple[Column, ...], each: np.ndarray | None
 ) -> tuple[np.ndarray, np.ndarray, list[str]]:
     """Return the columns without rows in which a value is missing, shape (columns, n).
 
@@ -197,7 +197,7 @@ def _complete(
             row = int(np.argmax(bad))
             raise UserError(
                 f"prony {path}: line {table.lines[row]} holds {table.rows[row][one.number]} as "
-                f"{one.wanted.what}; must "
+                f"{one.spec.meaning}; must "
                 + ("be greater than zero" if least else "not be negative")
             )
     return values[:, there], there, said

@@ -72,14 +72,14 @@ class Study(AnyStudy):
         return tuple(self.grid)
 
     @property
-    def told(self) -> list[tuple[str, str]]:
+    def descriptions(self) -> list[tuple[str, str]]:
         """What files and arrays were read as, in sentences, each once with what it holds."""
-        found = [("lines", surface.told) for surface in self.surfaces.values()]
+        found = [("lines", surface.description) for surface in self.surfaces.values()]
         for material in self.materials.values():
             shifts = material.shifts.told if material.shifts else ""
-            found += [("branches", material.told), ("shifts", shifts)]
+            found += [("branches", material.description), ("shifts", shifts)]
         found += [("programme", said) for said in self.scene.sampled]
-        found.append(("indentation", self.scene.indentation_told))
+        found.append(("indentation", self.scene.indentation_description))
         return [each for each in dict.fromkeys(found) if each[1]]
 
     def parts(self, label: str, axes: Iterable[str]) -> list[Parts]:
@@ -201,8 +201,8 @@ def _lines_in_blocks(
     found = {"realizations_requested": realizations}
     if realizations == 1:
         return found | {"realizations": 1, "realizations_per_block": 1}
-    if block is None and profile is not None and profile.alike is not None:
-        taken, size = profile.alike.whole_blocks(realizations, every=asked is not None)
+    if block is None and profile is not None and profile.correlation is not None:
+        taken, size = profile.correlation.whole_blocks(realizations, every=asked is not None)
         return found | {"realizations": taken, "realizations_per_block": size}
     drawn = any(own.profile is None and own.body == FOUNDATION for own in surfaces.values())
     return found | _blocks(realizations, block or 1, drawn)
@@ -217,17 +217,17 @@ def _told_of_blocks(surface: Surface, head: Mapping[str, Any]) -> Surface:
     if lines == 1:
         what = "line" if surface.body == FOUNDATION else "map"
         said = f"one {what}, of which no standard error is known: errors are NaN"
-    elif profile.alike is None:
+    elif profile.correlation is None:
         return surface
     else:
         said = (
-            f"neighbouring lines are alike (correlation {profile.alike.correlation:.2f}; "
-            f"{profile.alike.lines:.3g} are worth one): {lines} in blocks of {block}"
+            f"neighbouring lines are alike (correlation {profile.correlation.correlation:.2f}; "
+            f"{profile.correlation.lines:.3g} are worth one): {lines} in blocks of {block}"
         )
-        if block < profile.alike.lines:
+        if block < profile.correlation.lines:
             said += (
                 ", too short for standard errors, which are too small: take "
-                f"study.realizations_per_block = {profile.alike.block}"
+                f"study.realizations_per_block = {profile.correlation.block}"
             )
     return surface._replace(profile=profile._replace(notes=f"{profile.notes}; {said}"))
 

@@ -10,9 +10,9 @@ from itertools import pairwise
 import numpy as np
 
 from ..ground import UserError
-from ..text_tables import ZERO, Picked, TextTable, Wanted, picked, picked_by_name, unit_of
+from ..text_tables import ZERO, Column, ColumnSpec, TextTable, find_column, select_columns, unit_of
 
-TEMPERATURE = Wanted("a temperature", "temperature", r"temp(?!(o|s|us)([\W_]|$))|^T[s]?$", "°C")
+TEMPERATURE = ColumnSpec("a temperature", "temperature", r"temp(?!(o|s|us)([\W_]|$))|^T[s]?$", "°C")
 OF_TEMPERATURE = re.compile(
     r"([-+]?\d+(?:[.,]\d+)?)\s*([°º]\s?[CF]|[CK]\b|deg\.?\s?C|celsius)", re.I
 )
@@ -63,17 +63,17 @@ def _runs(omega: np.ndarray) -> tuple[slice, ...]:
     return tuple(slice(a, b) for a, b in pairwise(ends))
 
 
-def _temperature_column(table: TextTable) -> Picked | None:
+def _temperature_column(table: TextTable) -> Column | None:
     """Return the column of temperatures by its name, or by its unit; None where there is none."""
-    named = picked_by_name(table, TEMPERATURE, "--temperatures")
+    named = find_column(table, TEMPERATURE, "--temperatures")
     if named is not None:
         return named
     units = {n: unit_of(table.title(n).unit) for n in table.numeric}
     own = [n for n, unit in units.items() if unit and unit.family == TEMPERATURE.family]
-    return picked(table, (TEMPERATURE,), own)[0] if len(own) == 1 else None
+    return select_columns(table, (TEMPERATURE,), own)[0] if len(own) == 1 else None
 
 
-def _grouped(table: TextTable, named: Picked) -> np.ndarray:
+def _grouped(table: TextTable, named: Column) -> np.ndarray:
     """Return the mean temperature of the sweep of each row, °C, NaN where it is missing."""
     values = named.values - ZERO
     order = np.argsort(values)

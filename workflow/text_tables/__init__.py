@@ -12,14 +12,14 @@ if TYPE_CHECKING:
     from .numerals import archive_kind, decoded, is_text
     from .remarks import quantity_of
     from .text_table import (
-        Picked,
+        Column,
+        ColumnSpec,
         TextTable,
-        Wanted,
-        picked,
-        picked_by_name,
+        describe_columns,
+        find_column,
         read_text_table,
+        select_columns,
         table_of_text,
-        told,
     )
     from .titles import UNREAD, Title, count_named
     from .units import FAMILIES, ZERO, Unit, unit_of

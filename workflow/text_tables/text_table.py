@@ -4,14 +4,14 @@ Use it as follows; ``key`` stands before every refusal, and options are named wh
 
     table = read_text_table("prony", path)
     wanted = (
-        Wanted("a frequency", "frequency", r"freq|omega|ω|^f$|^w$", "rad/s", "--frequency"),
-        Wanted("a storage modulus G'", "pressure", r"stor|^[GE]'$", "Pa", "--modulus"),
+        ColumnSpec("a frequency", "frequency", r"freq|omega|ω|^f$|^w$", "rad/s", "--frequency"),
+        ColumnSpec("a storage modulus G'", "pressure", r"stor|^[GE]'$", "Pa", "--modulus"),
     )
-    omega, storage = picked(table, wanted, columns=None, option="--columns")
-    phase = picked_by_name(table, Wanted("tan delta", "number", r"tan", "1"))  # or None
+    omega, storage = select_columns(table, wanted, columns=None, option="--columns")
+    phase = find_column(table, ColumnSpec("tan delta", "number", r"tan", "1"))  # or None
     omega.values            # rad/s, NaN where a value is missing
     storage.title.name      # "E'" where that is what the file says
-    told(table, (omega, storage))   # one line: what was read
+    describe_columns(table, (omega, storage))   # one line: what was read
 
 Columns are found by the numbers that the user gives, else by their names, else by their units,
 else by their order where the file names none. A unit that the file states is obeyed, or refused by
@@ -36,10 +36,10 @@ from .titles import NEAR, UNREAD, Title, count_named, titles_of, unread_line, un
 from .units import Unit, unit_of
 
 
-class Wanted(NamedTuple):
+class ColumnSpec(NamedTuple):
     """What a column is to hold, and how it is known."""
 
-    what: str  # in words, for messages: "a storage modulus G'"
+    meaning: str  # in words, for messages: "a storage modulus G'"
     family: str  # of its unit, one of FAMILIES; "number" takes what has none, and %
     names: str  # a pattern that its name holds, in whatever case
     default: str  # the unit where the file states none
@@ -47,15 +47,15 @@ class Wanted(NamedTuple):
     unit: str | None = None  # as the user gives it; goes before that of the file
 
 
-class Picked(NamedTuple):
+class Column(NamedTuple):
     """A column as it was read."""
 
     number: int  # from 0
     title: Title
     values: np.ndarray  # in SI units (rad/s, K), shape (rows,); NaN where one is missing
     unit: Unit
-    whose: str  # "given", "of the file" or "assumed"
-    wanted: Wanted
+    unit_source: str  # "given", "of the file" or "assumed"
+    spec: ColumnSpec
     code: float | None = None  # that stands for a missing value
 
 
@@ -163,7 +163,7 @@ class TextTable:
             raise UserError(f"{self.key}: {self.name!r}: {error}") from None
 
     @property
-    def columns_told(self) -> str:
+    def columns_text(self) -> str:
         """Return the columns in words, with their numbers."""
         if not self.titles:
             return f"{self.width} columns without names"
@@ -209,12 +209,12 @@ def table_of_text(key: str, name: str, text: str) -> TextTable:
     return TextTable(key, name, cells)
 
 
-def picked(
+def select_columns(
     table: TextTable,
-    wanted: Sequence[Wanted],
+    wanted: Sequence[ColumnSpec],
     columns: Sequence[int] | None = None,
     option: str = "--columns",
-) -> tuple[Picked, ...]:
+) -> tuple[Column, ...]:
     """Return the columns that are wanted, in that order.
 
     columns : their numbers, from 0, as the user gives them, one for each. option : by which they
@@ -226,21 +226,21 @@ def picked(
         if column >= table.width:
             raise UserError(
                 f"{table.key}: {option} asks for column {column} of {table.name!r}: it holds "
-                f"{table.columns_told}, from 0"
+                f"{table.columns_text}, from 0"
             )
     pairs = zip(wanted, places, strict=True)
     return tuple(_read(table, one, place, option) for one, place in pairs)
 
 
-def picked_by_name(table: TextTable, one: Wanted, option: str = "--columns") -> Picked | None:
-    """Return the column that a name says, None where none does. Raises UserError as ``picked``."""
+def find_column(table: TextTable, one: ColumnSpec, option: str = "--columns") -> Column | None:
+    """Return the column of a name, None without one. Raises UserError as ``select_columns``."""
     own = [column for column in table.numeric if _named(table.title(column), one)]
     if len(own) > 1:
         raise _unclear(table, (one,), option)
     return _read(table, one, own[0], option) if own else None
 
 
-def _places(table: TextTable, wanted: Sequence[Wanted], option: str) -> list[int]:
+def _places(table: TextTable, wanted: Sequence[ColumnSpec], option: str) -> list[int]:
     """Return the number of the column of each: by names, by units, else by the order."""
     free, places = list(table.numeric), dict[int, int]()
     for index, one in enumerate(wanted):
@@ -271,7 +271,7 @@ def _places(table: TextTable, wanted: Sequence[Wanted], option: str) -> list[int
     return [places[index] for index in range(len(wanted))]
 
 
-def _rivals(table: TextTable, wanted: Sequence[Wanted], one: Wanted) -> list[int]:
+def _rivals(table: TextTable, wanted: Sequence[ColumnSpec], one: ColumnSpec) -> list[int]:
     """Return the columns that by their unit may be what is wanted, and by their name nothing is."""
     titles = {column: table.title(column) for column in table.numeric}
     return [
@@ -281,62 +281,64 @@ def _rivals(table: TextTable, wanted: Sequence[Wanted], one: Wanted) -> list[int
     ]
 
 
-def _names_several(table: TextTable, wanted: Sequence[Wanted]) -> bool:
+def _names_several(table: TextTable, wanted: Sequence[ColumnSpec]) -> bool:
     """Return whether a line above the rows names several columns, though not which."""
     patterns = [one.names for one in wanted]
     return any(count_named(line, patterns) > 1 for line in table.above[-NEAR:])
 
 
-def _named(title: Title, one: Wanted) -> bool:
+def _named(title: Title, one: ColumnSpec) -> bool:
     unit = unit_of(title.unit)
     loose = not title.stated and unit is not None and unit.family != "temperature"
     fitting = unit is None or loose or _same_family(unit, one)
     return bool(title.name) and fitting and bool(re.search(one.names, title.name, re.IGNORECASE))
 
 
-def _of_family(title: Title, one: Wanted) -> bool:
+def _of_family(title: Title, one: ColumnSpec) -> bool:
     unit = unit_of(title.unit)
     return unit is not None and _same_family(unit, one)
 
 
-def _by_unit(title: Title, one: Wanted) -> bool:
+def _by_unit(title: Title, one: ColumnSpec) -> bool:
     """Return whether a unit says what a column is; 1 or % of a column with a name says nothing."""
     unit = unit_of(title.unit)
     number = unit is not None and unit.family == "number"
     return _of_family(title, one) and not (number and title.name not in ("", UNREAD))
 
 
-def _same_family(unit: Unit, one: Wanted) -> bool:
+def _same_family(unit: Unit, one: ColumnSpec) -> bool:
     return unit.family == one.family or (unit.family, one.family) == ("rate", "frequency")
 
 
-def _unclear(table: TextTable, wanted: Sequence[Wanted], option: str) -> UserError:
-    names = " and ".join(one.what for one in wanted)
+def _unclear(table: TextTable, wanted: Sequence[ColumnSpec], option: str) -> UserError:
+    names = " and ".join(one.meaning for one in wanted)
     return UserError(
-        f"{table.key} = {table.name!r}: holds {table.columns_told}, from 0: it is not clear which "
+        f"{table.key} = {table.name!r}: holds {table.columns_text}, from 0: it is not clear which "
         f"holds {names}; give {option}"
     )
 
 
-def _read(table: TextTable, one: Wanted, column: int, option: str) -> Picked:
+def _read(table: TextTable, one: ColumnSpec, column: int, option: str) -> Column:
     title = table.title(column)
     where = f"{table.key} = {table.name!r}: column {column}{f' {title.name!r}' * bool(title.name)}"
     way = f"; give {one.option}" if one.option else f"; give {option}"
     if re.match(LOGARITHM, title.name, re.IGNORECASE) and not re.search(one.names, "log"):
-        raise UserError(f"{where}: holds logarithms, not {one.what}: write the numbers themselves")
+        raise UserError(
+            f"{where}: holds logarithms, not {one.meaning}: write the numbers themselves"
+        )
     if one.family == "pressure" and re.search(STRESS, title.name, re.IGNORECASE):
-        raise UserError(f"{where}: holds a stress, not {one.what}: divide it by the strain")
+        raise UserError(f"{where}: holds a stress, not {one.meaning}: divide it by the strain")
     if one.unit is not None:
         unit, whose = unit_of(one.unit), "given"
         if unit is None or not _same_family(unit, one):
-            raise UserError(f"{table.key}: {one.option} {one.unit}: is no unit of {one.what}")
+            raise UserError(f"{table.key}: {one.option} {one.unit}: is no unit of {one.meaning}")
     elif title.unit and (title.stated or _of_family(title, one)):
         unit, whose = unit_of(title.unit), "of the file"
         if unit is None:
-            raise UserError(f"{where}: the unit {title.unit!r} of {one.what} is not known{way}")
+            raise UserError(f"{where}: the unit {title.unit!r} of {one.meaning} is not known{way}")
         if not _same_family(unit, one):
             raise UserError(
-                f"{where}: is in {title.unit!r}, which is no unit of {one.what}; give {option}"
+                f"{where}: is in {title.unit!r}, which is no unit of {one.meaning}; give {option}"
             )
     else:
         inside = [word for word in title.name.split()[:-1] if _of_family(Title(unit=word), one)]
@@ -354,17 +356,17 @@ def _read(table: TextTable, one: Wanted, column: int, option: str) -> Picked:
     code = missing_code(values, repeated=False)
     if code is not None:
         values = np.where(values == code.value, np.nan, values)
-    return Picked(column, title, unit.si(values), unit, whose, one, code and code.value)
+    return Column(column, title, unit.si(values), unit, whose, one, code and code.value)
 
 
-def told(table: TextTable, columns: Sequence[Picked]) -> str:
+def describe_columns(table: TextTable, columns: Sequence[Column]) -> str:
     """Return in one line which columns were read as what, in which units, and whose they are."""
     parts = []
     for one in columns:
         name = f" {one.title.name}" if one.title.name else ""
         unit = f" in {one.unit.text}" if one.unit.family != "number" else ""
-        whose = "" if one.whose == "of the file" or not unit else f" ({one.whose})"
-        parts.append(f"column {one.number}{name} as {one.wanted.what}{unit}{whose}")
+        whose = "" if one.unit_source == "of the file" or not unit else f" ({one.unit_source})"
+        parts.append(f"column {one.number}{name} as {one.spec.meaning}{unit}{whose}")
     missing = sum(int(np.isnan(one.values).sum()) for one in columns)
     text = f"{table.name}: {len(table.rows)} rows; {', '.join(parts)}"
     if len(table.blocks) > 1:

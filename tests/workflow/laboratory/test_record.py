@@ -45,8 +45,8 @@ def test_units_in_any_form_and_order(tmp_path, header, time, velocity):
 def test_missing_samples_are_passed_over_and_equal_stamps_spread(tmp_path):
     found = read(tmp_path, "0 1 0.3\n0 1 0.3\n1 1 nan\n1 1 0.3\n2 1 0.3\n2 1 0.3\n")
     np.testing.assert_allclose(found.time, [0.0, 0.5, 1.0, 2.0, 2.5])
-    assert "1 value missing" in found.told[0]
-    assert found.told[1] == "2 samples have the time of the one before; spread"
+    assert "1 value missing" in found.description[0]
+    assert found.description[1] == "2 samples have the time of the one before; spread"
 
 
 @pytest.mark.parametrize(
@@ -70,7 +70,7 @@ def test_noise_of_displacements_widens_the_differences_and_is_refused_at_last(tm
                 read(tmp_path, rows, displacement="um")
             continue
         found = read(tmp_path, rows, displacement="um")
-        assert int(found.told[-1].split()[-2]) in widths
+        assert int(found.description[-1].split()[-2]) in widths
         assert found.velocity.std() < 0.1e-6
 
 

@@ -22,8 +22,8 @@ def test_without_a_header_they_are_rad_per_second_and_pascal(tmp_path):
     found = read(tmp_path, ROWS)
     np.testing.assert_array_equal(found.omega, [0.1, 1.0, 10.0, 100.0])
     np.testing.assert_array_equal(found.values, VALUES)
-    assert "in rad/s (assumed)" in found.told[0]
-    assert found.told[0].count("in Pa (assumed)") == 2
+    assert "in rad/s (assumed)" in found.description[0]
+    assert found.description[0].count("in Pa (assumed)") == 2
 
 
 @pytest.mark.parametrize(
@@ -73,7 +73,7 @@ def test_a_loss_factor_is_the_ratio_of_the_moduli(tmp_path, name):
     )
     found = read(tmp_path, f"f (Hz);storage modulus (MPa);{name}\n{rows}")
     np.testing.assert_allclose(found.values, 1e6 * VALUES)
-    assert "G'' = G' tan delta" in found.told
+    assert "G'' = G' tan delta" in found.description
 
 
 @pytest.mark.parametrize("names", ["E' (MPa);E'' (MPa)", "Young storage (MPa);Young loss (MPa)"])
@@ -82,13 +82,13 @@ def test_young_s_moduli_are_divided_and_that_is_said(tmp_path, names):
     np.testing.assert_allclose(read(tmp_path, text).values, 1e6 * VALUES / 3.0)
     found = read(tmp_path, text, poisson=0.25)
     np.testing.assert_allclose(found.values, 1e6 * VALUES / 2.5)
-    assert "divided by 2 (1 + nu) = 2.5" in found.told[1]
+    assert "divided by 2 (1 + nu) = 2.5" in found.description[1]
 
 
 def test_rows_in_which_a_value_is_missing_are_passed_over_and_counted(tmp_path):
     found = read(tmp_path, ROWS + "1e3 5.0 nan\n")
     np.testing.assert_array_equal(found.values, VALUES)
-    assert "1 value missing" in found.told[0]
+    assert "1 value missing" in found.description[0]
 
 
 @pytest.mark.parametrize(
@@ -136,7 +136,7 @@ def test_a_relaxation_test_is_taken_over_the_inverse_time(tmp_path, text, column
     assert found.over_time
     np.testing.assert_allclose(found.omega, [0.1, 1.0, 10.0, 100.0])
     np.testing.assert_allclose(found.values, unit * np.array([1.0, 2.0, 3.0, 4.0]))
-    assert text[0] != "-" or "left out: 2 samples up to t = 0" in found.told
+    assert text[0] != "-" or "left out: 2 samples up to t = 0" in found.description
 
 
 def test_samples_at_equal_steps_of_time_are_averaged_by_parts_of_a_decade(tmp_path):
@@ -164,7 +164,7 @@ def test_the_way_of_loading_tells_moduli_without_a_letter(tmp_path, above, facto
     header = "Frequency (rad/s),Storage modulus (Pa),Loss modulus (Pa)"
     found = read(tmp_path, f"{above}\n{header}\n1,3,6\n2,3,6\n4,3,6\n8,3,6\n")
     np.testing.assert_allclose(found.values, (3.0 + 6.0j) / factor)
-    assert re.search(words, "\n".join(found.told))
+    assert re.search(words, "\n".join(found.description))
 
 
 HEADER = "f (Hz), G' (MPa), G'' (MPa)"
@@ -197,7 +197,7 @@ def test_each_row_has_the_temperature_of_its_sweep(tmp_path, text, given):
     assert found.temperatures is not None
     np.testing.assert_allclose(found.temperatures, [5, 40, 5, 40, 5, 40])
     np.testing.assert_allclose(found.values.real / 1e6, [2, 1, 3, 1.5, 4, 2])
-    assert any("temperatures" in line for line in found.told)
+    assert any("temperatures" in line for line in found.description)
 
 
 def test_a_row_without_a_temperature_is_left_out(tmp_path):

@@ -19,7 +19,7 @@ ROOT = Path(__file__).resolve().parents[3]
 STUDY = ("axes", "cluster", "grid", "numerics", "read", "settings", "study", "tables", "variants")
 EFFECTS = ("branches", "material", "quantities", "scene", "segments", "shifting")
 DOCUMENT = ROOT / "tests" / "refusals.md"
-SURFACES = ("as_read", "files", "gaps", "positions", "profile", "table", "text_lines")
+SURFACES = ("raw_lines", "files", "gaps", "positions", "profile", "table", "text_lines")
 ROOMS = {
     "study": STUDY,
     "study/effects": EFFECTS,
@@ -37,10 +37,10 @@ ELSEWHERE = {"find_study", "read_grid_study", "_lines_in_blocks"}
 # tests/workflow/study/surfaces; their terms are among the other refusals.
 ELSEWHERE |= {"_npy", "_variables", "_with_surface_topography"}
 ELSEWHERE |= {
-    "given_profile",
-    "given_map",
+    "profile_of_array",
+    "map_of_array",
     "read_map",
-    "given_heights",
+    "heights_of_array",
     "check_finite",
     "check_load",
     "read_scene",

@@ -84,7 +84,7 @@ def test_there_are_as_many_realizations_as_measured_lines(tmp_path):
 def test_one_measured_line_is_a_study_without_standard_errors(tmp_path):
     study = measured_study(tmp_path, 1)
     assert (study.realizations, study.blocks) == (1, 1)
-    assert study.surface.told.endswith("no standard error is known: errors are NaN")
+    assert study.surface.description.endswith("no standard error is known: errors are NaN")
     with pytest.raises(
         UserError, match=r"only 1 line was measured; .* \"random-phase\", there may"
     ):
@@ -104,13 +104,13 @@ def test_rows_of_a_map_that_are_alike_are_taken_in_blocks(tmp_path):
         surface = {file = "map.npy", columns = COLUMNS, units = ["m", "m"]}
     """.replace("COLUMNS", str(list(range(41))))
     study = read_grid_study("map", tmp_path, tomllib.loads(text))
-    alike = study.surface.profile.alike
-    assert study.realizations_per_block >= alike.lines > 2.0
-    assert f"in blocks of {study.realizations_per_block}" in study.surface.told
+    correlation = study.surface.profile.correlation
+    assert study.realizations_per_block >= correlation.lines > 2.0
+    assert f"in blocks of {study.realizations_per_block}" in study.surface.description
     own = "study = {realizations_per_block = 2}\n" + text
     study = read_grid_study("map", tmp_path, tomllib.loads(own))
     assert study.realizations_per_block == 2
-    assert f"take study.realizations_per_block = {alike.block}" in study.surface.told
+    assert f"take study.realizations_per_block = {correlation.block}" in study.surface.description
 
 
 def test_a_scene_is_a_study_of_one_point():
@@ -158,7 +158,7 @@ def test_what_files_were_read_as_is_told_once_each(tmp_path):
         start = "relaxed"
     """
     study = read_grid_study("told", tmp_path, tomllib.loads(text))
-    (first, programme), (second, indentation) = study.told
+    (first, programme), (second, indentation) = study.descriptions
     assert (first, second) == ("programme", "indentation")
     assert "mm/s" in programme
     assert "um" in indentation

@@ -7,12 +7,17 @@ import numpy as np
 import pytest
 
 from elastomer_friction.workflow.ground import UserError
-from elastomer_friction.workflow.text_tables import Wanted, decoded, picked, table_of_text
+from elastomer_friction.workflow.text_tables import (
+    ColumnSpec,
+    decoded,
+    select_columns,
+    table_of_text,
+)
 
 WANTED = (
-    Wanted("a time", "time", r"time|^t$", "s"),
-    Wanted("a velocity", "velocity", r"vel|speed|^v([_ ]|$)", "m/s"),
-    Wanted("a coefficient of friction", "number", r"fric|^(mu|\u00b5)([_ ]|$)|cof", "1"),
+    ColumnSpec("a time", "time", r"time|^t$", "s"),
+    ColumnSpec("a velocity", "velocity", r"vel|speed|^v([_ ]|$)", "m/s"),
+    ColumnSpec("a coefficient of friction", "number", r"fric|^(mu|\u00b5)([_ ]|$)|cof", "1"),
 )
 NAMES = (("t", "Time", "Test time"), ("v", "Slide velocity", "speed"), ("mu", "COF", "Friction"))
 UNITS = (
@@ -53,7 +58,7 @@ def test_units_are_obeyed_or_refused(style):
         lines += [delimiter.join(f"{cell:.9g}" for cell in row) for row in ROWS[:, order] / factors]
         text = "Operator: B. Test\nCutoff 0.8 mm\n" + "\n".join(lines)
         try:
-            found = picked(table_of_text("key", "f.txt", decoded(text.encode())), WANTED)
+            found = select_columns(table_of_text("key", "f.txt", decoded(text.encode())), WANTED)
         except UserError:
             continue
         assert not unknown, text
@@ -64,17 +69,19 @@ def test_units_are_obeyed_or_refused(style):
 
 
 def test_a_quotient_in_a_name_is_no_unit():
-    share = Wanted("a share", "number", r"/ ?G_?0", "1")
+    share = ColumnSpec("a share", "number", r"/ ?G_?0", "1")
     table = table_of_text("key", "f.txt", "G_i/G_0,t\n0.5,1\n0.2,2\n")
-    assert picked(table, (share, WANTED[0]))[0].number == 0
+    assert select_columns(table, (share, WANTED[0]))[0].number == 0
 
 
 def test_units_of_a_letter_below_names():
     wanted = (
-        Wanted("a temperature", "temperature", "^T$", "°C"),
-        Wanted("log a_T", "number", "log", "1"),
+        ColumnSpec("a temperature", "temperature", "^T$", "°C"),
+        ColumnSpec("log a_T", "number", "log", "1"),
     )
-    found = picked(table_of_text("key", "f.txt", "T,log_aT\nC, -\n100,-11.7\n92,-10.9\n"), wanted)
+    found = select_columns(
+        table_of_text("key", "f.txt", "T,log_aT\nC, -\n100,-11.7\n92,-10.9\n"), wanted
+    )
     assert [one.values.tolist() for one in found] == [[373.15, 365.15], [-11.7, -10.9]]
 
 
@@ -84,7 +91,7 @@ def test_a_row_of_fewer_units_than_columns_is_refused(units):
     rows = "\n".join(f"{n} {0.1 * n} 0.5 1.0 23.{n}" for n in range(9))
     text = f"index  time  friction  velocity  temperature\n{units}\n{rows}"
     with pytest.raises(UserError, match=r"column 1 'time': it is not clear what '.*min"):
-        picked(table_of_text("key", "f.txt", text), WANTED)
+        select_columns(table_of_text("key", "f.txt", text), WANTED)
 
 
 @pytest.mark.parametrize(
@@ -102,7 +109,7 @@ def test_what_stands_between_units_shifts_none(header, row, time):
     text = f"{header}\n" + "\n".join([row] * 4)
     if time is None:
         with pytest.raises(UserError, match=r"not clear|not known"):
-            picked(table_of_text("key", "f.txt", text), WANTED)
+            select_columns(table_of_text("key", "f.txt", text), WANTED)
     else:
-        found = picked(table_of_text("key", "f.txt", text), WANTED)
+        found = select_columns(table_of_text("key", "f.txt", text), WANTED)
         assert [one.values[0] for one in found] == pytest.approx([time, 1.0, 0.5])

@@ -7,13 +7,13 @@ import pytest
 
 from elastomer_friction.workflow.ground import UserError
 from elastomer_friction.workflow.text_tables import (
-    Wanted,
+    ColumnSpec,
     decoded,
-    picked,
-    picked_by_name,
+    describe_columns,
+    find_column,
     read_text_table,
+    select_columns,
     table_of_text,
-    told,
 )
 
 RNG = np.random.default_rng(7)
@@ -149,9 +149,9 @@ def test_remarks_in_one_line_or_in_two_cells(text, remarks):
     assert not any(title.name for title in found.titles)
 
 
-OMEGA = Wanted("a frequency", "frequency", r"freq|omega|^f$", "rad/s", "--frequency")
-STORAGE = Wanted("a storage modulus", "pressure", r"stor|^[GE]'$", "Pa", "--modulus")
-LOSS = Wanted("a loss modulus", "pressure", r"loss|^[GE]''$", "Pa", "--modulus")
+OMEGA = ColumnSpec("a frequency", "frequency", r"freq|omega|^f$", "rad/s", "--frequency")
+STORAGE = ColumnSpec("a storage modulus", "pressure", r"stor|^[GE]'$", "Pa", "--modulus")
+LOSS = ColumnSpec("a loss modulus", "pressure", r"loss|^[GE]''$", "Pa", "--modulus")
 MODULI = (OMEGA, STORAGE, LOSS)
 
 
@@ -174,7 +174,7 @@ MODULI = (OMEGA, STORAGE, LOSS)
     ],
 )
 def test_columns_by_names_by_units_and_by_their_order(text, numbers, factor):
-    found = picked(table(text), MODULI)
+    found = select_columns(table(text), MODULI)
     assert [one.number for one in found] == numbers
     np.testing.assert_allclose(found[1].values, table(text).values(numbers[1]) * factor)
 
@@ -182,8 +182,8 @@ def test_columns_by_names_by_units_and_by_their_order(text, numbers, factor):
 def test_columns_and_units_that_are_given():
     text = "A (Hz),B (Pa),C (Pa),D (Pa)\n1,2,3,4\n2,3,4,5\n"
     wanted = (OMEGA, STORAGE._replace(unit="kPa"), LOSS)
-    found = picked(table(text), wanted, (0, 3, 1))
-    assert [one.whose for one in found] == ["of the file", "given", "of the file"]
+    found = select_columns(table(text), wanted, (0, 3, 1))
+    assert [one.unit_source for one in found] == ["of the file", "given", "of the file"]
     np.testing.assert_allclose(found[0].values, [2.0 * math.pi, 4.0 * math.pi])
     np.testing.assert_allclose(found[1].values, [4e3, 5e3])
 
@@ -226,25 +226,25 @@ def test_columns_and_units_that_are_given():
 )
 def test_what_the_file_does_not_say_is_refused(text, words):
     with pytest.raises(UserError, match=rf"^key.*{words}"):
-        picked(table(text), MODULI)
+        select_columns(table(text), MODULI)
 
 
 def test_columns_that_are_not_there():
     with pytest.raises(UserError, match=r"--columns asks for column 7 of 'f\.txt': it holds 3 col"):
-        picked(table("1 2 3\n2 3 4\n"), MODULI, (0, 1, 7))
+        select_columns(table("1 2 3\n2 3 4\n"), MODULI, (0, 1, 7))
 
 
 def test_a_column_that_may_be_missing():
-    phase = Wanted("tan delta", "number", "tan", "1")
-    assert picked_by_name(table("f,G'\n1,2\n2,3\n"), phase) is None
-    found = picked_by_name(table("f,G',tan delta (-)\n1,2,0.5\n2,3,0.6\n"), phase)
+    phase = ColumnSpec("tan delta", "number", "tan", "1")
+    assert find_column(table("f,G'\n1,2\n2,3\n"), phase) is None
+    found = find_column(table("f,G',tan delta (-)\n1,2,0.5\n2,3,0.6\n"), phase)
     assert found is not None
     assert found.values.tolist() == [0.5, 0.6]
 
 
 def test_what_was_read_is_one_line():
     found = table("f (Hz),G' (MPa),G''\n1,2,3\n2,nan,4\n")
-    assert told(found, picked(found, MODULI)) == (
+    assert describe_columns(found, select_columns(found, MODULI)) == (
         "f.txt: 2 rows; column 0 f as a frequency in Hz, column 1 G' as a storage modulus in MPa, "
         "column 2 G'' as a loss modulus in Pa (assumed); 1 value missing"
     )
@@ -290,14 +290,14 @@ def test_titles_between_rows_that_say_otherwise_are_refused(title):
 @pytest.mark.parametrize("usual", [[1.0, 1.0, 1.0, 1.0], [2.0, 3.0, 4.0, 5.0]])
 def test_codes_for_missing_values_are_no_values(code, usual):
     rows = "".join(f"{n} {value} 1\n" for n, value in enumerate([*usual, code], 1))
-    found = picked(table(f"f G' G''\n{rows}"), MODULI)
+    found = select_columns(table(f"f G' G''\n{rows}"), MODULI)
     assert np.isnan(found[1].values).tolist() == [False] * 4 + [True]
-    assert f"1 value missing ({code:g})" in told(table(f"f G' G''\n{rows}"), found)
+    assert f"1 value missing ({code:g})" in describe_columns(table(f"f G' G''\n{rows}"), found)
 
 
 def test_a_number_that_is_far_from_all_others_but_no_code_counts():
     rows = "".join(f"{n} {value} 1\n" for n, value in enumerate([1, 1, 1, 1, 700, 700], 1))
-    assert picked(table(f"f G' G''\n{rows}"), MODULI)[1].values[-1] == 700.0
+    assert select_columns(table(f"f G' G''\n{rows}"), MODULI)[1].values[-1] == 700.0
 
 
 @pytest.mark.parametrize(
@@ -313,7 +313,10 @@ def test_a_date_and_a_time_of_day_are_one_cell_of_words(stamp):
 @pytest.mark.parametrize("name", ["Shear stress", "Spannung"])
 def test_a_stress_is_no_modulus(name):
     rows = "0.1;3\n0.2;2\n0.4;1\n"
-    wanted = (Wanted("a time", "time", "^t$", "s"), MODULI[1])
+    wanted = (ColumnSpec("a time", "time", "^t$", "s"), MODULI[1])
     with pytest.raises(UserError, match=f"'{name}': holds a stress, not a .*: divide it by the st"):
-        picked(table(f"t [s];{name} [MPa]\n{rows}"), wanted)
-    assert picked(table(f"t [s];{name} relaxation modulus [MPa]\n{rows}"), wanted)[1].number == 1
+        select_columns(table(f"t [s];{name} [MPa]\n{rows}"), wanted)
+    assert (
+        select_columns(table(f"t [s];{name} relaxation modulus [MPa]\n{rows}"), wanted)[1].number
+        == 1
+    )

@@ -10,14 +10,21 @@ from pathlib import Path
 import numpy as np
 
 from ...ground import UserError
-from ...text_tables import Picked, TextTable, Wanted, picked, read_text_table, told
+from ...text_tables import (
+    Column,
+    ColumnSpec,
+    TextTable,
+    describe_columns,
+    read_text_table,
+    select_columns,
+)
 
 HEADER = 'a header "modulus [Pa], time [s]"'
-MODULUS = Wanted("a modulus", "pressure", r"modul|^[GE]([\W_]|\d|[bi]?$)", "Pa", HEADER)
-SHARE = Wanted(
+MODULUS = ColumnSpec("a modulus", "pressure", r"modul|^[GE]([\W_]|\d|[bi]?$)", "Pa", HEADER)
+SHARE = ColumnSpec(
     "a share of G_0", "number", r"alpha|\u03b1|share|norm|/ ?[GE]_?0|^g_?i?$", "1", HEADER
 )
-TIME = Wanted("a time", "time", r"time|tau|\u03c4|^t([\W_]|[bi]?$)", "s", HEADER)
+TIME = ColumnSpec("a time", "time", r"time|tau|\u03c4|^t([\W_]|[bi]?$)", "s", HEADER)
 OF_ABAQUS = re.compile(r"^\s*\*VISCOELASTIC", re.IGNORECASE)
 OF_YOUNG = re.compile(r"young|tens|^E([\W_]|\d|[bi]?$)", re.IGNORECASE)
 
@@ -33,8 +40,8 @@ def read_branches(
     """
     table = read_text_table(key, path, path.name)
     if any(OF_ABAQUS.search(line) for line in table.above) and len(table.numeric) == 3:
-        found = picked(table, (SHARE, TIME), (table.numeric[0], table.numeric[2]), HEADER)
-        said = f"{told(table, found)}; as Abaqus writes shares g_i, k_i, tau_i"
+        found = select_columns(table, (SHARE, TIME), (table.numeric[0], table.numeric[2]), HEADER)
+        said = f"{describe_columns(table, found)}; as Abaqus writes shares g_i, k_i, tau_i"
         return _of_shares(key, found, relaxed), said
     if len(table.numeric) == 3 and not table.titles:
         raise UserError(
@@ -42,12 +49,14 @@ def read_branches(
             f"below *VISCOELASTIC; put that line above them, or give two columns with {HEADER}"
         )
     if _of_share(table):
-        found = picked(table, (SHARE, TIME), None, HEADER)
-        return _of_shares(key, found, relaxed), f"{told(table, found)}; G_0 from shear_modulus"
-    found = picked(table, (MODULUS, TIME), None, HEADER)
-    moduli, said = found[0].values, told(table, found)
+        found = select_columns(table, (SHARE, TIME), None, HEADER)
+        return _of_shares(
+            key, found, relaxed
+        ), f"{describe_columns(table, found)}; G_0 from shear_modulus"
+    found = select_columns(table, (MODULUS, TIME), None, HEADER)
+    moduli, said = found[0].values, describe_columns(table, found)
     _check_finite(key, path, found)
-    if found[0].whose == "assumed" and moduli.sum() < 1.0:
+    if found[0].unit_source == "assumed" and moduli.sum() < 1.0:
         raise UserError(
             f"{key} = {path.name!r}: the moduli sum up to {moduli.sum():.3g}: for shares of G_0 "
             f"name the column alpha; for moduli give {HEADER}, with their unit"
@@ -68,7 +77,7 @@ def _of_share(table: TextTable) -> bool:
     )
 
 
-def _of_shares(key: str, found: tuple[Picked, ...], relaxed: float) -> list[list[float]]:
+def _of_shares(key: str, found: tuple[Column, ...], relaxed: float) -> list[list[float]]:
     shares, times = (one.values for one in found)
     whole = float(shares.sum())
     if not 0.0 < whole < 1.0:
@@ -76,7 +85,7 @@ def _of_shares(key: str, found: tuple[Picked, ...], relaxed: float) -> list[list
     return np.stack([shares * relaxed / (1.0 - whole), times], axis=1).tolist()
 
 
-def _check_finite(key: str, path: Path, found: tuple[Picked, ...]) -> None:
+def _check_finite(key: str, path: Path, found: tuple[Column, ...]) -> None:
     for one in found:
         if not np.isfinite(one.values).all():
-            raise UserError(f"{key} = {path.name!r}: {one.wanted.what} is missing in a row")
+            raise UserError(f"{key} = {path.name!r}: {one.spec.meaning} is missing in a row")

@@ -53,7 +53,7 @@ class Material(NamedTuple):
     wlf: Wlf | None = None
     temperature: float | None = None  # °C, with a law of the shift
     poisson: float = 0.5  # Poisson's ratio, the same at all times
-    told: str = ""  # what its branches were read from
+    description: str = ""  # what its branches were read from
     arrhenius: Arrhenius | None = None  # in place of wlf
     shifts: ShiftTable | None = None  # in place of wlf
 
@@ -144,7 +144,7 @@ def read_material(where: str, table: Mapping[str, Any], folder: Path) -> Materia
         branches=_merged(branches),
         temperature=given["temperature"],
         poisson=given["poisson"],
-        told=told,
+        description=told,
         **shifts,
     )
 

@@ -72,7 +72,7 @@ class FromFile(NamedTuple):
 
     times: tuple[float, ...]  # s, ascending
     velocities: tuple[float, ...]  # m/s
-    told: str = ""  # what it was read as
+    description: str = ""  # what it was read as
 
 
 Segment = SlideSegment | HoldSegment | RampSegment | Oscillate | FromFile
@@ -111,7 +111,7 @@ class Scene(NamedTuple):
     programme: Programme = ()  # empty: steady at v1, a jump to v2, relaxation
     indentation_history: History | None = None  # d(t) (s, m), constant beyond its ends
     drive: Spring | None = None  # through which the programme pulls; None: it moves the line
-    indentation_told: str = ""  # what it was read from
+    indentation_description: str = ""  # what it was read from
 
     @property
     def segments(self) -> Programme:
@@ -121,7 +121,7 @@ class Scene(NamedTuple):
     @property
     def sampled(self) -> tuple[str, ...]:
         """Return what the sampled velocities of the programme were read as, each once."""
-        found = [segment.told for segment in self.programme if isinstance(segment, FromFile)]
+        found = [segment.description for segment in self.programme if isinstance(segment, FromFile)]
         return tuple(dict.fromkeys(found))
 
     @property

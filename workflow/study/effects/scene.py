@@ -49,7 +49,7 @@ def read_scene_table(own: Mapping[str, Any], folder: Path, materials: Iterable[M
         quantities=asked,
         programme=programme,
         indentation_history=times,
-        indentation_told=told,
+        indentation_description=told,
         drive=drive,
         **given,
     )

@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 
 from ...ground import UserError
-from ...text_tables import Wanted, picked, read_text_table, told
+from ...text_tables import ColumnSpec, describe_columns, read_text_table, select_columns
 from ..settings import (
     NOT_ZERO,
     NUMBER,
@@ -41,12 +41,12 @@ from .programme import (
 MOST_SEGMENTS = 1000
 PULLED = "pull"  # the kind of segment of a programme that is a drive's
 MOST_SAMPLES = 100_000  # of a file
-TIME = Wanted("a time", "time", r"time|zeit|^t$", "s", "a header with units that are known")
+TIME = ColumnSpec("a time", "time", r"time|zeit|^t$", "s", "a header with units that are known")
 VELOCITY = TIME._replace(
-    what="a velocity", family="velocity", names=r"vel|speed|^v([_ ]|$)", default="m/s"
+    meaning="a velocity", family="velocity", names=r"vel|speed|^v([_ ]|$)", default="m/s"
 )
 INDENTED = TIME._replace(
-    what="an indentation", family="length", names=r"ind|depth|^d([_ ]|$)", default="m"
+    meaning="an indentation", family="length", names=r"ind|depth|^d([_ ]|$)", default="m"
 )
 
 
@@ -322,17 +322,17 @@ def _driven(where: str, columns: np.ndarray, said: str) -> FromFile:
     return FromFile(tuple((times - times[0]).tolist()), tuple(velocities.tolist()), said)
 
 
-def read_sampled(key: str, path: Path, wanted: Wanted) -> tuple[np.ndarray, str]:
+def read_sampled(key: str, path: Path, wanted: ColumnSpec) -> tuple[np.ndarray, str]:
     """Return times and values of a file, shape (2, samples), in SI units, and how it was read.
 
     Times must be increasing. wanted : the second column. Raises UserError.
     """
     table = read_text_table(key, path, path.name)
-    second = f"{wanted.what.split()[-1]} [{wanted.default}]"
-    found = picked(table, (TIME, wanted), None, f"the header time [s], {second}")
+    second = f"{wanted.meaning.split()[-1]} [{wanted.default}]"
+    found = select_columns(table, (TIME, wanted), None, f"the header time [s], {second}")
     columns = np.array([one.values for one in found])
     _check_sampled(f"{key} = {path.name!r}", columns)
-    return columns, f"; read {told(table, found)}"
+    return columns, f"; read {describe_columns(table, found)}"
 
 
 def _check_sampled(key: str, columns: np.ndarray) -> None:

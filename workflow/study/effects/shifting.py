@@ -21,7 +21,7 @@ from typing import NamedTuple, TypeVar
 import numpy as np
 
 from ...ground import UserError
-from ...text_tables import ZERO, Wanted, picked, read_text_table, told
+from ...text_tables import ZERO, ColumnSpec, describe_columns, read_text_table, select_columns
 from ..settings import NUMBER, Key, as_text, number, pair, positive, read_table, two_numbers
 
 SHIFT_KEYS = ("wlf", "arrhenius", "shifts")  # by their keys
@@ -30,8 +30,8 @@ KELVIN = 230.0  # degrees above the reference: 0 °C in K is 273 above itself
 GAS_CONSTANT = 8.314462618  # J/(mol K)
 Numbers = TypeVar("Numbers", float, np.ndarray)
 HEADER = 'a header "temperature [°C], log a_T"'
-TEMPERATURE = Wanted("a temperature", "temperature", r"temp|^T([\W_]|$)", "°C", HEADER)
-DECADES = Wanted("log10 a_T", "number", r"a_?T|shift|log", "1", HEADER)
+TEMPERATURE = ColumnSpec("a temperature", "temperature", r"temp|^T([\W_]|$)", "°C", HEADER)
+DECADES = ColumnSpec("log10 a_T", "number", r"a_?T|shift|log", "1", HEADER)
 
 
 class Wlf(NamedTuple):
@@ -112,7 +112,7 @@ def read_shift_table(key: str, path: Path) -> ShiftTable:
     Raises UserError, which begins with ``key``.
     """
     table = read_text_table(key, path, path.name)
-    temperature, shift = picked(table, (TEMPERATURE, DECADES), None, HEADER)
+    temperature, shift = select_columns(table, (TEMPERATURE, DECADES), None, HEADER)
     values, name = shift.values, shift.title.name
     if re.match(r"ln", name, re.IGNORECASE):
         values = values / math.log(10.0)
@@ -121,7 +121,7 @@ def read_shift_table(key: str, path: Path) -> ShiftTable:
             raise UserError(f"{key} = {path.name!r}: a_T must be greater than zero; give {HEADER}")
         values = np.log10(values)
     rows = np.stack([temperature.values - ZERO, values], axis=1).tolist()
-    return _shift_table(key, rows)._replace(told=told(table, (temperature, shift)))
+    return _shift_table(key, rows)._replace(told=describe_columns(table, (temperature, shift)))
 
 
 def _shift_table(key: str, value: object) -> ShiftTable:

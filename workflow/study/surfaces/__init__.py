@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 from ...ground import public_names
 
 if TYPE_CHECKING:
-    from .profile import Profile, check_load, given_map, given_profile
+    from .profile import Profile, check_load, map_of_array, profile_of_array
     from .surface import Surface
     from .table import LIKE, SURFACE, check_cutoff, lines_like, read_surface
 

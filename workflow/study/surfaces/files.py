@@ -7,8 +7,8 @@ import numpy as np
 from ...ground import UserError, open_plain, read_plain
 from ...system import unreadable
 from ...text_tables import archive_kind, is_text
-from .as_read import KEY, Asked, Lines, Raw, apart, check_numbered, lines_of, plain
 from .positions import rounding
+from .raw_lines import KEY, LineFile, Lines, RawLines, check_numbered, lines_of, plain, row_spacing
 from .text_lines import read_text_lines
 
 USUAL_COLUMNS = (0, 1)
@@ -17,7 +17,7 @@ ARCHIVED = (".x3p", ".npy")  # formats that are archives, or may hold one
 NOT_PLAIN = (".sdf", ".ezd", ".nid", ".plu")  # text, but with headers that scale the numbers
 
 
-def read_lines(asked: Asked) -> Lines:
+def read_lines(asked: LineFile) -> Lines:
     """Return the lines of a file in m.
 
     ``.npy`` and ``.nc`` are known by their suffix, text by what it is, whatever its suffix; the
@@ -43,7 +43,7 @@ def read_lines(asked: Asked) -> Lines:
         raise UserError(f"{KEY} = {asked.name!r}: cannot be read: {reason}") from None
 
 
-def _npy(asked: Asked) -> Raw:
+def _npy(asked: LineFile) -> RawLines:
     values = np.load(asked.path, mmap_mode="r", allow_pickle=False)  # no more than is there
     if not isinstance(values, np.ndarray):
         raise ValueError("holds several arrays")
@@ -58,12 +58,12 @@ def _npy(asked: Asked) -> Raw:
         )
     table = values[:, columns].T.astype(float)
     if asked.step is not None:
-        return Raw(table, None, np.empty(0), asked.step, (), f"columns {list(columns)}")
+        return RawLines(table, None, np.empty(0), asked.step, (), f"columns {list(columns)}")
     known = np.full(table.shape[1], rounding(values[:, columns[0]]))
-    return Raw(table[1:], table[0], known, None, (), f"columns {list(columns)}")
+    return RawLines(table[1:], table[0], known, None, (), f"columns {list(columns)}")
 
 
-def _netcdf(asked: Asked) -> Raw:
+def _netcdf(asked: LineFile) -> RawLines:
     import netCDF4
 
     if why := unreadable([asked.path]).get(asked.path):
@@ -80,11 +80,11 @@ def _netcdf(asked: Asked) -> Raw:
         rows = None
         if len(across) == 1 and across[0] is not None:
             unit = str(getattr(across[0], "units", getattr(across[0], "unit", own[0])))
-            rows = apart(plain(across[0][:]), unit)
-        return Raw(heights.reshape(-1, x.size), plain(x[:]), known, None, own, told, rows)
+            rows = row_spacing(plain(across[0][:]), unit)
+        return RawLines(heights.reshape(-1, x.size), plain(x[:]), known, None, own, told, rows)
 
 
-def _variables(asked: Asked, variables: dict) -> tuple:
+def _variables(asked: LineFile, variables: dict) -> tuple:
     """Return the variables of positions and heights of a netCDF file."""
     if asked.columns:
         names = asked.columns
@@ -106,7 +106,7 @@ def _variables(asked: Asked, variables: dict) -> tuple:
     return x, z
 
 
-def _with_surface_topography(asked: Asked) -> Raw:
+def _with_surface_topography(asked: LineFile) -> RawLines:
     try:
         import SurfaceTopography
     except ImportError:
@@ -125,10 +125,10 @@ def _with_surface_topography(asked: Asked) -> Raw:
     if topography.dim == 2:  # a map: every row along x is a line
         x = np.arange(topography.nb_grid_pts[0]) * topography.pixel_size[0]
         heights = plain(topography.heights()).T
-        rows = apart(np.array([0.0, topography.pixel_size[1]]), unit)
+        rows = row_spacing(np.array([0.0, topography.pixel_size[1]]), unit)
     else:
         x, z = topography.positions_and_heights()
         heights = plain(z)[None, :]
     known = np.full(len(x), rounding(x))
     told = f"read by SurfaceTopography as a {'map' if topography.dim == 2 else 'line'}"
-    return Raw(heights, plain(x), known, None, (unit, unit), told, rows)
+    return RawLines(heights, plain(x), known, None, (unit, unit), told, rows)

@@ -8,10 +8,10 @@ import numpy as np
 from ....kernels import measured_amplitudes, rms_slope
 from ....kernels.half_space.surface import map_amplitudes, rms_slope_of
 from ...ground import UserError
-from .alike import Alike, alike
-from .as_read import KEY, LEAST_SAMPLES, Asked, plain
 from .files import read_lines
+from .line_correlation import LineCorrelation, line_correlation
 from .positions import UNEVEN
+from .raw_lines import KEY, MIN_SAMPLES, LineFile, plain
 
 SLOPES = 1e-5, 30.0  # of lines with heights and lengths in one unit
 LOADS = 1e-8, 1e6  # F_N/(4 G L h)
@@ -28,7 +28,7 @@ class Profile(NamedTuple):
     measured_length: float  # m, of a line as it was measured: half the period if mirrored
     notes: str  # where the lines come from and what was done to them
     digest: str  # of the heights: what a stored result depends on
-    alike: Alike | None = None  # what neighbouring lines have in common; None: independent
+    correlation: LineCorrelation | None = None  # of neighbouring lines; None: independent
 
     @property
     def spacing(self) -> float:
@@ -63,7 +63,7 @@ def _of_each(heights: np.ndarray) -> tuple[int, ...]:
 
 
 @quietly
-def read_profile(asked: Asked, detrend: str, periodic: str) -> Profile:
+def read_profile(asked: LineFile, detrend: str, periodic: str) -> Profile:
     """Return the prepared lines of a file. Raises UserError, one line that names key and file."""
     lines = read_lines(asked)
     levelled = level(lines.heights, detrend)
@@ -74,12 +74,12 @@ def read_profile(asked: Asked, detrend: str, periodic: str) -> Profile:
         notes += f"{hint}, kept"
     whole = make_periodic(levelled, periodic)
     return _measured(asked, whole, lines.step, periodic, notes, hint)._replace(
-        alike=alike(levelled)
+        correlation=line_correlation(levelled)
     )
 
 
 @quietly
-def read_map(asked: Asked, detrend: str, periodic: str) -> Profile:
+def read_map(asked: LineFile, detrend: str, periodic: str) -> Profile:
     """Return the prepared map of a file, the largest square in its middle. Raises UserError.
 
     Its rows must be as far apart as the samples of a row, and are where the file does not say.
@@ -89,22 +89,22 @@ def read_map(asked: Asked, detrend: str, periodic: str) -> Profile:
         raise UserError('surface.gaps = "drop": leaves rows out of a map; use "fill"')
     lines = read_lines(asked)
     rows, samples = lines.heights.shape
-    if rows < LEAST_SAMPLES:
+    if rows < MIN_SAMPLES:
         raise UserError(
             f"{what}: {rows} rows of {samples} samples are no map, which a half-space needs; use "
             'scene.body = "foundation", or scene.run with a line contact'
         )
-    if lines.apart is not None and abs(lines.apart / lines.step - 1.0) > UNEVEN:
+    if lines.row_spacing is not None and abs(lines.row_spacing / lines.step - 1.0) > UNEVEN:
         raise UserError(
-            f"{what}: its rows are {lines.apart:.4g} m apart and samples {lines.step:.4g} m: a "
-            "half-space needs a map of square cells"
+            f"{what}: its rows are {lines.row_spacing:.4g} m apart and samples "
+            f"{lines.step:.4g} m: a half-space needs a map of square cells"
         )
     side = min(rows, samples)
     top, left = (rows - side) // 2, (samples - side) // 2
     square = lines.heights[top : top + side, left : left + side]
     levelled = _level_map(square, detrend)
     check_not_flat(what, levelled[None], square[None])
-    assumed = " (assumed)" if lines.apart is None else ""
+    assumed = " (assumed)" if lines.row_spacing is None else ""
     cut = "" if rows == samples else f"; the middle {side} x {side} of {rows} x {samples}"
     notes = (
         f"{lines.notes}; a map, rows as far apart as samples{assumed}{cut}; {detrend} removed, "
@@ -115,7 +115,7 @@ def read_map(asked: Asked, detrend: str, periodic: str) -> Profile:
 
 
 def _measured(
-    asked: Asked, heights: np.ndarray, step: float, periodic: str, notes: str, hint: str = ""
+    asked: LineFile, heights: np.ndarray, step: float, periodic: str, notes: str, hint: str = ""
 ) -> Profile:
     """Return the profile of heights that are one period, with what they are like in its notes."""
     length = step * heights.shape[-1]
@@ -126,35 +126,35 @@ def _measured(
 
 
 @quietly
-def given_profile(heights: object, length: float) -> Profile:
+def profile_of_array(heights: object, length: float) -> Profile:
     """Return the profile of heights given in m, shape (n,) or (lines, n), one period each.
 
     length : of the period (m), n steps; one element per sample. Raises UserError that names the
     argument, ``profile``.
     """
-    lines = given_heights(heights)
-    if lines.ndim != 2 or not lines.size or lines.shape[1] < LEAST_SAMPLES:
+    lines = heights_of_array(heights)
+    if lines.ndim != 2 or not lines.size or lines.shape[1] < MIN_SAMPLES:
         raise UserError(
-            f"profile: has the shape {lines.shape}: must hold at least {LEAST_SAMPLES} "
+            f"profile: has the shape {lines.shape}: must hold at least {MIN_SAMPLES} "
             "heights, or lines of them"
         )
     notes = f"given from Python: {len(lines)} of {lines.shape[1]} samples, one period as it is"
     profile = _given(heights, lines, length, notes)
-    return profile._replace(alike=alike(level(lines, "mean")))
+    return profile._replace(correlation=line_correlation(level(lines, "mean")))
 
 
 @quietly
-def given_map(heights: object, length: float) -> Profile:
+def map_of_array(heights: object, length: float) -> Profile:
     """Return the map of heights given in m, shape (n, n), or (n,) of a line contact; one period.
 
     length : of the side (m), n steps; one element per sample. Raises UserError that names the
     argument, ``profile``.
     """
-    own = given_heights(heights)
-    if own.ndim != 2 or own.shape[0] not in (1, own.shape[1]) or own.shape[1] < LEAST_SAMPLES:
+    own = heights_of_array(heights)
+    if own.ndim != 2 or own.shape[0] not in (1, own.shape[1]) or own.shape[1] < MIN_SAMPLES:
         raise UserError(
             f"profile: has the shape {own.shape}: a half-space takes a square map (n, n), "
-            f"the last axis along x, or a line contact (n,), of {LEAST_SAMPLES} samples or more"
+            f"the last axis along x, or a line contact (n,), of {MIN_SAMPLES} samples or more"
         )
     what = "line contact" if own.shape[0] == 1 else "map"
     notes = f"given from Python: a {what} of {own.shape}, one period as it is"
@@ -170,7 +170,7 @@ def _given(heights: object, own: np.ndarray, length: float, notes: str) -> Profi
     return profile
 
 
-def given_heights(heights: object) -> np.ndarray:
+def heights_of_array(heights: object) -> np.ndarray:
     """Return heights that are given from Python, NaN where they are masked, in two dimensions.
 
     One dimension becomes one row; more than two stay. Raises UserError for what is no array.

@@ -82,7 +82,7 @@ class Surface(NamedTuple):
         return self.profile.amplitudes if self.profile is not None and modes is None else modes
 
     @property
-    def told(self) -> str:
+    def description(self) -> str:
         """What the lines are, in words; empty without a file."""
         if self.profile is None:
             return ""

@@ -19,9 +19,9 @@ from ..settings import (
     positive,
     within,
 )
-from .as_read import Asked, metres
 from .gaps import GAPS
 from .profile import DETRENDS, PERIODICS, read_map, read_profile
+from .raw_lines import LineFile, metres
 from .surface import LINES, OF_MAPS, Surface
 
 
@@ -189,7 +189,7 @@ def read_surface(given: Mapping[str, Any], folder: Path, body: str = FOUNDATION)
                 f"surface.columns = {list(settings['columns'])!r}: must be that of positions and "
                 "those of heights, as [0, 1]; of heights alone with surface.step"
             )
-        asked = Asked(folder / name, name, *how)
+        asked = LineFile(folder / name, name, *how)
         read = read_map if body == HALF_SPACE else read_profile
         profile = read(asked, settings["detrend"], settings["periodic"])
         like = {key: value for key, value in given.items() if key in LIKE}

@@ -17,8 +17,8 @@ from ...text_tables import (
     read_text_table,
     unit_of,
 )
-from .as_read import KEY, LEAST_SAMPLES, Asked, Raw, apart, check_numbered, metres
 from .positions import PointGrid, grid_of, is_uniform, precision, repeats
+from .raw_lines import KEY, MIN_SAMPLES, LineFile, RawLines, check_numbered, metres, row_spacing
 
 INDEX = r"^(index|idx|no\.?|nr\.?|n|i|#|number|point|sample|row|line|id)$"
 TIME = r"^(t|time)$"
@@ -40,7 +40,7 @@ SCALE = re.compile(
 MANY = 3  # columns, from which on numbers alone may be a matrix
 
 
-def read_text_lines(asked: Asked) -> Raw:
+def read_text_lines(asked: LineFile) -> RawLines:
     """Return the lines of a text file as they stand there.
 
     Raises UserError for what ``read_text_table`` refuses, for columns that are not there, for a
@@ -52,15 +52,15 @@ def read_text_lines(asked: Asked) -> Raw:
     if table.passed_over:
         lines = counted(len(table.passed_over), "line")
         over = f"; {lines} of words below the first row passed over"
-        raw = raw._replace(told=raw.told + over)
+        raw = raw._replace(description=raw.description + over)
     return raw
 
 
-def _lines_of_table(asked: Asked, table: TextTable) -> Raw:
+def _lines_of_table(asked: LineFile, table: TextTable) -> RawLines:
     check_numbered(asked)
     if any(column not in table.numeric for column in asked.columns):
         raise UserError(
-            f"surface.columns = {list(asked.columns)!r}: {asked.name!r} holds {table.columns_told}"
+            f"surface.columns = {list(asked.columns)!r}: {asked.name!r} holds {table.columns_text}"
             f", numbers in {', '.join(map(str, table.numeric))}"
         )
     for name, text in table.remarks.items():
@@ -81,10 +81,10 @@ def _lines_of_table(asked: Asked, table: TextTable) -> Raw:
     return _columns(asked, table, found, whose)
 
 
-def _columns(asked: Asked, table: TextTable, columns: tuple, whose: str) -> Raw:
+def _columns(asked: LineFile, table: TextTable, columns: tuple, whose: str) -> RawLines:
     """Return the lines of a column of positions and one or several of heights."""
     x = table.values(columns[0])
-    if x.size > LEAST_SAMPLES and repeats(x):
+    if x.size > MIN_SAMPLES and repeats(x):
         others = tuple(n for n in table.numeric if n not in columns)
         raw = _map(asked, table, columns[0], columns[1], others, along_x=bool(asked.columns))
         if raw is None:
@@ -101,12 +101,17 @@ def _columns(asked: Asked, table: TextTable, columns: tuple, whose: str) -> Raw:
         )
     units = tuple(_unit(asked, table, column) for column in columns)
     told = f"columns {', '.join(_named(table, n) for n in columns)}, {whose}"
-    return Raw(heights, x, _known(table, columns[0]), None, units, told)
+    return RawLines(heights, x, _known(table, columns[0]), None, units, told)
 
 
 def _map(
-    asked: Asked, table: TextTable, x: int, z: int, others: tuple[int, ...], along_x: bool = False
-) -> Raw | None:
+    asked: LineFile,
+    table: TextTable,
+    x: int,
+    z: int,
+    others: tuple[int, ...],
+    along_x: bool = False,
+) -> RawLines | None:
     """Return the lines of a list of points; None where no other column makes a grid with x."""
     for y in others:
         if _is_other(table.title(y)):
@@ -117,7 +122,9 @@ def _map(
     return None
 
 
-def _of_grid(asked: Asked, table: TextTable, grid: PointGrid, places: tuple[int, int, int]) -> Raw:
+def _of_grid(
+    asked: LineFile, table: TextTable, grid: PointGrid, places: tuple[int, int, int]
+) -> RawLines:
     x, y, z = places
     along, across = (y, x) if grid.turned else (x, y)
     units = (_unit(asked, table, along), _unit(asked, table, z))
@@ -126,16 +133,16 @@ def _of_grid(asked: Asked, table: TextTable, grid: PointGrid, places: tuple[int,
         f"of column {_named(table, across)}, heights of column {_named(table, z)}"
     )
     known = _known(table, along)[grid.first]
-    rows = apart(grid.rows, asked.units[0] if asked.units else table.title(across).unit)
-    return Raw(grid.heights, grid.x, known, None, units, told, rows)
+    rows = row_spacing(grid.rows, asked.units[0] if asked.units else table.title(across).unit)
+    return RawLines(grid.heights, grid.x, known, None, units, told, rows)
 
 
-def _heights_alone(asked: Asked, table: TextTable) -> Raw:
+def _heights_alone(asked: LineFile, table: TextTable) -> RawLines:
     """Return lines whose step is given by the user or a remark: one column, or the rows of many."""
     columns = asked.columns or table.numeric
     if len(columns) > 1 and not asked.columns and any(title.name for title in table.titles):
         raise UserError(
-            f"{KEY} = {asked.name!r}: holds {table.columns_told}, from 0: give those of heights, "
+            f"{KEY} = {asked.name!r}: holds {table.columns_text}, from 0: give those of heights, "
             "as surface.columns = [1]"
         )
     values = np.array([table.values(n) for n in columns])
@@ -153,16 +160,16 @@ def _heights_alone(asked: Asked, table: TextTable) -> Raw:
     told = f"{what}, step {whose}"
     rows = _quantity_of_remarks(asked, table, TALL) if matrix else None
     between = None if rows is None else rows / len(heights)
-    return Raw(heights, None, np.empty(0), step, ("", *units), told, between)
+    return RawLines(heights, None, np.empty(0), step, ("", *units), told, between)
 
 
-def _step_of_remarks(asked: Asked, table: TextTable, heights: np.ndarray) -> float | None:
+def _step_of_remarks(asked: LineFile, table: TextTable, heights: np.ndarray) -> float | None:
     """Return the step (m) that a remark such as "pitch = 0.5 um" or "Width: 96 um" says."""
     pitch, width = (_quantity_of_remarks(asked, table, each) for each in (PITCH, WIDTH))
     return width / heights.shape[1] if pitch is None and width is not None else pitch
 
 
-def _quantity_of_remarks(asked: Asked, table: TextTable, names: re.Pattern[str]) -> float | None:
+def _quantity_of_remarks(asked: LineFile, table: TextTable, names: re.Pattern[str]) -> float | None:
     """Return the length (m) that the first remark of such a name says; None without one."""
     for name, text in table.remarks.items():
         quantity = quantity_of(text)
@@ -183,7 +190,7 @@ def _remarked_unit(table: TextTable) -> str:
     return next((unit for unit in found if metres(unit) is not None), "")
 
 
-def _is_matrix(asked: Asked, table: TextTable) -> bool:
+def _is_matrix(asked: LineFile, table: TextTable) -> bool:
     """Return whether a table without titles holds heights in every column."""
     if asked.columns or len(table.numeric) < MANY or any(title.name for title in table.titles):
         return False
@@ -192,12 +199,10 @@ def _is_matrix(asked: Asked, table: TextTable) -> bool:
     if len(table.numeric) == MANY and repeats(table.values(table.numeric[0])):
         return False
     first = table.numeric[0]
-    return table.width >= LEAST_SAMPLES and not is_uniform(
-        table.values(first), _known(table, first)
-    )
+    return table.width >= MIN_SAMPLES and not is_uniform(table.values(first), _known(table, first))
 
 
-def _found_columns(asked: Asked, table: TextTable) -> tuple[int, ...]:
+def _found_columns(asked: LineFile, table: TextTable) -> tuple[int, ...]:
     """Return the columns of positions and heights, or x, y and z of a map; by names and units."""
     numeric = table.numeric
     if not table.titles:
@@ -223,9 +228,9 @@ def _found_columns(asked: Asked, table: TextTable) -> tuple[int, ...]:
     raise _not_clear(asked, table)
 
 
-def _not_clear(asked: Asked, table: TextTable) -> UserError:
+def _not_clear(asked: LineFile, table: TextTable) -> UserError:
     return UserError(
-        f"{KEY} = {asked.name!r}: holds {table.columns_told}, from 0: give those of positions and "
+        f"{KEY} = {asked.name!r}: holds {table.columns_text}, from 0: give those of positions and "
         "of heights, as surface.columns = [0, 1], or surface.step in place of positions"
     )
 
@@ -249,7 +254,7 @@ def _is_other(title: Title) -> bool:
     )
 
 
-def _unit(asked: Asked, table: TextTable, column: int) -> str:
+def _unit(asked: LineFile, table: TextTable, column: int) -> str:
     """Return the unit of a column as its title has it, "" without one.
 
     Raises UserError for one that is stated and is no length, unless the user gives units.

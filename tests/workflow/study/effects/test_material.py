@@ -64,8 +64,8 @@ def test_the_spectrum_has_the_same_complex_modulus(pairs, frequency, dashpot):
 def test_branches_of_a_file(tmp_path):
     (tmp_path / "branches.csv").write_text(FILES["branches.csv"])
     found = read(tmp_path, branches_file="branches.csv")
-    assert found._replace(told="") == read(tmp_path, branches=BRANCHES)
-    assert found.told == (
+    assert found._replace(description="") == read(tmp_path, branches=BRANCHES)
+    assert found.description == (
         "branches.csv: 2 rows; column 0 modulus as a modulus in Pa, column 1 time as a time in s"
     )
 

@@ -45,7 +45,7 @@ def read(tmp_path, *entries):
 )
 def test_segments_as_they_are_written(tmp_path, entry, segment):
     (found,) = read(tmp_path, entry)
-    assert (found._replace(told="") if isinstance(found, FromFile) else found) == segment
+    assert (found._replace(description="") if isinstance(found, FromFile) else found) == segment
 
 
 def test_an_amplitude_of_the_velocity_is_one_of_the_path(tmp_path):

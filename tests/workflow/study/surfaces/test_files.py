@@ -9,8 +9,8 @@ import numpy as np
 import pytest
 
 from elastomer_friction.workflow.ground import UserError
-from elastomer_friction.workflow.study.surfaces.as_read import Asked
 from elastomer_friction.workflow.study.surfaces.files import read_lines
+from elastomer_friction.workflow.study.surfaces.raw_lines import LineFile
 from tests.support.faults import endless
 
 ROOT = Path(__file__).resolve().parents[4]
@@ -19,7 +19,7 @@ Z = np.random.default_rng(6).normal(size=(3, 16))
 
 
 def read(path, columns=(), units=()):
-    return read_lines(Asked(path, path.name, columns, units))
+    return read_lines(LineFile(path, path.name, columns, units))
 
 
 def test_npy(tmp_path):
@@ -157,7 +157,7 @@ def test_maps_and_lines_of_surface_topography(tmp_path, monkeypatch, dim, expect
     monkeypatch.setitem(sys.modules, "SurfaceTopography", module)
     lines = read(instrument(tmp_path))
     np.testing.assert_allclose(lines.heights, expected * 1e-6)
-    assert lines.apart == (pytest.approx(0.7e-6) if dim == 2 else None)
+    assert lines.row_spacing == (pytest.approx(0.7e-6) if dim == 2 else None)
     assert lines.step == pytest.approx(0.5e-6)
 
 
@@ -188,7 +188,7 @@ def test_surface_topography_itself(tmp_path):
 def test_heights_of_an_array_without_positions(tmp_path):
     path = tmp_path / "l.npy"
     np.save(path, Z[0])
-    asked = Asked(path, path.name, (), ("um", "nm"), 0.5e-6)
+    asked = LineFile(path, path.name, (), ("um", "nm"), 0.5e-6)
     lines = read_lines(asked)
     np.testing.assert_allclose(lines.heights, Z[:1] * 1e-9)
     assert lines.step == 0.5e-6

@@ -8,7 +8,6 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from elastomer_friction.workflow.ground import UserError
-from elastomer_friction.workflow.study.surfaces.as_read import Asked, Raw, lines_of
 from elastomer_friction.workflow.study.surfaces.positions import precision, rounding, uniform_step
 from elastomer_friction.workflow.study.surfaces.profile import (
     DETRENDS,
@@ -18,6 +17,7 @@ from elastomer_friction.workflow.study.surfaces.profile import (
     make_periodic,
     spikes,
 )
+from elastomer_friction.workflow.study.surfaces.raw_lines import LineFile, RawLines, lines_of
 
 RNG = np.random.default_rng(8)
 LINES = RNG.normal(size=(3, 40)).cumsum(axis=1)
@@ -143,8 +143,8 @@ OWN = ("mm", "um")
 
 
 def lines(x=X, z=Z, own=OWN, units=(), known=0.0, gaps="refuse"):
-    raw = Raw(np.asarray(z), np.asarray(x), np.full(np.shape(x), known), None, own)
-    return lines_of(Asked(Path("f"), "f", (), units, gaps=gaps), raw)
+    raw = RawLines(np.asarray(z), np.asarray(x), np.full(np.shape(x), known), None, own)
+    return lines_of(LineFile(Path("f"), "f", (), units, gaps=gaps), raw)
 
 
 def test_lines_are_in_metres():

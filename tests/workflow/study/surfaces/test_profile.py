@@ -6,12 +6,12 @@ import numpy as np
 import pytest
 
 from elastomer_friction.workflow.ground import UserError
-from elastomer_friction.workflow.study.surfaces.files import Asked
+from elastomer_friction.workflow.study.surfaces.files import LineFile
 from elastomer_friction.workflow.study.surfaces.profile import (
     DETRENDS,
     PERIODICS,
     check_load,
-    given_profile,
+    profile_of_array,
     read_profile,
 )
 
@@ -23,7 +23,7 @@ LENGTH = 1e-4
 
 
 def read(path, detrend="line", periodic="mirror", units=()):
-    return read_profile(Asked(path, path.name, (), units), detrend, periodic)
+    return read_profile(LineFile(path, path.name, (), units), detrend, periodic)
 
 
 def test_lines_of_a_microscope():
@@ -59,33 +59,33 @@ def test_every_way_is_told_and_makes_one_period(detrend, periodic):
 
 
 def test_the_amplitudes_hold_the_mean_square_height_and_slope():
-    profile = given_profile(Z, LENGTH)
+    profile = profile_of_array(Z, LENGTH)
     q = 2.0 * np.pi / LENGTH * np.arange(1, 33)
     assert np.sum(profile.amplitudes**2) / 2 == pytest.approx(profile.roughness**2, rel=1e-12)
     slope = np.sqrt(np.sum((profile.amplitudes * q) ** 2) / 2)
     assert profile.slope == pytest.approx(slope, rel=1e-12)
-    single = [given_profile(z, LENGTH).amplitudes ** 2 for z in Z]
+    single = [profile_of_array(z, LENGTH).amplitudes ** 2 for z in Z]
     np.testing.assert_allclose(np.mean(single, axis=0), profile.amplitudes**2, rtol=1e-12)
 
 
 def test_a_profile_from_python_is_taken_as_it_is():
-    profile = given_profile(Z[0], LENGTH)
+    profile = profile_of_array(Z[0], LENGTH)
     np.testing.assert_array_equal(profile.heights, Z[:1])
     assert (profile.length, profile.measured_length) == (LENGTH, LENGTH)
     assert profile.roughness == pytest.approx(Z[0].std(), rel=1e-13)
-    assert given_profile(list(Z[0]), LENGTH).digest == profile.digest
+    assert profile_of_array(list(Z[0]), LENGTH).digest == profile.digest
 
 
 def test_the_digest_is_that_of_the_heights_alone():
-    profile = given_profile(Z, LENGTH)
-    assert given_profile(Z.copy(order="F"), 2.0 * LENGTH).digest == profile.digest
-    assert given_profile(Z.reshape(4, 32), LENGTH).digest != profile.digest
-    assert given_profile(np.nextafter(Z, 1.0), LENGTH).digest != profile.digest
+    profile = profile_of_array(Z, LENGTH)
+    assert profile_of_array(Z.copy(order="F"), 2.0 * LENGTH).digest == profile.digest
+    assert profile_of_array(Z.reshape(4, 32), LENGTH).digest != profile.digest
+    assert profile_of_array(np.nextafter(Z, 1.0), LENGTH).digest != profile.digest
 
 
 def test_heights_cannot_be_changed():
     own = Z.copy()
-    profile = given_profile(own, LENGTH)
+    profile = profile_of_array(own, LENGTH)
     with pytest.raises(ValueError, match="read-only"):
         profile.heights[0, 0] = 1.0
     own[0, 0] = 1.0  # those of the caller can, and are others
@@ -111,14 +111,14 @@ def test_heights_cannot_be_changed():
 )
 def test_profiles_that_are_none_are_refused_in_a_line(heights, words):
     with pytest.raises(UserError) as error:
-        given_profile(heights, LENGTH)
+        profile_of_array(heights, LENGTH)
     assert words in str(error.value)
     assert "\n" not in str(error.value)
 
 
 @pytest.mark.parametrize("load", [1e-8, 1e6, 0.9e-8, 1.1e6, np.nan])
 def test_loads_of_other_units_are_refused(load):
-    profile, loads = given_profile(Z, LENGTH), np.array([load, 1.0])
+    profile, loads = profile_of_array(Z, LENGTH), np.array([load, 1.0])
     if 1e-8 <= load <= 1e6:
         check_load("grid.normal_force", profile, loads)
         return

@@ -7,7 +7,7 @@ from elastomer_friction.kernels import amplitudes, rms_height, rms_slope
 from elastomer_friction.workflow.ground import UserError
 from elastomer_friction.workflow.study.settings import checked
 from elastomer_friction.workflow.study.surfaces import table
-from elastomer_friction.workflow.study.surfaces.profile import given_profile
+from elastomer_friction.workflow.study.surfaces.profile import profile_of_array
 from elastomer_friction.workflow.study.surfaces.surface import Surface
 from elastomer_friction.workflow.study.surfaces.table import SURFACE, check_cutoff
 
@@ -29,7 +29,7 @@ def folder(tmp_path):
 def test_lines_are_random_or_measured(folder):
     surface = read_surface({"length": 0.01}, folder)
     assert surface == Surface(0.01)
-    assert (surface.modes(100), surface.identity, surface.told) == ((0.0, 0), "", "")
+    assert (surface.modes(100), surface.identity, surface.description) == ((0.0, 0), "", "")
     assert surface.amplitudes is None
     surface = read_surface(HERE, folder)
     assert surface.profile.heights.shape == (1, 128)
@@ -60,7 +60,7 @@ def test_elements_resolve_what_lines_are_made_of():
 
 
 Z = 1e-8 * np.random.default_rng(3).normal(size=(3, 64)).cumsum(axis=1)
-PROFILE = given_profile(np.hstack([Z, Z[:, ::-1]]), 1e-5)
+PROFILE = profile_of_array(np.hstack([Z, Z[:, ::-1]]), 1e-5)
 MEASURED = Surface(1e-5, profile=PROFILE)
 
 
@@ -90,7 +90,7 @@ def test_every_kind_of_lines_has_its_identity_and_its_words():
     kinds = [{}, {"lines": "random-phase"}, {"lines": "self-affine"}]
     kinds += [{"lines": "self-affine", "hurst": 0.9}]
     surfaces = [MEASURED._replace(**kind) for kind in kinds]
-    surfaces.append(Surface(1e-5, profile=given_profile(Z, 1e-5)))
+    surfaces.append(Surface(1e-5, profile=profile_of_array(Z, 1e-5)))
     assert len({surface.identity for surface in surfaces}) == len(surfaces)
-    assert len({surface.told for surface in surfaces}) == len(surfaces)
-    assert surfaces[1].told == f"random lines of the power spectrum of {PROFILE.notes}"
+    assert len({surface.description for surface in surfaces}) == len(surfaces)
+    assert surfaces[1].description == f"random lines of the power spectrum of {PROFILE.notes}"

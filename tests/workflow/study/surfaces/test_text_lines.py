@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 
 from elastomer_friction.workflow.ground import UserError
-from elastomer_friction.workflow.study.surfaces.as_read import Asked
 from elastomer_friction.workflow.study.surfaces.files import read_lines
 from elastomer_friction.workflow.study.surfaces.profile import read_map
+from elastomer_friction.workflow.study.surfaces.raw_lines import LineFile
 
 RESOURCES = Path(__file__).resolve().parents[3] / "resources"
 X = 0.5 * np.arange(24)
@@ -18,7 +18,7 @@ Z = np.round(np.random.default_rng(9).normal(size=(12, 24)).cumsum(axis=1), 4)
 def read(tmp_path, text, name="f.dat", **how):
     path = tmp_path / name
     path.write_text(text, encoding="utf-8")
-    return read_lines(Asked(path, name, **how))
+    return read_lines(LineFile(path, name, **how))
 
 
 def rows(*columns, separator=","):
@@ -59,7 +59,7 @@ def test_columns_are_those_that_the_header_names(tmp_path, header, columns):
 
 
 def test_the_stylus_line_is_read_as_it_is():
-    lines = read_lines(Asked(RESOURCES / "stylus-line.csv", "stylus-line.csv"))
+    lines = read_lines(LineFile(RESOURCES / "stylus-line.csv", "stylus-line.csv"))
     assert lines.heights.shape == (1, 9600)
     assert lines.step == pytest.approx(0.15625e-6, rel=1e-4)  # of positions to 0.1 um
     np.testing.assert_allclose(lines.heights[0, [0, 1, -1]], [-9.33e-9, -7.6e-9, 1.658112e-5])
@@ -82,7 +82,7 @@ def test_points_of_a_map_become_lines_along_what_runs_first(tmp_path, order, hea
     expected = Z if order == "rows" else Z.T
     np.testing.assert_allclose(lines.heights, expected * 1e-6)
     assert lines.step == pytest.approx(0.5e-6 if order == "rows" else 1e-6)
-    assert lines.apart == pytest.approx(1e-6 if order == "rows" else 0.5e-6)
+    assert lines.row_spacing == pytest.approx(1e-6 if order == "rows" else 0.5e-6)
     assert "a list of points of a map" in lines.notes
 
 
@@ -90,9 +90,9 @@ def test_a_map_on_a_half_space_has_square_cells(tmp_path):
     path = tmp_path / "map.xyz"
     path.write_text("x [um],y [um],z [um]\n" + map_of_points(), encoding="utf-8")
     with pytest.raises(UserError, match="its rows are 1e-06 m apart and samples 5e-07 m: a half-s"):
-        read_map(Asked(path, path.name), "line", "mirror")
+        read_map(LineFile(path, path.name), "line", "mirror")
     np.save(tmp_path / "map.npy", Z.T)
-    asked = Asked(tmp_path / "map.npy", "map.npy", tuple(range(12)), ("um", "um"), 1e-6)
+    asked = LineFile(tmp_path / "map.npy", "map.npy", tuple(range(12)), ("um", "um"), 1e-6)
     found = read_map(asked, "line", "mirror")
     assert found.heights.shape == (1, 24, 24)
     assert "rows as far apart as samples (assumed)" in found.notes
@@ -103,7 +103,7 @@ def test_a_map_on_a_half_space_has_square_cells(tmp_path):
 def test_a_flat_row_is_part_of_a_map_and_a_flat_map_is_refused(tmp_path, row, detrend):
     heights = Z[:, :12].copy()
     heights[row] = heights.max()  # a plateau
-    asked = Asked(tmp_path / "map.npy", "map.npy", tuple(range(12)), ("um", "um"), 1e-6)
+    asked = LineFile(tmp_path / "map.npy", "map.npy", tuple(range(12)), ("um", "um"), 1e-6)
     np.save(asked.path, heights.T)
     found = read_map(asked, detrend, "none").heights[0]
     np.testing.assert_allclose(found - found.mean(), (heights - heights.mean()) * 1e-6, atol=1e-18)
@@ -140,7 +140,7 @@ def test_a_matrix_of_heights(tmp_path, header):
     lines = read(tmp_path, header + matrix())
     np.testing.assert_allclose(lines.heights, Z * 1e-9)
     assert lines.step == pytest.approx(0.5e-6)
-    assert lines.apart == (pytest.approx(0.5e-6) if "Height:" in header else None)
+    assert lines.row_spacing == (pytest.approx(0.5e-6) if "Height:" in header else None)
 
 
 def test_a_matrix_without_a_step_says_how_to_give_it(tmp_path):

@@ -18,7 +18,7 @@ FEWEST = 4  # blocks
 SPARE = 1.25  # blocks may be so much longer to leave out fewer lines
 
 
-class Alike(NamedTuple):
+class LineCorrelation(NamedTuple):
     """What neighbouring lines have in common."""
 
     correlation: float  # of the heights of neighbours
@@ -46,7 +46,7 @@ class Alike(NamedTuple):
         return lines // block * block, block
 
 
-def alike(heights: np.ndarray) -> Alike | None:
+def line_correlation(heights: np.ndarray) -> LineCorrelation | None:
     """Return what neighbouring lines have in common, None where they are independent.
 
     heights : shape (lines, n), levelled. Whether they are alike is judged by the first quarter of
@@ -68,7 +68,7 @@ def alike(heights: np.ndarray) -> Alike | None:
         if correlation < GONE:
             break
         total += 2.0 * correlation
-    return Alike(first, total)
+    return LineCorrelation(first, total)
 
 
 def _correlation(heights: np.ndarray, lag: int) -> float:

@@ -4,7 +4,10 @@ import numpy as np
 import pytest
 
 from elastomer_friction.kernels import amplitudes, draw_phases, sample_line
-from elastomer_friction.workflow.study.surfaces.alike import Alike, alike
+from elastomer_friction.workflow.study.surfaces.line_correlation import (
+    LineCorrelation,
+    line_correlation,
+)
 from elastomer_friction.workflow.study.surfaces.profile import level
 
 REACH = 5.0  # rows
@@ -23,7 +26,7 @@ def rows_of_a_map(seed, rows=160, samples=96):
 
 
 def test_the_rows_that_are_worth_one_line_are_the_integral_of_their_correlation():
-    found = [alike(rows_of_a_map(seed)) for seed in range(20)]
+    found = [line_correlation(rows_of_a_map(seed)) for seed in range(20)]
     assert all(each is not None for each in found)
     assert np.mean([each.correlation for each in found]) == pytest.approx(
         np.exp(-((1.0 / REACH) ** 2)), abs=0.01
@@ -39,7 +42,7 @@ def test_errors_from_blocks_are_right_within_a_factor_of_1_5():
     for seed in range(100):
         rows = rows_of_a_map(seed)
         each = np.mean(np.diff(rows, axis=1) ** 2, axis=1) ** 0.5
-        taken, block = alike(rows).whole_blocks(len(rows), every=False)
+        taken, block = line_correlation(rows).whole_blocks(len(rows), every=False)
         blocks = each[:taken].reshape(-1, block).mean(axis=1)
         means.append(each.mean())
         errors.append(blocks.std(ddof=1) / np.sqrt(len(blocks)))
@@ -55,7 +58,7 @@ def test_independent_lines_are_not_alike(hurst, lines):
     for seed in range(20):
         rng = np.random.default_rng(seed)
         drawn = [sample_line(modes, draw_phases(rng, 128), 128, 1)[0] for _ in range(lines)]
-        assert alike(level(np.array(drawn)[:, :64], "line")) is None
+        assert line_correlation(level(np.array(drawn)[:, :64], "line")) is None
 
 
 @pytest.mark.parametrize(
@@ -70,8 +73,8 @@ def test_independent_lines_are_not_alike(hurst, lines):
     ],
 )
 def test_blocks_hold_what_is_alike(lines, every, taken, block):
-    assert Alike(0.95, 11.0).whole_blocks(lines, every) == (taken, block)
+    assert LineCorrelation(0.95, 11.0).whole_blocks(lines, every) == (taken, block)
 
 
 def test_one_line_alone_is_never_alike():
-    assert alike(rows_of_a_map(1)[:1]) is None
+    assert line_correlation(rows_of_a_map(1)[:1]) is None

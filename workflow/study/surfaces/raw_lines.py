@@ -11,10 +11,10 @@ from .gaps import without_gaps
 from .positions import uniform_step
 
 KEY = "surface.file"
-LEAST_SAMPLES = 8
+MIN_SAMPLES = 8
 
 
-class Asked(NamedTuple):
+class LineFile(NamedTuple):
     """How a file is to be read."""
 
     path: Path
@@ -25,7 +25,7 @@ class Asked(NamedTuple):
     gaps: str = "refuse"  # what becomes of missing samples
 
 
-class Raw(NamedTuple):
+class RawLines(NamedTuple):
     """Lines as a file holds them, and what it says of them."""
 
     heights: np.ndarray  # shape (lines, n), NaN where a sample is missing
@@ -33,8 +33,8 @@ class Raw(NamedTuple):
     known: np.ndarray  # to how much each position is known, shape (n,)
     step: float | None  # m, where there are no positions
     units: tuple[str, ...]  # of positions and of each line, or of all lines; "" where none is
-    told: str = ""  # what was taken for what
-    apart: float | None = None  # m, from one row of a map to the next; None: the file does not say
+    description: str = ""  # what was taken for what
+    row_spacing: float | None = None  # m, of the rows of a map; None: not stated
 
 
 class Lines(NamedTuple):
@@ -43,7 +43,7 @@ class Lines(NamedTuple):
     heights: np.ndarray  # shape (lines, n)
     step: float
     notes: str
-    apart: float | None = None  # m, from one row of a map to the next; None: the file does not say
+    row_spacing: float | None = None  # m, of the rows of a map; None: not stated
 
 
 def metres(unit: str) -> float | None:
@@ -52,7 +52,7 @@ def metres(unit: str) -> float | None:
     return found.factor if found is not None and found.family == "length" else None
 
 
-def apart(positions: np.ndarray, unit: str) -> float | None:
+def row_spacing(positions: np.ndarray, unit: str) -> float | None:
     """Return how far rows at these positions are apart (m); None where nobody says."""
     factor = metres(unit)
     if factor is None or positions.size < 2:
@@ -67,7 +67,7 @@ def plain(values: Any) -> np.ndarray:
     return np.ma.filled(np.ma.asarray(values, dtype=float), np.nan)
 
 
-def check_numbered(asked: Asked) -> None:
+def check_numbered(asked: LineFile) -> None:
     """Raise UserError where columns of a file that has no names are asked for by name."""
     if not all(isinstance(column, int) for column in asked.columns):
         raise UserError(
@@ -76,7 +76,7 @@ def check_numbered(asked: Asked) -> None:
         )
 
 
-def lines_of(asked: Asked, raw: Raw) -> Lines:
+def lines_of(asked: LineFile, raw: RawLines) -> Lines:
     """Return lines in m: in equal steps, without gaps, with units that somebody names.
 
     Raises UserError for missing samples, unless surface.gaps says what becomes of them, for units
@@ -92,8 +92,8 @@ def lines_of(asked: Asked, raw: Raw) -> Lines:
         )
     heights, mended = without_gaps(what, raw.heights, asked.gaps)
     unit, (of_positions, *of_lines) = _factors(asked, raw)
-    if samples < LEAST_SAMPLES:
-        raise UserError(f"{what}: {samples} samples per line: needs at least {LEAST_SAMPLES}")
+    if samples < MIN_SAMPLES:
+        raise UserError(f"{what}: {samples} samples per line: needs at least {MIN_SAMPLES}")
     step = raw.step
     if raw.x is not None:
         step = uniform_step(KEY, asked.name, raw.x, raw.known) * of_positions
@@ -108,12 +108,12 @@ def lines_of(asked: Asked, raw: Raw) -> Lines:
     apart = f"{abs(step):.6g} m apart{' in the mean' if raw.x is not None else ''}"
     parts = [
         f"{asked.name}: {count}, {apart}, heights in {unit}, units {whose}",
-        *filter(None, (raw.told, mended)),
+        *filter(None, (raw.description, mended)),
     ]
-    return Lines(heights, abs(step), "; ".join(parts), raw.apart)
+    return Lines(heights, abs(step), "; ".join(parts), raw.row_spacing)
 
 
-def _factors(asked: Asked, raw: Raw) -> tuple[str, list[float]]:
+def _factors(asked: LineFile, raw: RawLines) -> tuple[str, list[float]]:
     """Return the unit of heights, and the metres of those of positions and of lines.
 
     They are as asked for, else as the file names them; 0 for that of positions where none are.
