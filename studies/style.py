@@ -1,4 +1,4 @@
-"""What the figures of several studies share."""
+"""Common definitions of the figures of several studies."""
 
 import json
 from collections.abc import Iterator
@@ -20,33 +20,33 @@ VARIANTS = {
     CONVERGED: "converged",
     PAPER_STEP: "implicit Euler, one step per $\\Delta x$",
 }
-# One colour and one marker of either in all figures, apart from the colours of H and of forces.
+# Colour and marker of each in all figures, distinct from the colours of H and of forces.
 SCHEMES: dict[str, dict[str, Any]] = {
     CONVERGED: {"color": "#000000", "marker": "o"},
     PAPER_STEP: {"color": "#D55E00", "marker": "s"},
 }
-PALEST = 0.8  # of a map of colours: beyond, lines are too pale for paper
+MAX_LIGHTNESS = 0.8  # share of a colour map; lighter lines are too pale for print
 X_LABEL = "$x = v_1 \\tau q_\\mathrm{max}$"
-# One form and colour of either body, apart from those of points that are not resolved.
+# Marker and line style of each body, distinct from those of unresolved points.
 BODIES: dict[str, dict[str, Any]] = {
     "": {"marker": "o", "ls": "-"},
     "foundation": {"marker": "s", "ls": "--"},
 }
-HEAT = (COLOURS[0], COLOURS[3], COLOURS[4])  # of temperatures, from the lowest on
-LARGEST_ERROR = 0.15  # relative standard error of b up to which claims use a point
+TEMPERATURE_COLOURS = (COLOURS[0], COLOURS[3], COLOURS[4])  # from the lowest temperature on
+MAX_RATE_ERROR = 0.15  # relative standard error of b for a point to count in claims
 NEARLY_FULL = 0.8  # contact fraction from which a contact counts as full
 DOTS: dict[str, Any] = {"fmt": "o", "ms": 2.4, "mew": 0.5, "lw": 0.5, "capsize": 0}
 
 
 def shades(low: float, high: float, log: bool = True) -> ScalarMappable:
-    """Return a map of values to colours, for a colour bar, that ends before they get pale."""
-    dark = mpl.colormaps["viridis"](np.linspace(0.0, PALEST, 256))
+    """Return a colour map for values, without its pale end."""
+    dark = mpl.colormaps["viridis"](np.linspace(0.0, MAX_LIGHTNESS, 256))
     norm = LogNorm(low, high) if log else Normalize(low, high)
     return ScalarMappable(norm, LinearSegmentedColormap.from_list("dark", dark))
 
 
 def by_hurst(dataset: xr.Dataset) -> Iterator[tuple[float, xr.Dataset, str]]:
-    """Yield every Hurst exponent, its points along "point", and its colour, the same everywhere."""
+    """Yield every Hurst exponent, its points along "point", and its colour in all figures."""
     colours = shades(0.0, 1.0, log=False)
     for hurst in dataset.hurst.values:
         points = dataset.sel(hurst=hurst)
@@ -58,23 +58,23 @@ def by_hurst(dataset: xr.Dataset) -> Iterator[tuple[float, xr.Dataset, str]]:
 
 
 def computed_study(data: xr.Dataset) -> Study:
-    """Return the study with whose settings a result was computed; it reads no other file."""
+    """Return the study that a result was computed from, without reading other files."""
     return read_grid_study("", Path(), json.loads(data.attrs["study"]))
 
 
 def fitted(points: xr.Dataset) -> xr.Dataset:
-    """Return points whose relaxation rate is NaN where eq. 6 was not fitted."""
+    """Return points with a relaxation rate of NaN unless eq. 6 was fitted."""
     rate = points.relaxation_rate.where(points.fit_status == FITTED)
     return points.assign(relaxation_rate=rate)
 
 
-def ratio_of(own: xr.Dataset, other: xr.Dataset, name: str) -> xr.Dataset:
-    """Return ``ratio``, a variable over that of another result, with its error and own coordinates.
+def ratio_of(data: xr.Dataset, other: xr.Dataset, name: str) -> xr.Dataset:
+    """Return ``ratio``, a variable over that of another result, with its error.
 
-    Relative errors add in squares, as of independent ensembles.
+    Relative errors add in quadrature, as for independent ensembles.
     """
-    ratio = own[name] / other[name]
-    parts = (own[f"{name}_error"] / own[name], other[f"{name}_error"] / other[name])
+    ratio = data[name] / other[name]
+    parts = (data[f"{name}_error"] / data[name], other[f"{name}_error"] / other[name])
     return xr.Dataset({"ratio": ratio, "ratio_error": np.abs(ratio) * np.hypot(*parts)})
 
 
@@ -83,13 +83,15 @@ def slide_of(data: xr.Dataset, segment: int) -> xr.Dataset:
 
     data : without axes of length 1.
     """
-    before, own = (data.isel(event=data.trace_segment.values == k) for k in (segment - 1, segment))
-    return own.assign(slid=own.trace_distance - float(before.trace_distance[-1]))
+    before, inside = (
+        data.isel(event=data.trace_segment.values == k) for k in (segment - 1, segment)
+    )
+    return inside.assign(slid=inside.trace_distance - float(before.trace_distance[-1]))
 
 
 def usable(points: xr.Dataset) -> xr.DataArray:
-    """Return where b was fitted with a small error, short of full contact."""
-    small = points.relaxation_rate_error < LARGEST_ERROR * points.relaxation_rate
+    """Return a mask of points with b fitted to a small error, short of full contact."""
+    small = points.relaxation_rate_error < MAX_RATE_ERROR * points.relaxation_rate
     return (points.fit_status == FITTED) & small & (points.contact_fraction < NEARLY_FULL)
 
 

@@ -1,8 +1,8 @@
-"""The alternatives: time marches of the whole line, from rest, with a search for d each step.
+"""Alternative methods: marches of the whole line from rest, with a root search for d each step.
 
-Implicit Euler on the same samples as the kernels: at equal m they must give equal numbers. What
-differs is how: no steady solver, no exact jump, every element at every step. Errors and times are
-those of the kernels at the points of the study.
+They use implicit Euler on the same samples as the kernels, and give equal numbers at equal m, but
+without a steady solver or an exact jump, and with all elements at every step. Errors and times are
+measured at the points of the study.
 """
 
 import contextlib
@@ -20,10 +20,10 @@ from .discretisation import climb, ladder_steps, over_points, reference
 from .points import RATIO, Point, RandomLine, surface
 from .sampling import LineRuns, Method, collected, kept_steps_of
 
-SPIN_UP = 10.0  # what is left of the start is e^-10; implicit Euler: a factor 1 + dt a step
-SLOWER = {"tamaas": 10.0}  # than the others, per update: fewer steps per dx in the same time
-SEARCH = 1e-13  # width in h at which a search for d ends
-WARM = Point(0.5, 0.3, 1.0)
+SPIN_UP = 10.0  # e-foldings of the initial state; implicit Euler decays by 1 + dt per step
+RELATIVE_COST = {"tamaas": 10.0}  # of an update; fewer steps per dx fit into the same time
+D_TOLERANCE = 1e-13  # of the search for d, in h
+WARM_UP_POINT = Point(0.5, 0.3, 1.0)
 TEXTS = {
     "error": ("rms error over lines, relative", "1"),
     "seconds": ("CPU time per realization, median", "s"),
@@ -31,7 +31,7 @@ TEXTS = {
 
 
 class NumpyMarch:
-    """Plain numpy: arrays over the whole line, a library root finder for d."""
+    """March in numpy with arrays over the whole line and a library root finder for d."""
 
     def __init__(self, line: Line, load: float) -> None:
         self.line, self.load = line, load
@@ -51,19 +51,21 @@ class NumpyMarch:
             def excess(d, reach=reach, target=target):
                 return np.maximum(reach + d, 0.0).sum() - target
 
-            d = brentq(excess, low, low + target, xtol=SEARCH)
+            d = brentq(excess, low, low + target, xtol=D_TOLERANCE)
             force = np.maximum(reach + d, 0.0)
             self.u = free - force
-            mu[step] = (force * slope).sum() / force.sum()  # not @: one thread only
+            mu[step] = (
+                force * slope
+            ).sum() / force.sum()  # instead of @, which may use several threads
         return mu
 
 
 class TamaasMarch:
-    """The package tamaas as Winkler foundation with one Maxwell branch tau_1 << dt.
+    """March with tamaas: a Winkler foundation with one Maxwell branch tau_1 << dt.
 
-    The backward Euler step of the branch is then that of a Kelvin element. Its tolerance makes
-    the numbers agree to about 1e-7. Raises ImportError where tamaas is not installed, and
-    ArithmeticError where it fails: with one touching element only.
+    The backward Euler step of the branch equals that of a Kelvin element, to about 1e-7 by its
+    tolerance. Raises ImportError if tamaas is not installed, and ArithmeticError if it fails, as
+    it does with a single touching element.
     """
 
     BRANCH = 1e-8  # tau_1 / tau
@@ -103,27 +105,29 @@ SOLVERS = ("kernels", *MARCHES)
 
 
 def affordable(name: str, point: Point, elements: int, updates: float) -> float:
-    """Return up to which m a march takes at most ``updates`` updates; at least 1."""
-    most = math.sqrt(updates / SLOWER.get(name, 1.0) / (2.0 * SPIN_UP * point.speed * elements))
+    """Return the largest m at which a march takes at most ``updates`` updates, at least 1."""
+    most = math.sqrt(
+        updates / RELATIVE_COST.get(name, 1.0) / (2.0 * SPIN_UP * point.speed * elements)
+    )
     return max(most, 1.0)
 
 
 def run_march(point: Point, surfaces: list[RandomLine], method: Method) -> LineRuns:
-    """March from rest to steady sliding at v1, then at v2, and read off what the kernels give.
+    """March from rest to steady sliding at v1, then at v2, and return the kernels' quantities.
 
-    mu_1 and mu_2 are what friction ends at, the jump is its change over the first step. method :
-    its scheme is one of MARCHES.
+    mu_1 and mu_2 are the final friction, the jump is its change over the first step. method : its
+    scheme is a key of MARCHES.
     """
-    own = method._replace(scheme="implicit-euler")
-    kept_steps, moments = kept_steps_of(point, surfaces[0].elements, own)
+    euler = method._replace(scheme="implicit-euler")
+    kept_steps, moments = kept_steps_of(point, surfaces[0].elements, euler)
     steps_per_tau = method.steps * point.speed  # steps per tau at v1
     first, second = (
         math.ceil(SPIN_UP / math.log1p(1.0 / p)) for p in (steps_per_tau, steps_per_tau * RATIO)
     )
     rows = []
-    for one in surfaces:
+    for random_line in surfaces:
         began = time.process_time()
-        line = Line.self_affine(*one, method.steps)
+        line = Line.self_affine(*random_line, method.steps)
         drawn = time.process_time()
         march = MARCHES[method.scheme](line, point.load)
         before = march.advance(first, 1.0 / steps_per_tau)
@@ -140,26 +144,32 @@ def alternatives(
 ) -> xr.Dataset:
     """Return errors and times of all methods on the same lines, over (compared, solver, tried).
 
-    Points and steps per spacing are fewer than those of the ladders, and named otherwise: groups
-    of one file share the dimensions of its root. Error and time are missing where a method is not
-    installed, fails or would take too long.
+    The dimensions of points and steps have names of their own, since they are shorter than those
+    at the root of the file. Error and time are missing if a method is not installed, fails, or
+    would take too long.
     """
     elements, finest = settings["elements"], settings["finest"]
     every = max((ladder_steps(point, finest) for point in points), key=len)
     for name in MARCHES:
         with contextlib.suppress(ImportError):  # load everything before it is timed
-            run_march(WARM, [surface(WARM, 64, seed, i) for i in range(2)], Method(name, 2))
-    found = []
+            run_march(
+                WARM_UP_POINT,
+                [surface(WARM_UP_POINT, 64, seed, i) for i in range(2)],
+                Method(name, 2),
+            )
+    datasets = []
     for point in points:
         surfaces = [surface(point, elements, seed, i) for i in range(settings["march_lines"])]
         limit = reference(point, surfaces, finest)
         steps = ladder_steps(point, finest)
-        ways = [climb(point, surfaces, "exponential", steps, limit)[list(TEXTS)]]
+        methods = [climb(point, surfaces, "exponential", steps, limit)[list(TEXTS)]]
         for name in MARCHES:
             most = affordable(name, point, elements, settings["march_updates"])
-            few = [m for m in every if m <= most]
-            ways.append(climb(point, surfaces, name, few, limit, run=run_march)[list(TEXTS)])
-        found.append(xr.concat(ways, "solver", join="outer"))
+            affordable_steps = [m for m in every if m <= most]
+            methods.append(
+                climb(point, surfaces, name, affordable_steps, limit, run=run_march)[list(TEXTS)]
+            )
+        datasets.append(xr.concat(methods, "solver", join="outer"))
         advance()
-    data = over_points(found, points, TEXTS).assign_coords(solver=list(SOLVERS))
+    data = over_points(datasets, points, TEXTS).assign_coords(solver=list(SOLVERS))
     return data.rename(point="compared", steps="tried")

@@ -1,6 +1,6 @@
-"""Errors and times of all discretisations of the points, against references on the same lines.
+"""Errors and times of all discretisations, against references on the same lines.
 
-A reference is extrapolated after Richardson.
+The references are Richardson extrapolations.
 """
 
 import math
@@ -14,14 +14,14 @@ import xarray as xr
 from elastomer_friction.workflow.reduce import fit_relaxation, replicates, standard_error
 
 from .points import Point, RandomLine, surface
-from .sampling import COUNTS, LineRuns, Method, run_lines, sampling_errors, seconds
+from .sampling import GROUP_SIZES, LineRuns, Method, run_lines, sampling_errors, seconds
 
 SCHEMES = ("exponential", "implicit-euler")
-LEAST_LINES = 20  # a rate is claimed from 18 on
-PARTS = ("mu_1 and jump", "everything")  # of the time
+MIN_LINES = 20  # a rate needs 18
+TIME_PARTS = ("mu_1 and jump", "everything")
 QUANTITIES = ("mu_1", "jump", "rate", "curve")
-MOMENTS = 24  # at which curves are compared
-TARGETS = (0.1, 0.03, 0.01, 0.003, 0.001)
+CURVE_TIMES = 24  # at which curves are compared
+TARGET_ERRORS = (0.1, 0.03, 0.01, 0.003, 0.001)
 TEXTS = {  # name: long_name, units
     "error": ("rms error over lines; rate: of the mean curve", "1"),
     "bias": ("error of the mean over lines, signed", "1"),
@@ -34,16 +34,16 @@ TEXTS = {  # name: long_name, units
 
 
 class Observed(NamedTuple):
-    """What a method gives on some lines."""
+    """Results of a method on a set of lines."""
 
     mu_1: np.ndarray  # shape (lines,)
     jump: np.ndarray  # shape (lines,)
-    curve: np.ndarray  # shape (lines, MOMENTS): mu over its mean jump
+    curve: np.ndarray  # shape (lines, CURVE_TIMES): mu over its mean jump
     rate: np.ndarray  # b of the mean curve and of its jackknife replicates; NaN: no fit
 
 
 class Reference(NamedTuple):
-    """Observed values in the limit m -> infinity, and how far they may be off (relative)."""
+    """Observed values in the limit m -> infinity, with relative error bounds."""
 
     limit: Observed
     error: np.ndarray  # shape (QUANTITIES,)
@@ -59,49 +59,49 @@ class Errors(NamedTuple):
 
 
 def observe(runs: LineRuns, lines: int, end: float) -> Observed:
-    """Return what the first ``lines`` of some runs give, curves up to ``end`` (tau)."""
+    """Return the results of the first ``lines`` lines of runs, with curves up to ``end`` (tau)."""
     rows = slice(0, lines)
     start = (runs.mu_1 + runs.jump)[rows, None]
     values = np.concatenate([start, runs.curves[rows]], axis=1)
     moments = np.concatenate([[0.0], runs.moments])
-    grid = np.linspace(0.0, end, MOMENTS)
+    grid = np.linspace(0.0, end, CURVE_TIMES)
     curve = np.array([np.interp(grid, moments, line) for line in values])
     deviation = replicates(runs.curves[rows] - runs.mu_2[rows, None], 0)
     rate = fit_relaxation(runs.moments, deviation, runs.slope).rate
     return Observed(runs.mu_1[rows], runs.jump[rows], curve, rate)
 
 
-def compare(found: Observed, reference: Reference) -> Errors:
-    """Return the errors of what was found on the lines of the reference."""
+def compare(observed: Observed, reference: Reference) -> Errors:
+    """Return the errors of a method on the lines of the reference."""
     limit = reference.limit
     scale = limit.jump.mean()
-    mu_1 = (found.mu_1 - limit.mu_1) / limit.mu_1.mean()
-    jump, curve = (found.jump - limit.jump) / scale, (found.curve - limit.curve) / scale
-    rate = found.rate / limit.rate - 1.0
-    rms = [np.sqrt(np.mean(each**2)) for each in (mu_1, jump, rate[:1], curve)]
+    mu_1 = (observed.mu_1 - limit.mu_1) / limit.mu_1.mean()
+    jump, curve = (observed.jump - limit.jump) / scale, (observed.curve - limit.curve) / scale
+    rate = observed.rate / limit.rate - 1.0
+    rms = [np.sqrt(np.mean(errors**2)) for errors in (mu_1, jump, rate[:1], curve)]
     curves = np.sqrt(np.mean(replicates(curve, 0) ** 2, axis=1))
     means = (replicates(mu_1, 0), replicates(jump, 0), rate, curves)
     bias, error = [mean[0] for mean in means], [standard_error(mean, 0) for mean in means]
     return Errors(np.array(rms), np.array(bias), np.array(error))
 
 
-def deviations(found: Observed) -> np.ndarray:
+def deviations(observed: Observed) -> np.ndarray:
     """Return the relative standard deviation of one realization, shape (QUANTITIES,).
 
-    Of the rate: that of its jackknife, per realization; of the curve: rms over time, over the jump.
+    That of the rate is from its jackknife; that of the curve is the rms over time over the jump.
     """
-    lines = found.mu_1.size
-    rate = np.sqrt(lines) * standard_error(found.rate, 0) / found.rate[0]
-    curve = np.sqrt(np.mean(found.curve.var(axis=0, ddof=1))) / found.jump.mean()
-    each = (np.std(q, ddof=1) / q.mean() for q in (found.mu_1, found.jump))
-    return np.array([*each, rate, curve])
+    lines = observed.mu_1.size
+    rate = np.sqrt(lines) * standard_error(observed.rate, 0) / observed.rate[0]
+    curve = np.sqrt(np.mean(observed.curve.var(axis=0, ddof=1))) / observed.jump.mean()
+    relative = (np.std(q, ddof=1) / q.mean() for q in (observed.mu_1, observed.jump))
+    return np.array([*relative, rate, curve])
 
 
 def order(steps: np.ndarray, error: np.ndarray, floor: float) -> float:
     """Return the measured order of convergence: the slope of log error over log m.
 
-    Over m with errors between ``floor`` and 0.1: those not resolved yet, or not resolved by the
-    reference, do not count. NaN with fewer than 3.
+    The fit uses m with errors between ``floor`` and 0.1, i.e. neither unresolved nor below the
+    error of the reference. NaN for fewer than 3.
     """
     used = (error < 0.1) & (error > floor)
     if np.count_nonzero(used) < 3:
@@ -110,20 +110,20 @@ def order(steps: np.ndarray, error: np.ndarray, floor: float) -> float:
 
 
 def ladder_steps(point: Point, most: int) -> list[int]:
-    """Return m = 1, 2, 4 ... up to ``most``, further where tau is not resolved by then."""
+    """Return m = 1, 2, 4 ... up to ``most``, or further until tau is resolved."""
     top = max(most, 2 ** math.ceil(math.log2(2.4 / point.speed)))
     return [2**k for k in range(int(math.log2(top)) + 1)]
 
 
 def lines_at(steps: int, most: int) -> int:
-    """Return the number of lines at m: fewer where they cost more."""
-    return max(min(LEAST_LINES, most), min(most, 8 * most // steps))
+    """Return the number of lines at m, which decreases with their cost."""
+    return max(min(MIN_LINES, most), min(most, 8 * most // steps))
 
 
 def reference(point: Point, surfaces: list[RandomLine], most: int) -> Reference:
-    """Return the reference of a point: the limit from the finest m and twice of it, of order 2.
+    """Return the reference of a point: second-order extrapolation from the finest m and 2 m.
 
-    Its error is stated as the difference to extrapolation of order 1: 2/3 of fine - coarse.
+    The stated error is the difference from first-order extrapolation: 2/3 (fine - coarse).
     """
     finest = ladder_steps(point, most)[-1]
     lines = lines_at(2 * finest, len(surfaces))
@@ -131,8 +131,8 @@ def reference(point: Point, surfaces: list[RandomLine], most: int) -> Reference:
     end = float(both[0].moments[-1])
     fine, coarse = (observe(runs, lines, end) for runs in both)
     limit = Observed(*(f + (f - c) / 3.0 for f, c in zip(fine, coarse, strict=True)))
-    apart = compare(coarse, Reference(fine, np.zeros(4), end))
-    return Reference(limit, 2.0 / 3.0 * apart.rms, end)
+    difference = compare(coarse, Reference(fine, np.zeros(4), end))
+    return Reference(limit, 2.0 / 3.0 * difference.rms, end)
 
 
 def climb(
@@ -144,24 +144,28 @@ def climb(
     refine: bool = True,
     run: Callable[[Point, list[RandomLine], Method], LineRuns] = run_lines,
 ) -> xr.Dataset:
-    """Return what a scheme gives over m; errors are those on the lines of the reference.
+    """Return the errors and times of a scheme over m, on the lines of the reference.
 
-    refine : whether contacts are followed between samples, as "auto" does. run : what runs
-    the scheme on lines; NaN where it is not installed or fails. The deviation of one realization is
-    that at a middle m, on all lines.
+    refine : whether contacts are located between samples, as "auto" does. run : function that runs
+    the scheme on lines; if it fails or is not installed the values are NaN. The deviation of one
+    realization is taken at a middle m, on all lines.
     """
-    rows, apart = [], []
+    rows, scatter = [], []
     for m in steps:
         rows.append((*np.full((3, 4), np.nan), np.full(2, np.nan)))
-        apart.append(np.full(4, np.nan))
+        scatter.append(np.full(4, np.nan))
         with suppress(ImportError, ArithmeticError):
             lines = surfaces[: lines_at(m, len(surfaces))]
             runs = run(point, lines, Method(scheme, m, refine))
-            found = compare(observe(runs, limit.limit.mu_1.size, limit.end), limit)
-            rows[-1] = (*found, seconds(runs))
-            apart[-1] = deviations(observe(runs, len(lines), limit.end))
+            errors = compare(observe(runs, limit.limit.mu_1.size, limit.end), limit)
+            rows[-1] = (*errors, seconds(runs))
+            scatter[-1] = deviations(observe(runs, len(lines), limit.end))
     rms, bias, bias_error, cpu = (np.array(column) for column in zip(*rows, strict=True))
-    middle = [each for each in apart[2:] if np.isfinite(each).all()] or apart[2:] or apart
+    middle = (
+        [deviation for deviation in scatter[2:] if np.isfinite(deviation).all()]
+        or scatter[2:]
+        or scatter
+    )
     orders = [order(np.array(steps), rms[:, q], 2.0 * limit.error[q]) for q in range(4)]
     return xr.Dataset(
         {
@@ -177,7 +181,7 @@ def climb(
 
 
 def warm_up() -> None:
-    """Compile everything that is timed."""
+    """Compile all kernels before they are timed."""
     point = Point(0.5, 0.1, 3.0)
     for scheme in SCHEMES:
         run_lines(point, [surface(point, 64, 0, 0)], Method(scheme, 2))
@@ -186,13 +190,13 @@ def warm_up() -> None:
 def discretisations(
     points: tuple[Point, ...], settings: dict, seed: int, advance: Callable[[], None]
 ) -> tuple[xr.Dataset, xr.Dataset]:
-    """Return errors, times, orders and what follows from them for all points.
+    """Return errors, times and orders for all points.
 
-    The first dataset is of both schemes with contacts followed between the samples, as
-    "auto" does. The second is of the exponential scheme as sampled, as where m is given. Errors
-    are relative, those of curves to the jump; missing at m that a point does not need.
+    The first dataset is for both schemes with contacts located between the samples, as "auto"
+    does. The second is for the exponential scheme with contacts read from the samples, as for a
+    given m. Errors are relative, those of curves to the jump; m that a point does not need is NaN.
     """
-    found, plain = [], []
+    followed, sampled = [], []
     for point in points:
         surfaces = [surface(point, settings["elements"], seed, i) for i in range(settings["lines"])]
         limit = reference(point, surfaces, settings["finest"])
@@ -200,32 +204,32 @@ def discretisations(
         ladders = [climb(point, surfaces, scheme, steps, limit) for scheme in SCHEMES]
         both = xr.concat(ladders, "scheme")
         both["reference_error"] = ("quantity", limit.error)
-        found.append(both.assign(deviation=ladders[0].deviation))
-        plain.append(climb(point, surfaces, SCHEMES[0], steps, limit, refine=False))
+        followed.append(both.assign(deviation=ladders[0].deviation))
+        sampled.append(climb(point, surfaces, SCHEMES[0], steps, limit, refine=False))
         advance()
-    data = over_points(found, points, TEXTS).assign_coords(
-        scheme=list(SCHEMES), target=list(TARGETS)
+    data = over_points(followed, points, TEXTS).assign_coords(
+        scheme=list(SCHEMES), target=list(TARGET_ERRORS)
     )
-    own = {name: text for name, text in TEXTS.items() if name in plain[0]}
-    as_sampled = over_points(plain, points, own)
-    for each in (data, as_sampled):
-        each.steps.attrs["long_name"] = "m, steps and samples per spacing"
-    data.target.attrs["long_name"] = "relative error aimed at"
+    texts = {name: text for name, text in TEXTS.items() if name in sampled[0]}
+    as_sampled = over_points(sampled, points, texts)
+    for dataset in (data, as_sampled):
+        dataset.steps.attrs["long_name"] = "m, steps and samples per spacing"
+    data.target.attrs["long_name"] = "target of the relative error"
     return data, as_sampled
 
 
 def over_points(
-    found: list[xr.Dataset], points: tuple[Point, ...], texts: dict[str, tuple[str, str]]
+    datasets: list[xr.Dataset], points: tuple[Point, ...], texts: dict[str, tuple[str, str]]
 ) -> xr.Dataset:
-    """Return the datasets of points as one that says what the points and the variables are."""
-    data = xr.concat(found, "point", join="outer").assign_coords(point_coords(points))
+    """Concatenate the datasets of all points, with coordinates and attributes."""
+    data = xr.concat(datasets, "point", join="outer").assign_coords(point_coords(points))
     for name, (text, unit) in texts.items():
         data[name].attrs = {"long_name": text, "units": unit}
-    return data.assign_coords(quantity=list(QUANTITIES), part=list(PARTS))
+    return data.assign_coords(quantity=list(QUANTITIES), part=list(TIME_PARTS))
 
 
 def point_coords(points: tuple[Point, ...]) -> dict:
-    """Return the coordinates that say what the points are."""
+    """Return the coordinates that identify the points."""
     return {
         "point": [point.name for point in points],
         "hurst": ("point", [point.hurst for point in points], {"long_name": "Hurst exponent H"}),
@@ -238,14 +242,17 @@ def sampling(
     points: tuple[Point, ...], settings: dict, seed: int, advance: Callable[[], None]
 ) -> xr.Dataset:
     """Return the error of the mean of R realizations at all points."""
-    found = []
+    errors = []
     for point in points:
         count = settings["realizations"]
         surfaces = [surface(point, settings["elements"], seed, i) for i in range(count)]
         steps = int(2 ** np.clip(np.ceil(np.log2(0.2 / point.speed)), 2, 5))
-        found.append(sampling_errors(point, surfaces, steps))
+        errors.append(sampling_errors(point, surfaces, steps))
         advance()
-    coords = point_coords(points) | {"realizations": list(COUNTS), "sampled": list(QUANTITIES[:3])}
+    coords = point_coords(points) | {
+        "realizations": list(GROUP_SIZES),
+        "sampled": list(QUANTITIES[:3]),
+    }
     text = {"long_name": "rms relative error of the mean of R realizations", "units": "1"}
-    error = (("point", "realizations", "sampled"), np.array(found), text)
+    error = (("point", "realizations", "sampled"), np.array(errors), text)
     return xr.Dataset({"error": error}, coords)

@@ -1,4 +1,4 @@
-"""Work and precision: error against CPU time, and what follows from it."""
+"""Work-precision diagrams: error against CPU time, and recommended settings."""
 
 import numpy as np
 import xarray as xr
@@ -11,15 +11,15 @@ from elastomer_friction.workflow.result import Groups
 
 CAPTION = (
     "The first figure shows the relative error of steady friction, jump, rate and curve over the "
-    "CPU time that it takes to get it, as medians over the points of the study with the range from "
-    "the tenth to the ninetieth percentile. The second shows the error that is left by a finite "
-    "number of random lines, how to balance both errors, and what common alternatives to these "
-    "solvers give at the same cost."
+    "CPU time of their computation, as medians over the points of the study with the range from "
+    "the tenth to the ninetieth percentile. The second shows the sampling error of a finite "
+    "number of random lines, the balance of both errors, and the error of common alternatives to "
+    "these solvers at the same cost."
 )
 MARKS = ("o", "s", "^")  # of the compared points
 NAMES = {"mu_1": "$\\mu_1$", "jump": "$\\Delta\\mu_0$", "rate": "$b$", "curve": "$\\mu(t)$"}
-FOLLOWED = ("mu_1", "jump", "curve")  # a curve ends at mu_2; b is that of the march alone
-NUMBERED = (1, 4, 16, 64)  # m that are written
+LOCATED = ("mu_1", "jump", "curve")  # quantities that depend on located contacts, unlike b
+LABELLED_STEPS = (1, 4, 16, 64)
 LIMITS = (1e-6, 10.0)
 
 
@@ -34,10 +34,10 @@ def _discretisation(groups: Groups) -> Figure:
     for ax, (name, label), letter in zip(axes.flat, NAMES.items(), "abcd", strict=True):
         drawn = [(data.sel(scheme="exponential"), "exponential", "o-")]
         drawn += [(data.sel(scheme="implicit-euler"), "implicit Euler", "s--")]
-        if name in FOLLOWED:
+        if name in LOCATED:
             drawn += [(groups["as_sampled"], "exponential, as sampled", "^-.")]
-        for (held, said, form), colour in zip(drawn, COLOURS, strict=False):
-            draw_ladder(ax, held.sel(quantity=name), said, form, colour)
+        for (dataset, label_text, style), colour in zip(drawn, COLOURS, strict=False):
+            draw_ladder(ax, dataset.sel(quantity=name), label_text, style, colour)
         ax.set(
             xscale="log", yscale="log", ylim=LIMITS, xlabel="CPU ms per realization; numbers: $m$"
         )
@@ -48,11 +48,11 @@ def _discretisation(groups: Groups) -> Figure:
     worst = float(data.reference_error.sel(quantity="mu_1").max())
     write_below(
         figure,
-        f"There are {data.sizes['point']} points (H, F̄, x), seed {data.attrs['seed']}; every "
-        "marker is one m = 1, 2, 4, …, of which some are written; errors are rms over lines, times "
+        f"There are {data.sizes['point']} points (H, F̄, x), seed {data.attrs['seed']}; each "
+        "marker is one m = 1, 2, 4, …, some of them labelled; errors are rms over lines, times "
         "those of a process. References are Richardson extrapolations, whose error of µ₁ is at "
         f"most {with_unit(worst, digits=1)}; the error of a curve is relative to the jump. "
-        "Contacts are followed between the samples, but for what is called as sampled.",
+        "Contacts are located between the samples, except for the curves marked as sampled.",
     )
     return figure
 
@@ -60,15 +60,15 @@ def _discretisation(groups: Groups) -> Figure:
 def _rest(groups: Groups) -> Figure:
     """Return sampling errors, both errors together, and the common alternatives."""
     figure, axes = plt.subplots(2, 2, figsize=(6.9, 5.8))
-    data, found = groups[""], groups["alternatives"]
+    data, by_method = groups[""], groups["alternatives"]
     _sampling(axes[0, 0], groups["sampling"])
     _balance(axes[0, 1], data)
     for ax, name, letter in zip(axes[1], ("mu_1", "rate"), "cd", strict=True):
-        _alternatives(ax, found, name)
+        _alternatives(ax, by_method, name)
         ax.set_title(f"({letter}) common alternatives: {NAMES[name]}")
     for ax in axes[:, 0]:
         ax.set_ylabel("relative error")
-    for mark, x in zip(MARKS, found.x.values, strict=False):
+    for mark, x in zip(MARKS, by_method.x.values, strict=False):
         axes[1, 0].plot([], [], mark, color="0.4", label=f"$x = {x:g}$")
     axes[1, 0].legend(loc="lower right", ncols=2, columnspacing=0.8)
     write_below(figure, f"Times are medians of those of a process; seed {data.attrs['seed']}.")
@@ -90,7 +90,7 @@ def _sampling(ax: Axes, data: xr.Dataset) -> None:
 
 
 def _balance(ax: Axes, data: xr.Dataset) -> None:
-    """Draw total error over time for each m at one point, bias and sampling, and the best."""
+    """Draw the total error over time for each m at one point, and its lower envelope."""
     one = data.sel(point=data.point.values[min(2, data.sizes["point"] - 1)])
     one = one.sel(scheme="exponential", quantity="mu_1").isel(part=0)
     count = np.geomspace(10, 1e6, 60)
@@ -128,7 +128,7 @@ def _alternatives(ax: Axes, data: xr.Dataset, name: str) -> None:
 def draw_ladder(ax: Axes, data: xr.Dataset, label: str, form: str, colour: str) -> None:
     """Draw error over time for m = 1, 2, 4, ...: the median over the points, and their range.
 
-    data : of one quantity and scheme. m that fewer than half of the points have is left out.
+    data : of one quantity and scheme. An m of fewer than half of the points is left out.
     """
     data = data.isel(part=1 if str(data.quantity.values) in ("rate", "curve") else 0)
     data = data.isel(steps=(data.error.notnull().mean("point") > 0.5).values)
@@ -137,7 +137,7 @@ def draw_ladder(ax: Axes, data: xr.Dataset, label: str, form: str, colour: str) 
     ax.plot(time, middle, form, color=colour, label=label)
     ax.fill_between(time, low, high, fc=(colour, 0.12), ec=(colour, 0.6), lw=0.4)
     if form == "o-":
-        for m in set(NUMBERED) & set(data.steps.values.tolist()):
+        for m in set(LABELLED_STEPS) & set(data.steps.values.tolist()):
             at = float(time.sel(steps=m)), float(middle.sel(steps=m))
             box = {"fc": "white", "ec": "none", "alpha": 0.7, "pad": 0.3}
             ax.annotate(f"{m}", at, (3, 4), textcoords="offset points", fontsize=6.5, bbox=box)

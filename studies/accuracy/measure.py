@@ -15,7 +15,7 @@ from .alternatives import MARCHES
 from .points import COMPARED, POINTS
 from .recommendation import recommend, table_lines
 
-SETTINGS = {  # docs/reference/measures.md says what they mean
+SETTINGS = {  # documented in docs/reference/measures.md
     "points": Key(partial(integer, least=1, most=len(POINTS))),
     "elements": Key(partial(integer, least=64, most=100_000)),
     "lines": Key(partial(integer, least=4, most=100_000)),
@@ -25,7 +25,7 @@ SETTINGS = {  # docs/reference/measures.md says what they mean
     "march_updates": Key(positive),
 }
 
-# Core-seconds of the typical machine, measured at the default scale.
+# Core-seconds on a typical machine, measured at the default scale.
 SECONDS_PER_POINT = 4.1
 SECONDS_PER_REALIZATION = 1.7e-3
 SECONDS_PER_UPDATE = 9.3e-8
@@ -33,7 +33,7 @@ SECONDS_COMPILING = 5.0  # to load machine code; the first run on a machine take
 
 
 def parts(settings: dict) -> dict[str, float]:
-    """Return the parts of the study and the core-seconds each is predicted to take."""
+    """Return the parts of the study with their predicted core-seconds."""
     size = settings["elements"] / 1000.0
     fine = (settings["finest"] / 64.0) ** 2
     climbs = SECONDS_PER_POINT * settings["points"] * size * max(0.1, fine)
@@ -49,12 +49,12 @@ def parts(settings: dict) -> dict[str, float]:
 
 
 def outline(settings: dict) -> tuple[list[str], float]:
-    """Return what would be measured, and the predicted core-seconds."""
+    """Return a description of the measurement, and the predicted core-seconds."""
     chosen = POINTS[: settings["points"]]
     lines = [
         f"points      {len(chosen)} (H, Fbar, x): {', '.join(p.name for p in chosen[:3])}, ...",
         f"lines       {settings['elements']} elements, {settings['lines']} lines at m <= 8",
-        f"m           1 ... {settings['finest']} and finer where tau asks for it, both schemes",
+        f"m           1 ... {settings['finest']} and finer if tau requires it, both schemes",
         f"realizations {settings['realizations']} for the sampling error",
         f"alternatives {', '.join(MARCHES)} at {min(len(chosen), COMPARED)} points",
     ]
@@ -65,35 +65,35 @@ def outline(settings: dict) -> tuple[list[str], float]:
 
 
 def measure(settings: dict, seed: int, advance: Callable[[float], None]) -> dict[str, xr.Dataset]:
-    """Return the datasets of the study: see the modules of these names."""
+    """Return the datasets of the study, each from the module of its name."""
     chosen = POINTS[: settings["points"]]
     cost = parts(settings)
     discretisation.warm_up()
     advance(cost["compiling"])
-    each = cost["discretisations"] / len(chosen)
+    share = cost["discretisations"] / len(chosen)
     root, as_sampled = discretisation.discretisations(
-        chosen, settings, seed, partial(advance, each)
+        chosen, settings, seed, partial(advance, share)
     )
-    each = cost["realizations"] / len(chosen)
-    sampling = discretisation.sampling(chosen, settings, seed, partial(advance, each))
+    share = cost["realizations"] / len(chosen)
+    sampling = discretisation.sampling(chosen, settings, seed, partial(advance, share))
     compared = chosen[:COMPARED]
-    each = cost["alternatives"] / len(compared)
-    found = alternatives.alternatives(compared, settings, seed, partial(advance, each))
+    share = cost["alternatives"] / len(compared)
+    by_method = alternatives.alternatives(compared, settings, seed, partial(advance, share))
     return {
         "": root,
         "as_sampled": as_sampled,
         "sampling": sampling,
-        "alternatives": found,
+        "alternatives": by_method,
         "recommendation": recommend(root),
     }
 
 
 def summary(groups: Groups) -> list[str]:
-    """Return the table "for this accuracy take ... ; it costs ..." by regime of x."""
+    """Return the table of recommended settings and their cost, by regime of x."""
     return table_lines(groups["recommendation"])
 
 
 def table(groups: Groups) -> pd.DataFrame:
-    """Return what to take for which accuracy, one row per point, quantity and wanted error."""
+    """Return the recommended settings, a row per point, quantity and target error."""
     frame = groups["recommendation"].drop_dims("regime").to_dataframe().reset_index()
     return frame[np.isfinite(frame.seconds)]

@@ -1,4 +1,4 @@
-"""The reference points of the study and the random lines on which all methods run."""
+"""Reference points of the study, and the random lines on which all methods run."""
 
 import math
 from typing import NamedTuple
@@ -33,7 +33,7 @@ class Point(NamedTuple):
         return Problem(self.hurst, elements, self.load, self.speed, RATIO)
 
 
-COMPARED = 3  # the first ones: there the alternatives run as well
+COMPARED = 3  # number of points at which the alternatives run too
 POINTS = (
     Point(0.0, 0.01, 0.3),
     Point(0.5, 0.05, 3.0),
@@ -64,6 +64,6 @@ class RandomLine(NamedTuple):
 
 
 def surface(point: Point, elements: int, seed: int, index: int) -> RandomLine:
-    """Return random line ``index`` of a point: the same for every method and every m."""
+    """Return random line ``index`` of a point, the same for all methods and all m."""
     generator = line_generator(seed, point.hurst, elements, index)
     return RandomLine(amplitudes(point.hurst, elements), draw_phases(generator, elements), elements)

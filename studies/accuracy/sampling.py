@@ -1,4 +1,4 @@
-"""Runs of one discretisation on some lines, their CPU times, and what a finite sample errs."""
+"""Runs of a discretisation on a set of lines: CPU times and sampling errors."""
 
 import time
 from typing import NamedTuple
@@ -14,8 +14,8 @@ from elastomer_friction.workflow.study import Numerics
 from .points import RATIO, Point, RandomLine
 
 NUMERICS = Numerics()
-COUNTS = (10, 20, 50, 100, 200, 500, 1000)
-MOST_GROUPS = 40
+GROUP_SIZES = (10, 20, 50, 100, 200, 500, 1000)
+MAX_GROUPS = 40
 
 
 class Method(NamedTuple):
@@ -23,7 +23,7 @@ class Method(NamedTuple):
 
     scheme: str
     steps: int  # m, samples and time steps per dx
-    refine: bool = True  # follow contacts between samples, as "auto" does
+    refine: bool = True  # locate contacts between samples, as "auto" does
 
 
 class LineRuns(NamedTuple):
@@ -46,10 +46,10 @@ def kept_steps_of(point: Point, elements: int, method: Method) -> tuple[np.ndarr
 
 
 def run_lines(point: Point, surfaces: list[RandomLine], method: Method) -> LineRuns:
-    """Run a method on lines as the workflow would, and take the CPU time of each."""
+    """Run a method on lines as the workflow does, and measure the CPU time of each."""
     kept_steps, moments = kept_steps_of(point, surfaces[0].elements, method)
-    asked = point.load, point.speed, (RATIO,), (kept_steps,)
-    case = Case(*asked, method.scheme, refine=method.refine)
+    parameters = point.load, point.speed, (RATIO,), (kept_steps,)
+    case = Case(*parameters, method.scheme, refine=method.refine)
     rows = []
     for surface in surfaces:
         clock = [time.process_time()]
@@ -57,14 +57,14 @@ def run_lines(point: Point, surfaces: list[RandomLine], method: Method) -> LineR
         clock.append(time.process_time())
         run_case(line, case, Quantities(relaxation=False))
         clock.append(time.process_time())
-        found = run_case(line, case, Quantities())
+        result = run_case(line, case, Quantities())
         clock.append(time.process_time())
-        rows.append((found.mu_1, found.mu_2[0], found.jump[0], found.curves[0], np.diff(clock)))
+        rows.append((result.mu_1, result.mu_2[0], result.jump[0], result.curves[0], np.diff(clock)))
     return collected(rows, moments, surfaces[0])
 
 
 def collected(rows: list[tuple], moments: np.ndarray, line: RandomLine) -> LineRuns:
-    """Return as arrays what lines like ``line`` gave: (mu_1, mu_2, jump, curve, CPU times) each."""
+    """Return the rows (mu_1, mu_2, jump, curve, CPU times) of lines like ``line`` as arrays."""
     mu_1, mu_2, jump, curves, cpu = (np.array(column) for column in zip(*rows, strict=True))
     slope = rms_slope(line.amplitude, line.elements)
     return LineRuns(mu_1, mu_2, jump, curves, moments, slope, cpu)
@@ -77,30 +77,30 @@ def seconds(runs: LineRuns) -> np.ndarray:
 
 
 def sampling_errors(point: Point, surfaces: list[RandomLine], steps: int) -> np.ndarray:
-    """Return the rms relative error of groups of R lines, shape (COUNTS, 3): mu_1, jump, rate.
+    """Return the rms relative error of groups of R lines, shape (GROUP_SIZES, 3): mu_1, jump, rate.
 
-    Against all lines; what the group has in common with them is corrected for. NaN with fewer
-    than two groups, or where the rate can be fitted in fewer than half of them.
+    The errors are relative to the mean over all lines, corrected for the group's share in it. NaN
+    for fewer than two groups, or if the rate can be fitted in fewer than half of them.
     """
     runs = run_lines(point, surfaces, Method("exponential", steps))
     lines = len(surfaces)
     whole = _estimate(runs, slice(0, lines))
-    found = np.full((len(COUNTS), 3), np.nan)
-    for row, count in enumerate(COUNTS):
-        number = min(MOST_GROUPS, lines // count)
+    errors = np.full((len(GROUP_SIZES), 3), np.nan)
+    for row, count in enumerate(GROUP_SIZES):
+        number = min(MAX_GROUPS, lines // count)
         if number < 2:
             break
         parts = [_estimate(runs, slice(k * count, (k + 1) * count)) for k in range(number)]
-        apart = np.array(parts) / whole - 1.0
+        deviations = np.array(parts) / whole - 1.0
         for q in range(3):
-            there = apart[np.isfinite(apart[:, q]), q]
-            if there.size >= max(2, number // 2):
-                found[row, q] = np.sqrt(np.mean(there**2) / (1.0 - count / lines))
-    return found
+            finite = deviations[np.isfinite(deviations[:, q]), q]
+            if finite.size >= max(2, number // 2):
+                errors[row, q] = np.sqrt(np.mean(finite**2) / (1.0 - count / lines))
+    return errors
 
 
 def _estimate(runs: LineRuns, rows: slice) -> np.ndarray:
     """Return (mu_1, jump, b) of the mean over some lines."""
     deviation = (runs.curves[rows] - runs.mu_2[rows, None]).mean(axis=0)
-    rate = fit_exponential(runs.moments, deviation)[1]  # here every b counts, significant or not
+    rate = fit_exponential(runs.moments, deviation)[1]  # every b counts here, significant or not
     return np.array([runs.mu_1[rows].mean(), runs.jump[rows].mean(), rate])

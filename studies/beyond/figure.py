@@ -1,4 +1,4 @@
-"""Beyond eq. 6: stretched exponent, rates of two exponentials, and which model predicts best."""
+"""Beyond eq. 6: stretched exponent, rates of two exponentials, and the best model."""
 
 import numpy as np
 import xarray as xr
@@ -12,10 +12,10 @@ from elastomer_friction.workflow.report import COLOURS, error_bars, foot_line
 from elastomer_friction.workflow.result import Groups
 
 CAPTION = (
-    "Panels (a) and (b) show what is fitted where friction does not relax as one exponential: the "
-    "exponent of a stretched one, and the rates of two. Panel (c) shows, over the dimensionless "
-    "velocity x, which share of the points each model predicts best on random lines that were left "
-    "out of the fit."
+    "Panels (a) and (b) show fits to friction that does not relax as one exponential: the exponent "
+    "of a stretched exponential, and the rates of two exponentials. Panel (c) shows, over the "
+    "dimensionless velocity x, the share of points that each model predicts best on random lines "
+    "that were left out of the fit."
 )
 MODELS = (
     (EXPONENTIAL, "eq. 6", COLOURS[6]),
@@ -23,7 +23,7 @@ MODELS = (
     (TWO_EXPONENTIALS, "two exponentials", COLOURS[1]),
 )
 RATES = {"fast_rate": "^", "slow_rate": "v"}
-SLOWEST_SHOWN = 1e-2  # rates far below the horizon are lines, not rates
+MIN_RATE = 1e-2  # slower terms are straight lines within the horizon
 
 
 def draw(groups: Groups) -> Figure:
@@ -47,7 +47,7 @@ def draw(groups: Groups) -> Figure:
     axes[0].set_ylim(bottom=0.0)
     axes[0].legend(loc="lower left", fontsize=6, handletextpad=0.2)
     axes[1].set(xscale="log", yscale="log", xlabel=X_LABEL, title="(b) two exponentials")
-    axes[1].set_ylim(SLOWEST_SHOWN, max(axes[1].get_ylim()[1], 1.0 / SLOWEST_SHOWN))
+    axes[1].set_ylim(MIN_RATE, max(axes[1].get_ylim()[1], 1.0 / MIN_RATE))
     for name, marker in RATES.items():
         axes[1].plot([], [], marker, color="0.3", ms=3.0, label=name.replace("_rate", ""))
     axes[1].legend(loc="upper left", fontsize=6)
@@ -66,8 +66,8 @@ def draw(groups: Groups) -> Figure:
 
 
 def _beating(points: xr.Dataset, name: str) -> xr.DataArray:
-    """Return where a rate of two exponentials is known, which beat eq. 6, and is shown."""
-    return points[name] > SLOWEST_SHOWN
+    """Return a mask of points at which two exponentials beat eq. 6 with a rate in range."""
+    return points[name] > MIN_RATE
 
 
 def _shares(ax: Axes, dataset: xr.Dataset) -> None:

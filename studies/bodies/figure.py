@@ -1,4 +1,4 @@
-"""The foundation over the half-space: over area, over speed, and beside what it costs."""
+"""Friction of the foundation over the half-space's, against area, speed and cost."""
 
 from collections.abc import Iterator
 from typing import Any
@@ -17,8 +17,8 @@ from elastomer_friction.workflow.result import Groups
 CAPTION = (
     "Friction of the foundation is shown over that of a half-space at the same nominal pressure, "
     "over the real contact area of the half-space (a, and c for a broad spectrum of relaxation "
-    "times in place of one) and over the speed (b). Panel (d) has the error of each model beside "
-    "the time that one realization takes."
+    "times in place of one) and over the speed (b). Panel (d) compares the error of each model "
+    "with the time of one realization."
 )
 PAIRS = {"": "foundation", "broad": "broad_foundation"}  # half-space and foundation, by material
 RATIO = "$\\mu_1$ over the half-space's"
@@ -36,35 +36,35 @@ def draw(groups: Groups) -> Figure:
     _over_speed(axes[0, 1], groups)
     _over_cost(axes[1, 1], groups)
     note = (
-        "Bars are of both bodies together. In (d) circles and lines are the median and 10 to 90 % "
-        "of the points, and squares the mean bias of the discretisation."
+        "Bars include the errors of both bodies. In (d) circles and lines are the median and 10 to "
+        "90 % of the points, and squares the mean bias of the discretisation."
     )
     foot_line(figure, groups[""], note)
     return figure
 
 
 def ratios(groups: Groups, half: str) -> xr.Dataset:
-    """Return the foundation over the half-space at each point, with its error, load and area."""
+    """Return the ratio of the foundation to the half-space, with its error, load and area."""
     whole, line = groups[half].squeeze(), groups[PAIRS[half]].squeeze()
-    found = ratio_of(line, whole, "mu_1").assign(area=whole.contact_fraction)
-    return found.assign_coords(speed_ratio=whole.speed_ratio)
+    ratio = ratio_of(line, whole, "mu_1").assign(area=whole.contact_fraction)
+    return ratio.assign_coords(speed_ratio=whole.speed_ratio)
 
 
 def _over_area(ax: Axes, groups: Groups, half: str) -> None:
-    found = ratios(groups, half)
-    for velocity, colour in _coloured(ax, found, "velocity", found.speed_ratio, X_LABEL):
-        points = found.sel(velocity=velocity)
+    ratio = ratios(groups, half)
+    for velocity, colour in _coloured(ax, ratio, "velocity", ratio.speed_ratio, X_LABEL):
+        points = ratio.sel(velocity=velocity)
         points = points.stack(point=points.ratio.dims).sortby("area")
         error_bars(ax, points, "ratio", "area", fmt="o", ms=3.0, color=colour)
     _dress(ax, "real contact area of the half-space")
 
 
 def _over_speed(ax: Axes, groups: Groups) -> None:
-    found = ratios(groups, "")
-    found = found.isel(hurst=found.sizes["hurst"] // 2) if "hurst" in found.dims else found
-    pressures = found.normal_pressure
-    for force, colour in _coloured(ax, found, "normal_force", pressures, "nominal pressure (Pa)"):
-        points = found.sel(normal_force=force)
+    ratio = ratios(groups, "")
+    ratio = ratio.isel(hurst=ratio.sizes["hurst"] // 2) if "hurst" in ratio.dims else ratio
+    pressures = ratio.normal_pressure
+    for force, colour in _coloured(ax, ratio, "normal_force", pressures, "nominal pressure (Pa)"):
+        points = ratio.sel(normal_force=force)
         error_bars(ax, points, "ratio", "speed_ratio", fmt="o-", ms=3.0, lw=0.7, color=colour)
     _dress(ax, X_LABEL)
     ax.set_title("(b) one relaxation time, over speed")
@@ -73,11 +73,11 @@ def _over_speed(ax: Axes, groups: Groups) -> None:
 def _coloured(
     ax: Axes, data: xr.Dataset, axis: str, values: xr.DataArray, label: str
 ) -> Iterator[tuple[float, Any]]:
-    """Yield the places on an axis with colours that stand for other values there, in a bar."""
-    each = values.max([dim for dim in values.dims if dim != axis])
-    colours = shades(float(each.min()), float(each.max()))
+    """Yield the values on an axis with the colours of other values; add their colour bar."""
+    largest = values.max([dim for dim in values.dims if dim != axis])
+    colours = shades(float(largest.min()), float(largest.max()))
     ax.figure.colorbar(colours, ax=ax, label=label)
-    return zip(data[axis].values, colours.to_rgba(each.values), strict=True)
+    return zip(data[axis].values, colours.to_rgba(largest.values), strict=True)
 
 
 def _over_cost(ax: Axes, groups: Groups) -> None:
@@ -93,15 +93,15 @@ def _over_cost(ax: Axes, groups: Groups) -> None:
         bias = float(groups[half].mu_1_bias.mean())
         ax.plot(seconds[half], bias, "s", **style)
         kind = "one time" if half == "" else "five times"
-        said: dict[str, Any] = {
+        text_style: dict[str, Any] = {
             "textcoords": "offset points",
             "va": "center",
             "ha": "center",
             "fontsize": 7.0,
         }
         aside, end = ((0, 14), high) if half else ((0, -14), low)
-        ax.annotate(f"foundation,\n{kind}", (seconds[line], end), aside, **said)
-        ax.annotate(f"half-space,\n{kind}", (seconds[half], bias), aside, **said)
+        ax.annotate(f"foundation,\n{kind}", (seconds[line], end), aside, **text_style)
+        ax.annotate(f"half-space,\n{kind}", (seconds[half], bias), aside, **text_style)
     ax.set(xscale="log", yscale="log", xlabel="predicted CPU s of a map or line", ylim=(0.006, 3.0))
     ax.set(ylabel="relative error of $\\mu_1$", title="(d) error against cost")
     ax.margins(x=0.25)

@@ -2,8 +2,8 @@
 
     python -m elastomer_friction.studies.bodies.ratio_table RESULT.nc
 
-A row for each point: what it is (plan/ratio_of_bodies.py), the ratio, and its standard error with
-the bias of the discretisation of both bodies.
+Each point has a row with its coordinates (plan/ratio_of_bodies.py), the ratio, and its error: the
+standard error combined with the discretisation bias of both bodies.
 """
 
 import csv
@@ -16,14 +16,14 @@ from elastomer_friction.studies.bodies.figure import PAIRS, ratios
 from elastomer_friction.studies.style import computed_study
 from elastomer_friction.workflow.plan import KINDS, TABLE, InTable, make_plan, place_of
 
-LEAST_RATIO = 3.0  # of a ratio to its error, below which it says nothing
+MIN_SIGNIFICANCE = 3.0  # of a ratio to its error
 
 
 def rows_of(tree: xr.DataTree) -> list[tuple]:
     """Return the rows of the table, sorted."""
     plan = make_plan(computed_study(tree.to_dataset()))
     variants = {variant.label: variant for variant in plan.variants}
-    found = []
+    rows = []
     for half, line in PAIRS.items():
         variant = variants[half]
         groups = {name: tree[name or "/"].to_dataset() for name in (half, line)}
@@ -33,10 +33,10 @@ def rows_of(tree: xr.DataTree) -> list[tuple]:
         off = np.hypot(spread, np.hypot(*biases))
         columns = variant.point_task, of_points.ratio.values, off.values
         for task, ratio, relative in zip(*map(np.ravel, columns), strict=True):
-            if LEAST_RATIO * relative < 1.0:
+            if MIN_SIGNIFICANCE * relative < 1.0:
                 place = place_of(variant.tasks[task].problem)
-                found.append((*place, float(ratio), float(ratio * relative)))
-    return sorted(found)
+                rows.append((*place, float(ratio), float(ratio * relative)))
+    return sorted(rows)
 
 
 def _main() -> None:

@@ -1,13 +1,13 @@
-"""Print friction of rough surfaces on both bodies, in the cases that a prototype has computed.
+"""Print the friction of rough surfaces on both bodies, in the cases of an independent prototype.
 
     python -m elastomer_friction.studies.bodies.rough_rows [ROW ...]
 
 docs/bodies.md has the table. All surfaces have H = 0.7, and a load is sigma_0/(E* grad z). mu is
-over grad z, and over E''(q_max v)/E* as well where the elastomer is hardly viscous: one relaxation
+over grad z, and also over E''(q_max v)/E* if the elastomer is nearly elastic: one relaxation
 time at x = v tau q_max = 0.01 for E'' ~ omega, and thirteen branches of a fiftieth of G in all for
 E'' ~ omega^s. Errors are standard errors of the mean over surfaces. The third number of a row
-is that of the lines that are equivalent to the surface below the roll-off too, C_1D = pi q C_2D;
-those of the program have a flat C_1D there.
+is for lines that are equivalent to the surface below the roll-off too, C_1D = pi q C_2D; the lines
+of the program have a flat C_1D there.
 """
 
 import sys
@@ -135,7 +135,7 @@ ROWS = {
 
 
 def normalised_friction(row: Rough, data: xr.Dataset) -> tuple[float, float]:
-    """Return friction as the table has it, with its standard error."""
+    """Return normalised friction with its standard error."""
     scale = row.slope * (row.material()[1] if row.x == SLOW else 1.0)
     return float(data.mu_1) / scale, float(data.mu_1_error) / scale
 
@@ -150,16 +150,21 @@ def kinetics(data: xr.Dataset) -> list[tuple[float, float]]:
 def table_line(name: str, row: Rough) -> str:
     """Return one line of the table, in Markdown."""
     half = row.run(HALF_SPACE)
-    found = [half, row.run(FOUNDATION), row.run(FOUNDATION, row.equivalent())]
-    each = [normalised_friction(row, data) for data in found]
+    datasets = [half, row.run(FOUNDATION), row.run(FOUNDATION, row.equivalent())]
+    frictions = [normalised_friction(row, data) for data in datasets]
     ratios = [
-        (mu / each[0][0], mu / each[0][0] * np.hypot(error / mu, each[0][1] / each[0][0]))
-        for mu, error in each[1:]
+        (
+            mu / frictions[0][0],
+            mu / frictions[0][0] * np.hypot(error / mu, frictions[0][1] / frictions[0][0]),
+        )
+        for mu, error in frictions[1:]
     ]
     area = float(half.contact_fraction), float(half.contact_fraction_error)
     cells = [name, *(f"{value:g}" for value in (row.load, row.lengths, row.power, row.x))]
-    of_steps = [pair for data in found[:2] if row.step for pair in kinetics(data)]
-    cells += [f"{value:.4f} ± {error:.4f}" for value, error in (area, *each, *ratios, *of_steps)]
+    of_steps = [pair for data in datasets[:2] if row.step for pair in kinetics(data)]
+    cells += [
+        f"{value:.4f} ± {error:.4f}" for value, error in (area, *frictions, *ratios, *of_steps)
+    ]
     return f"| {' | '.join(cells)} |"
 
 

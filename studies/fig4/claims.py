@@ -1,4 +1,4 @@
-"""What the paper says of figure 4, judged from the numbers of this study."""
+"""Claims of the paper on figure 4, judged from the numbers of this study."""
 
 from contextlib import suppress
 
@@ -7,31 +7,31 @@ import numpy as np
 from elastomer_friction.workflow import report
 
 RATE = 2.4  # of figure 4
-USUAL_SPACING = 2e-6  # m: L = 0.01 m with the 5000 elements the paper calls typical
+TYPICAL_SPACING = 2e-6  # m: L = 0.01 m with the 5000 elements the paper calls typical
 
 
 def example_rate(results: report.Results) -> report.Claim:
-    """Judge b = 2.4 of figure 4, by the spacing at which it is found."""
-    found, spacings = [], {}
+    """Judge b = 2.4 of figure 4, by the spacing at which it occurs."""
+    texts, spacings = [], {}
     for group, label in (("", "converged"), ("/paper_step", "implicit Euler")):
         with suppress(report.NotGiven):
             spacing, rate, error = _over_spacing(results, f"fig4{group}")
-            usual = int(np.abs(np.log(spacing / USUAL_SPACING)).argmin())
-            found.append(
-                f"{label}: b = {rate[usual]:.2f} ± {error[usual]:.2f} at Δx = "
-                f"{1e6 * spacing[usual]:.3g} µm, {rate.min():.2f} … {rate.max():.2f} over "
+            typical = int(np.abs(np.log(spacing / TYPICAL_SPACING)).argmin())
+            texts.append(
+                f"{label}: b = {rate[typical]:.2f} ± {error[typical]:.2f} at Δx = "
+                f"{1e6 * spacing[typical]:.3g} µm, {rate.min():.2f} … {rate.max():.2f} over "
                 f"{rate.size} spacings"
             )
             at, at_error = _crossing(np.log(spacing), np.log(rate / RATE), error / rate)
             micrometres = 1e6 * np.exp(at)
             spacings[group] = f"Δx = {micrometres:.2g} ± {micrometres * at_error:.1g} µm"
-    report.needed(found)
+    report.needed(texts)
     verdict = f"{report.HOLDS} if {spacings['']}" if "" in spacings else report.NOT_FOUND
     if verdict == report.NOT_FOUND and spacings:
         verdict = f"{report.ONLY_COARSE}, {spacings['/paper_step']}"
     text = "Figure 4: b = 2.4 (its spacing is not printed; N is typically 5000, Δx = 2 µm)"
-    each = report.per_point(results["fig4"]) if "fig4" in results else "not known"
-    return report.Claim(text, f"{RATE:g}", "; ".join(found), each, verdict)
+    errors = report.per_point(results["fig4"]) if "fig4" in results else "not known"
+    return report.Claim(text, f"{RATE:g}", "; ".join(texts), errors, verdict)
 
 
 def _over_spacing(results: report.Results, key: str) -> tuple[np.ndarray, np.ndarray, np.ndarray]:

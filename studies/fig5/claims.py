@@ -1,4 +1,4 @@
-"""What the paper says of slow sliding (eq. 9), judged from the numbers of figures 3 and 5."""
+"""Claims of the paper on slow sliding (eq. 9), judged from figures 3 and 5."""
 
 from collections.abc import Callable
 from contextlib import suppress
@@ -35,7 +35,7 @@ def slow_steady(results: Results) -> Claim:
 
 def _slow(results: Results, text: str, law: Callable) -> Claim:
     """Judge a ratio by its value in figures 3 and 5; the error needs the curves of figure 3."""
-    values, found, error = [], [], np.nan
+    values, texts, error = [], [], np.nan
     for name in ("fig3", "fig5"):
         with suppress(NotGiven):
             dataset = given(results, name, "mu_1", "mu_2", "jump")
@@ -43,7 +43,7 @@ def _slow(results: Results, text: str, law: Callable) -> Claim:
             known = ratio.values[np.isfinite(ratio.values)]
             needed(known.size)
             values.append(known)
-            found.append(
+            texts.append(
                 f"{known.mean():.4f} ({known.min():.4f} … {known.max():.4f}, {known.size} points "
                 f"with x < {SLOW:g}, {name})"
             )
@@ -53,7 +53,7 @@ def _slow(results: Results, text: str, law: Callable) -> Claim:
     deviation = float(np.abs(np.concatenate(values) - 1.0).max())
     unknown = not np.isfinite(error)
     shown = "not known without the curves of fig3" if unknown else f"± {error:.1g}"
-    return Claim(text, "1", "; ".join(found), shown, judge(deviation, 0.0 if unknown else error))
+    return Claim(text, "1", "; ".join(texts), shown, judge(deviation, 0.0 if unknown else error))
 
 
 def _zeta(points: xr.Dataset) -> tuple[xr.DataArray, xr.DataArray | None]:

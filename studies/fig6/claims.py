@@ -1,4 +1,4 @@
-"""What the paper says of the jump (eqs. 11 and 12), judged from the numbers of figure 6."""
+"""Claims of the paper on the jump (eqs. 11 and 12), judged from figure 6."""
 
 import numpy as np
 
@@ -6,31 +6,31 @@ from elastomer_friction.studies.style import normalised
 from elastomer_friction.workflow import report
 from elastomer_friction.workflow.kinetic_law import PLATEAU, normalised_jump
 
-FLAT = 0.9  # share of its largest value from which mu_1 counts as on the plateau
-MIDDLE = (0.3, 0.7)  # Hurst exponents of the plateau claim
+PLATEAU_SHARE = 0.9  # of the largest mu_1, above which a point is on the plateau
+PLATEAU_HURST = (0.3, 0.7)  # Hurst exponents of the plateau claim
 
 
 def plateau(results: report.Results) -> report.Claim:
     """Judge the plateau of the jump (eq. 11), by the mean of each Hurst exponent."""
     dataset = report.given(results, "fig6", "mu_1", "jump")
-    inside = (dataset.hurst > MIDDLE[0] - 1e-9) & (dataset.hurst < MIDDLE[1] + 1e-9)
+    inside = (dataset.hurst > PLATEAU_HURST[0] - 1e-9) & (dataset.hurst < PLATEAU_HURST[1] + 1e-9)
     chosen = dataset.isel(hurst=np.flatnonzero(inside))
     report.needed(chosen.hurst.size)
     line = ("normal_force", "spacing", "roughness", "velocity", "velocity_step")
-    flat = normalised(chosen.where(chosen.mu_1 >= FLAT * chosen.mu_1.max("velocity")))
-    each = flat.jump_bar.mean(line)
-    errors = [report.mean_error(flat.jump_bar_error.isel(hurst=[k])) for k in range(each.size)]
+    flat = normalised(chosen.where(chosen.mu_1 >= PLATEAU_SHARE * chosen.mu_1.max("velocity")))
+    plateaus = flat.jump_bar.mean(line)
+    errors = [report.mean_error(flat.jump_bar_error.isel(hurst=[k])) for k in range(plateaus.size)]
     parts = [
         f"{value:.3f} ± {e:.3f} at H = {hurst:g}"
-        for hurst, value, e in zip(chosen.hurst.values, each.values, errors, strict=True)
+        for hurst, value, e in zip(chosen.hurst.values, plateaus.values, errors, strict=True)
     ]
     return report.Claim(
         "Plateau (Δµ₀/∇z)/(Δv/v₁) = 0.4 at high speed (eq. 11)",
         f"{PLATEAU:g}",
-        f"mean {float(each.mean()):.3f}: {', '.join(parts)}; {int(flat.jump_bar.count())} points "
-        f"with µ₁ within {report.percent(1 - FLAT)} of its largest value",
-        f"± {np.sqrt(np.sum(np.square(errors))) / each.size:.3f}",
-        report.judge(float(np.abs(each / PLATEAU - 1.0).max()), max(errors) / PLATEAU),
+        f"mean {float(plateaus.mean()):.3f}: {', '.join(parts)}; {int(flat.jump_bar.count())} "
+        f"points with µ₁ within {report.percent(1 - PLATEAU_SHARE)} of its largest value",
+        f"± {np.sqrt(np.sum(np.square(errors))) / plateaus.size:.3f}",
+        report.judge(float(np.abs(plateaus / PLATEAU - 1.0).max()), max(errors) / PLATEAU),
     )
 
 

@@ -1,4 +1,4 @@
-"""What the paper says of relaxation (eqs. 6, 13 to 16), judged from the numbers of figure 7."""
+"""Claims of the paper on relaxation (eqs. 6, 13 to 16), judged from figure 7."""
 
 from contextlib import suppress
 
@@ -35,7 +35,7 @@ def exponential_fits(results: report.Results) -> report.Claim:
 CONVERGED, PAPER_STEP = "fig7", "fig7/paper_step"
 
 VARIANTS = {CONVERGED: "converged", PAPER_STEP: "implicit Euler"}
-NEEDED = (
+RATE_VARIABLES = (
     "speed_ratio",
     "relaxation_rate",
     "relaxation_rate_error",
@@ -45,19 +45,19 @@ NEEDED = (
 
 FORCE_TOLERANCE = 0.5
 ALPHA_TOLERANCE = 0.2  # absolute, of alpha
-LEAST_SPEEDS = 3  # of which alpha of one normal force is fitted
+MIN_SPEEDS = 3  # for the fit of alpha at one normal force
 
 
 def slow_rate(results: report.Results) -> report.Claim:
     """Judge b = x below x = 1, the length D_c = 1/q_max: as studied and with the paper's step."""
-    ratios, found = {}, []
+    ratios, texts = {}, []
     for key, label in VARIANTS.items():
         with suppress(report.NotGiven):
             points = _usable(results, key, below=1.0)
             x, rate = points.speed_ratio.values, points.relaxation_rate.values
             ratios[key] = rate / x
             slope = np.polyfit(np.log(x), np.log(rate), 1)[0]
-            found.append(
+            texts.append(
                 f"{label}: b/x = {report.spread(ratios[key])}, b ∝ x^{slope:.2f}, median b = "
                 f"{np.median(rate):.2f}, D_c q_max = {np.median(x / rate):.2f}, {x.size} points"
             )
@@ -69,7 +69,7 @@ def slow_rate(results: report.Results) -> report.Claim:
     return report.Claim(
         "b = v₁τq_max for v₁τq_max < 1: relaxation over the length D_c = 1/q_max (eqs. 13, 14)",
         "b/x = 1",
-        "; ".join(found),
+        "; ".join(texts),
         report.per_point(results[CONVERGED]),
         verdict,
     )
@@ -118,12 +118,14 @@ def exponent_over_force(results: report.Results) -> report.Claim:
     points = _usable(results, CONVERGED, above=1.0)
     hursts, forces = points.hurst.values, points.normal_force.values
     x, b = np.log(points.speed_ratio.values), np.log(points.relaxation_rate.values)
-    found: dict[float, dict[float, float]] = {}
+    exponents: dict[float, dict[float, float]] = {}
     for hurst, force in sorted(set(zip(hursts.tolist(), forces.tolist(), strict=True))):
-        own = (hursts == hurst) & (forces == force)
-        if np.unique(x[own]).size >= LEAST_SPEEDS:
-            found.setdefault(hurst, {})[force] = float(x[own] @ b[own] / (x[own] @ x[own]))
-    several = {hurst: alphas for hurst, alphas in found.items() if len(alphas) > 1}
+        chosen = (hursts == hurst) & (forces == force)
+        if np.unique(x[chosen]).size >= MIN_SPEEDS:
+            exponents.setdefault(hurst, {})[force] = float(
+                x[chosen] @ b[chosen] / (x[chosen] @ x[chosen])
+            )
+    several = {hurst: alphas for hurst, alphas in exponents.items() if len(alphas) > 1}
     report.needed(several)
     spreads = {hurst: max(a.values()) - min(a.values()) for hurst, a in several.items()}
     worst = max(spreads, key=lambda hurst: spreads[hurst])
@@ -145,10 +147,10 @@ def _usable(
 ) -> xr.Dataset:
     """Return the points of above < x < below with a fit of small error, short of full contact.
 
-    They lie along "point". Raises NotGiven where there are fewer than two values of x.
+    They lie along "point". Raises NotGiven for fewer than two values of x.
     """
-    dataset = report.given(results, key, *NEEDED)
-    points = dataset[list(NEEDED)].stack(point=dataset.relaxation_rate.dims)
+    dataset = report.given(results, key, *RATE_VARIABLES)
+    points = dataset[list(RATE_VARIABLES)].stack(point=dataset.relaxation_rate.dims)
     x = points.speed_ratio
     chosen = (usable(points) & (x > above) & (x < below)).values
     report.needed(np.unique(x.values[chosen]).size > 1)

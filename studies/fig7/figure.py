@@ -1,4 +1,4 @@
-"""Figure 7: relaxation rate b over x = v1 tau q_max, as the paper steps and converged in time."""
+"""Figure 7: relaxation rate b over x = v1 tau q_max, with the paper's step and converged."""
 
 from typing import Any
 
@@ -27,8 +27,8 @@ CAPTION = (
     "13 of the paper as lines. Panel (c) shows the exponent α of b = x^α for x > 1, which the "
     "paper gives as 1 − H."
 )
-MANY, SMALL = 3000, 1.3  # points of which markers are small, and how small
-MARKS = {  # of what was not fitted, below the axis line, in a row for each H
+MANY_POINTS, SMALL_MARKER = 3000, 1.3  # number of points above which markers are small
+UNFITTED_MARKERS = {  # below the grey line, in a row for each H
     NO_RELAXATION: ("|", "nothing to relax"),
     NOT_EXPONENTIAL: ("x", "not exponential"),
     UNDETERMINED: ("+", "lost in noise"),
@@ -47,9 +47,12 @@ def draw(groups: Groups) -> Figure:
     axes[1].set_title("(b) converged in time")
     axes[1].tick_params(labelleft=False)
     axes[1].annotate("$b = 1$", (0.035, 1.5), fontsize=7)
-    for marker, label in (("^", f"over {100 * NEARLY_FULL:g} % in contact"), *MARKS.values()):
+    for marker, label in (
+        ("^", f"over {100 * NEARLY_FULL:g} % in contact"),
+        *UNFITTED_MARKERS.values(),
+    ):
         axes[1].plot([], [], marker, color="0.3", ms=3.0, label=label)
-    axes[1].legend(handles=list(axes[1].lines[-1 - len(MARKS) :]), loc="upper left")
+    axes[1].legend(handles=list(axes[1].lines[-1 - len(UNFITTED_MARKERS) :]), loc="upper left")
     for group, label, bias in (
         (PAPER_STEP, "implicit Euler", 0.0),
         (CONVERGED, "converged", converged.alpha_bias),
@@ -69,7 +72,7 @@ def draw(groups: Groups) -> Figure:
 
 
 def _rates(ax: Axes, dataset: xr.Dataset, group: str, bias: float = 0.0) -> None:
-    """Draw b; ``bias`` : times the bound of the discretisation error goes into the bars."""
+    """Draw b; ``bias`` times the bound of the discretisation error is added to the bars."""
     x_all = dataset.speed_ratio.values
     span = np.geomspace(min(x_all.min(), 0.5), max(x_all.max(), 2.0), 200)
     ax.plot(span[span <= 1], span[span <= 1], "k-", lw=1.2)
@@ -81,13 +84,13 @@ def _rates(ax: Axes, dataset: xr.Dataset, group: str, bias: float = 0.0) -> None
         marker = SCHEMES[group]["marker"]
         for part, form, label in ((~full, marker, f"$H = {hurst:g}$"), (full, "^", None)):
             style = DOTS | {"fmt": form, "color": colour, "label": label, "alpha": 0.8}
-            if dataset.relaxation_rate.size > MANY:
-                style |= {"ms": SMALL, "lw": 0.3}
+            if dataset.relaxation_rate.size > MANY_POINTS:
+                style |= {"ms": SMALL_MARKER, "lw": 0.3}
             shown = points.isel(point=(fitted & part).values)
             more = bias * shown.relaxation_rate_bias * shown.relaxation_rate
             error_bars(ax, shown, "relaxation_rate", "speed_ratio", log=True, bias=more, **style)
         ax.plot(span[span > 1], span[span > 1] ** (1.0 - hurst), color=colour, lw=1.2)
-        for code, (marker, _) in MARKS.items():
+        for code, (marker, _) in UNFITTED_MARKERS.items():
             there = np.unique(points.speed_ratio[(points.fit_status == code).values])
             ax.plot(there, np.full_like(there, row), marker, color=colour, ms=2.5, mew=0.6)
     ax.axhline(8e-3, color="0.7", lw=0.5)

@@ -1,4 +1,4 @@
-"""What the paper says of jump and relaxation, judged on a half-space in place of the foundation."""
+"""Claims of the paper on jump and relaxation, judged on a half-space."""
 
 import numpy as np
 
@@ -7,25 +7,33 @@ from elastomer_friction.workflow import report
 from elastomer_friction.workflow.kinetic_law import PLATEAU
 
 KEY = "fig7_half_space"
-NEEDED = ("speed_ratio", "mu_1", "jump", "rms_slope", "alpha", "alpha_error", "alpha_bias")
+KINETICS_VARIABLES = (
+    "speed_ratio",
+    "mu_1",
+    "jump",
+    "rms_slope",
+    "alpha",
+    "alpha_error",
+    "alpha_bias",
+)
 
 
 def exponent_on_half_space(results: report.Results) -> report.Claim:
     """Judge alpha = 1 - H above x = 1 (eq. 13) on a half-space."""
-    dataset = report.given(results, KEY, *NEEDED)
+    dataset = report.given(results, KEY, *KINETICS_VARIABLES)
     known = dataset.dropna("hurst", subset=["alpha"])
     report.needed(known.sizes["hurst"] > 1)
     alpha, hurst = known.alpha.values, known.hurst.values
     error = np.hypot(known.alpha_error, known.alpha_bias).values
     slope = np.polyfit(hurst, alpha, 1)[0]
     off = np.abs(alpha - (1.0 - hurst)) / np.maximum(1.0 - hurst, 0.1)
-    found = ", ".join(
+    exponents = ", ".join(
         f"{a:.2f} ± {e:.2f} at H = {h:g}" for h, a, e in zip(hurst, alpha, error, strict=True)
     )
     return report.Claim(
         "On a half-space too: b = x^α with α = 1 − H for x > 1 (eq. 13)",
         "α = 1 − H",
-        f"α = {found}; dα/dH = {slope:.2f}",
+        f"α = {exponents}; dα/dH = {slope:.2f}",
         report.per_point(dataset),
         report.judge(float(off.max()), float(error.max())),
     )
@@ -33,7 +41,7 @@ def exponent_on_half_space(results: report.Results) -> report.Claim:
 
 def plateau_on_half_space(results: report.Results) -> report.Claim:
     """Judge that the jump over slope and relative step has a plateau of 0.4 on a half-space."""
-    dataset = report.given(results, KEY, *NEEDED)
+    dataset = report.given(results, KEY, *KINETICS_VARIABLES)
     fast = normalised(dataset).jump_bar.where(dataset.speed_ratio > 3.0).values
     fast = fast[np.isfinite(fast)]
     report.needed(fast.size)

@@ -1,4 +1,4 @@
-"""What the paper says of the exponent (eq. 13), judged from the numbers of figures 8 and 7."""
+"""Claims of the paper on the exponent (eq. 13), judged from figures 8 and 7."""
 
 import math
 

@@ -1,4 +1,4 @@
-"""What the paper says of steps of several sizes, judged from the six-dimensional grid."""
+"""Claims of the paper on steps of several sizes, judged from the six-dimensional grid."""
 
 import numpy as np
 import xarray as xr
@@ -49,8 +49,8 @@ def rate_after_step(results: Results) -> Claim:
     logs = xr.where(usable(dataset) & rough, np.log(dataset.relaxation_rate), np.nan)
     up, down = (logs.sel(velocity_step=f(dataset.velocity_step)) for f in (max, min))
     last, first = float(dataset.velocity_step.max()), float(dataset.velocity_step.min())
-    found = (up - down) / np.log((1.0 + last) / (1.0 + first)) / (1.0 - dataset.hurst)
-    known = found.values[np.isfinite(found.values)]
+    sensitivity = (up - down) / np.log((1.0 + last) / (1.0 + first)) / (1.0 - dataset.hurst)
+    known = sensitivity.values[np.isfinite(sensitivity.values)]
     needed(known.size > 1)
     middle = float(np.median(known))
     return Claim(

@@ -1,12 +1,11 @@
-"""Shift curves of friction over speed onto one: the rule, how well it does, what is known of it.
+"""Shift of curves of friction over speed onto a reference curve.
 
-A curve is log10 mu over log10 v. Every curve is shifted onto one reference curve, by s along log v
-and, where that is asked for, by t along log mu. s is tried at every value of ``SHIFTS``; t is then
-the mean difference; chosen is the s of the least rms difference from the reference, which is
-interpolated between its points (monotone cubics, Fritsch and Carlson 1980,
-doi:10.1137/0717021). Only points within the reference's range of speeds count, and of every
-curve at least ``OVERLAP`` of its points must; the others are left out and counted. No point is
-chosen by hand.
+A curve is log10 mu over log10 v. Each curve is shifted by s along log v and, optionally, by t along
+log mu. All values of ``SHIFTS`` are tried for s, with t the mean difference; the result is the s
+with the smallest rms difference from the reference, which is interpolated by monotone cubics
+(Fritsch and Carlson 1980, doi:10.1137/0717021). Only points within the speed range of the reference
+count, and at least the share ``OVERLAP`` of each curve must lie there; the other points are left
+out and counted. No point is chosen by hand.
 """
 
 from collections.abc import Callable
@@ -21,11 +20,11 @@ from elastomer_friction.workflow.report import not_resolved
 
 SHIFTS = np.arange(-500, 501) * 0.01  # decades of speed
 OVERLAP = 2.0 / 3.0
-LEAST_POINTS = 4
-LARGEST_ERROR = 0.3  # relative standard error of mu up to which a point is used
+MIN_POINTS = 4
+MAX_FRICTION_ERROR = 0.3  # relative standard error of mu up to which a point is used
 INDENTATIONS = (-0.6, -0.3, 0.0, 0.3, 0.6)  # in rms roughnesses, over the mean line
 UNSHIFTED, ALONG_SPEED, ALONG_BOTH = "unshifted", "along speed", "along both"
-WAYS = (UNSHIFTED, ALONG_SPEED, ALONG_BOTH)
+SHIFT_MODES = (UNSHIFTED, ALONG_SPEED, ALONG_BOTH)
 
 
 class Curve(NamedTuple):
@@ -37,13 +36,13 @@ class Curve(NamedTuple):
 
 
 class Shift(NamedTuple):
-    """How one curve comes onto the reference."""
+    """Shift of one curve onto the reference, with its error and residual."""
 
     along_speed: float  # s, decades, added to x
     along_friction: float  # t, decades, added to y
     speed_error: float  # standard error of s, from the scatter about the reference
-    squares: float  # sum of squares of the differences that remain, decades squared
-    points: int  # that lie within the range of the reference
+    squares: float  # residual sum of squares, decades squared
+    points: int  # within the range of the reference
     left_out: int
 
 
@@ -54,30 +53,30 @@ class Collapse(NamedTuple):
 
     @property
     def rms(self) -> float:
-        """Root of the mean square of what remains over all points that count, in decades."""
+        """Rms residual over all points within the reference, in decades."""
         points = sum(shift.points for shift in self.shifts)
         squares = sum(shift.squares for shift in self.shifts)
         return float(np.sqrt(squares / points)) if points else float("nan")
 
     @property
     def left_out(self) -> int:
-        """Points that lie beyond the reference once they are shifted."""
+        """Number of points beyond the reference after the shift."""
         return sum(shift.left_out for shift in self.shifts)
 
 
-def collapse(curves: list[Curve], reference: Curve, how: str) -> Collapse:
-    """Return how all curves come onto the reference. how : UNSHIFTED, ALONG_SPEED, ALONG_BOTH."""
-    tried = np.zeros(1) if how == UNSHIFTED else SHIFTS
-    return Collapse(tuple(best(curve, reference, tried, how == ALONG_BOTH) for curve in curves))
+def collapse(curves: list[Curve], reference: Curve, mode: str) -> Collapse:
+    """Return the shifts of all curves onto the reference. mode : a value of SHIFT_MODES."""
+    tried = np.zeros(1) if mode == UNSHIFTED else SHIFTS
+    return Collapse(tuple(best(curve, reference, tried, mode == ALONG_BOTH) for curve in curves))
 
 
 def best(curve: Curve, reference: Curve, tried: np.ndarray, vertically: bool) -> Shift:
-    """Return the shift, out of those that are tried along speed, of the least rms difference."""
+    """Return the shift with the smallest rms difference among those tried along speed."""
     law = PchipInterpolator(reference.x, reference.y, extrapolate=False)
     moved = curve.x + tried[:, None]
     gap = law(moved) - curve.y  # NaN beyond the reference
     points = np.isfinite(gap).sum(axis=1)
-    enough = points >= max(LEAST_POINTS, OVERLAP * curve.x.size)
+    enough = points >= max(MIN_POINTS, OVERLAP * curve.x.size)
     if not enough.any():
         nan = float("nan")
         return Shift(nan, nan, nan, 0.0, 0, curve.x.size)
@@ -95,7 +94,7 @@ def best(curve: Curve, reference: Curve, tried: np.ndarray, vertically: bool) ->
 
 
 class Place(NamedTuple):
-    """To what a curve belongs."""
+    """Parameters of a curve."""
 
     pressed: float  # normal force (N), or indentation in rms roughnesses
     temperature: float  # °C
@@ -107,13 +106,13 @@ class Family(NamedTuple):
 
     places: list[Place]
     curves: list[Curve]
-    left_out: int  # points without a number, with too large an error, or in too short a curve
+    left_out: int  # points that are NaN, have too large an error, or lie in too short a curve
 
     def reference(self) -> int:
-        """Return the number of the curve that the others are shifted onto.
+        """Return the index of the reference curve.
 
-        It is the smallest system at the highest temperature, in the middle of the forces or
-        indentations that there are of it.
+        It is the smallest system at the highest temperature, at the middle of its forces or
+        indentations.
         """
         warm, size = max(p.temperature for p in self.places), min(p.size for p in self.places)
         known = [k for k, p in enumerate(self.places) if p[1:] == (warm, size)]
@@ -124,34 +123,38 @@ def at_forces(dataset: xr.Dataset) -> Family:
     """Return mu over speed at every normal force, temperature and size."""
     points = _points(dataset)
     forces = dataset.normal_force.values
-    found = []
+    rows = []
     for temperature, size, part in _parts(points):
         for force in forces:
-            one = part.sel(normal_force=force)
+            points_at_force = part.sel(normal_force=force)
             place = Place(float(force), temperature, size)
-            relative = (one.mu_1_error / one.mu_1).values
-            found.append((place, one.speed.values, one.mu_1.values, relative))
-    return _family(found)
+            relative = (points_at_force.mu_1_error / points_at_force.mu_1).values
+            rows.append(
+                (place, points_at_force.speed.values, points_at_force.mu_1.values, relative)
+            )
+    return _family(rows)
 
 
 def at_indentations(dataset: xr.Dataset) -> Family:
-    """Return mu over speed at some indentations, wherever the forces of the grid reach them.
+    """Return mu over speed at several indentations, as far as the forces of the grid reach them.
 
     log mu at an indentation is interpolated between the normal forces of the grid (monotone cubics
     in the mean indentation, which grows with the force at every speed).
     """
     points = _points(dataset)
-    found = []
+    rows = []
     for temperature, size, part in _parts(points):
         part = part.transpose("velocity", "normal_force")
         depth = (part.indentation / part.roughness).values
         relative = (part.mu_1_error / part.mu_1).values
-        laws = [_over_depth(*each) for each in zip(depth, part.mu_1.values, relative, strict=True)]
-        for wanted in INDENTATIONS:
-            values = np.array([law(wanted) for law in laws])
-            place = Place(wanted, temperature, size)
-            found.append((place, part.speed.values, 10.0 ** values[:, 0], values[:, 1]))
-    return _family(found)
+        laws = [
+            _over_depth(*columns) for columns in zip(depth, part.mu_1.values, relative, strict=True)
+        ]
+        for indentation in INDENTATIONS:
+            values = np.array([law(indentation) for law in laws])
+            place = Place(indentation, temperature, size)
+            rows.append((place, part.speed.values, 10.0 ** values[:, 0], values[:, 1]))
+    return _family(rows)
 
 
 def _points(dataset: xr.Dataset) -> xr.Dataset:
@@ -161,11 +164,13 @@ def _points(dataset: xr.Dataset) -> xr.Dataset:
     smallest, at the speed s v and with the friction s^(H-1) mu (study.toml).
     """
     chosen = dataset[["mu_1", "mu_1_error", "indentation"]]
-    one = chosen.squeeze(["hurst", "roughness", "velocity_step"])
-    size = one.spacing.max() / one.spacing
-    slope = size ** (one.hurst - 1.0)
-    return one.assign(
-        mu_1=one.mu_1 * slope, mu_1_error=one.mu_1_error * slope, speed=one.velocity * size
+    squeezed = chosen.squeeze(["hurst", "roughness", "velocity_step"])
+    size = squeezed.spacing.max() / squeezed.spacing
+    slope = size ** (squeezed.hurst - 1.0)
+    return squeezed.assign(
+        mu_1=squeezed.mu_1 * slope,
+        mu_1_error=squeezed.mu_1_error * slope,
+        speed=squeezed.velocity * size,
     ).assign_coords(size=size)
 
 
@@ -181,22 +186,22 @@ def _over_depth(
     depth: np.ndarray, mu: np.ndarray, relative: np.ndarray
 ) -> Callable[[float], tuple[float, float]]:
     """Return the function indentation -> (log10 mu, relative error), NaN beyond the forces."""
-    sound = np.isfinite(depth) & (mu > 0.0) & (relative < LARGEST_ERROR)
+    sound = np.isfinite(depth) & (mu > 0.0) & (relative < MAX_FRICTION_ERROR)
     order = np.argsort(depth[sound])
     x = depth[sound][order]
-    if x.size < LEAST_POINTS or np.any(np.diff(x) <= 0.0):
+    if x.size < MIN_POINTS or np.any(np.diff(x) <= 0.0):
         return lambda _: (float("nan"), float("nan"))
     level = PchipInterpolator(x, np.log10(mu[sound][order]), extrapolate=False)
     error = PchipInterpolator(x, relative[sound][order], extrapolate=False)
     return lambda wanted: (float(level(wanted)), float(error(wanted)))
 
 
-def _family(found: list[tuple[Place, np.ndarray, np.ndarray, np.ndarray]]) -> Family:
-    """Return the curves with at least four points each, and how many points are left out."""
+def _family(rows: list[tuple[Place, np.ndarray, np.ndarray, np.ndarray]]) -> Family:
+    """Return the curves with at least four points, and the number of points left out."""
     places, curves, left_out = [], [], 0
-    for place, speed, mu, relative in found:
-        sound = np.isfinite(mu) & (relative < LARGEST_ERROR)
-        if sound.sum() < LEAST_POINTS:
+    for place, speed, mu, relative in rows:
+        sound = np.isfinite(mu) & (relative < MAX_FRICTION_ERROR)
+        if sound.sum() < MIN_POINTS:
             left_out += sound.size
             continue
         left_out += int((~sound).sum())
@@ -207,36 +212,39 @@ def _family(found: list[tuple[Place, np.ndarray, np.ndarray, np.ndarray]]) -> Fa
 
 
 class Collapsed(NamedTuple):
-    """Curves of one material, pressed in one way, and how they collapse."""
+    """Curves of one material at given forces or indentations, with their collapses."""
 
     family: Family
-    ways: dict[str, Collapse]  # UNSHIFTED, ALONG_SPEED, ALONG_BOTH
+    collapses: dict[str, Collapse]  # by shift mode
 
 
 def resolved(dataset: xr.Dataset) -> tuple[xr.Dataset, int]:
-    """Return a result without friction where contacts are not resolved, and how many points."""
+    """Return a result with NaN friction at unresolved points, and the number of these."""
     coarse = not_resolved(dataset)
     mu = dataset.mu_1.copy(data=np.where(coarse, np.nan, dataset.mu_1.values))
-    kept = dataset.assign(mu_1=mu).drop_vars("resolution_status", errors="ignore")
-    return kept, int(coarse.sum())
+    masked = dataset.assign(mu_1=mu).drop_vars("resolution_status", errors="ignore")
+    return masked, int(coarse.sum())
 
 
 def remaining(dataset: xr.Dataset) -> dict[str, Collapsed]:
-    """Return how the curves of a result collapse, at given forces and at given indentations."""
-    found = {}
-    for how, family in (("force", at_forces(dataset)), ("indentation", at_indentations(dataset))):
-        onto = family.curves[family.reference()]
-        ways = {way: collapse(family.curves, onto, way) for way in WAYS}
-        found[how] = Collapsed(family, ways)
-    return found
+    """Return the collapses of the curves of a result, at given forces and at indentations."""
+    collapsed = {}
+    for pressing, family in (
+        ("force", at_forces(dataset)),
+        ("indentation", at_indentations(dataset)),
+    ):
+        reference = family.curves[family.reference()]
+        collapses = {mode: collapse(family.curves, reference, mode) for mode in SHIFT_MODES}
+        collapsed[pressing] = Collapsed(family, collapses)
+    return collapsed
 
 
-def thermal(found: Collapsed) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+def thermal(collapsed: Collapsed) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Return temperatures, and the shift along speed from the highest one, with its error.
 
     Every pair of curves that differ in temperature alone gives one value.
     """
-    shifts = dict(zip(found.family.places, found.ways[ALONG_BOTH].shifts, strict=True))
+    shifts = dict(zip(collapsed.family.places, collapsed.collapses[ALONG_BOTH].shifts, strict=True))
     warmest = max(place.temperature for place in shifts)
     rows = []
     for place, shift in shifts.items():

@@ -1,7 +1,7 @@
-"""Measured lines beside random ones: what a spectrum, and what height and slope, leave out.
+"""Measured lines and random lines with the same spectrum, or with the same height and slope.
 
-To be read beside Persson et al., J. Phys.: Condens. Matter 17, R1 (2005), for spectra of measured
-surfaces, and beside Li et al. (2014), figure 3a, for mu over velocity.
+Compare Persson et al., J. Phys.: Condens. Matter 17, R1 (2005), on spectra of measured surfaces,
+and Li et al. (2014), figure 3a, on mu over velocity.
 """
 
 from typing import Any
@@ -20,7 +20,7 @@ CAPTION = (
     "and of self-affine lines in relation to those of random lines that have the spectrum of the "
     "measured ones."
 )
-RANDOM = "random_phase"  # the group that others are held against
+RANDOM = "random_phase"  # the reference group
 STYLES: dict[str, dict[str, Any]] = {
     "": {"fmt": "o", "ms": 3.0, "label": "measured"},
     "random_phase": {"fmt": "-", "lw": 1.2, "label": "random phases"},
@@ -49,12 +49,12 @@ def draw(groups: Groups) -> Figure:
         _by_force(ax, shown, name)
         ax.set(yscale="log", ylabel=label, title=title)
     for ax, (name, title) in zip(axes[1], BELOW.items(), strict=True):
-        # Self-affine lines are drawn with the phases of random-phase ones: ratios of both are known
-        # better than their bars say.
+        # Self-affine lines share the phases of the random-phase lines, so that the bars of their
+        # ratios are too large.
         others = {
-            each: data.assign(ratio_of(data, shown[RANDOM], name))
-            for each, data in shown.items()
-            if each != RANDOM
+            group: data.assign(ratio_of(data, shown[RANDOM], name))
+            for group, data in shown.items()
+            if group != RANDOM
         }
         _by_force(ax, others, "ratio")
         ax.axhline(1.0, color="k", lw=0.8)

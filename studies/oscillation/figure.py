@@ -25,7 +25,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from elastomer_friction.kernels.rheology.spectrum import complex_modulus
-from elastomer_friction.studies.style import HEAT, computed_study
+from elastomer_friction.studies.style import TEMPERATURE_COLOURS, computed_study
 from elastomer_friction.workflow.report import COLOURS, band, foot_line, legend_in_room, log_bars
 from elastomer_friction.workflow.result import Groups
 from elastomer_friction.workflow.study import HoldSegment, Oscillate
@@ -38,7 +38,7 @@ CAPTION = (
 )
 LABELS = {"": "Kelvin element", "rubber": "nine branches"}
 REFERENCE = 20.0  # °C
-SHOWN = (20.0, 35.0, 50.0)  # °C, of the large loops
+LOOP_TEMPERATURES = (20.0, 35.0, 50.0)  # °C, of the large loops
 
 
 class Swing(NamedTuple):
@@ -62,7 +62,7 @@ def draw(groups: Groups) -> Figure:
         _response(axes[0, 1], data, name, colour, label)
     for ax, (name, label), letter in zip(axes[1], LABELS.items(), "cd", strict=True):
         data = groups[name].squeeze()
-        for temperature, colour in zip(SHOWN, HEAT, strict=True):
+        for temperature, colour in zip(LOOP_TEMPERATURES, TEMPERATURE_COLOURS, strict=True):
             at = data.sel(temperature=temperature)
             factor = float(shift_factors(data)[list(data.temperature.values).index(temperature)])
             text = f"{temperature:g} °C, $a_T = {factor:.2g}$"
@@ -76,7 +76,7 @@ def draw(groups: Groups) -> Figure:
     axes[0, 1].set_title("(b) small response; lines: $G^*/G - 1$")
     note = (
         "Nothing is fitted. In (b) circles are the part of µ in phase with the velocity, and "
-        "triangles that in phase with the displacement, of which a Kelvin element has none. In (d) "
+        "triangles that in phase with the displacement, which is zero for a Kelvin element. In (d) "
         "the rubber at 20 °C has not forgotten where the line stood before, which it passes at its "
         "largest velocity."
     )
@@ -86,11 +86,11 @@ def draw(groups: Groups) -> Figure:
 
 def _loop(ax: Axes, data: xr.Dataset, motion: Swing, scale: float, colour: str, label: str) -> None:
     """Draw the last cycle of an oscillation over the velocity, with its band."""
-    own = data.isel(event=data.trace_segment.values == motion.segment)
-    cycles = (own.trace_time.values - motion.end) * motion.frequency
-    own, cycles = own.isel(event=cycles > -1.005), cycles[cycles > -1.005]
+    inside = data.isel(event=data.trace_segment.values == motion.segment)
+    cycles = (inside.trace_time.values - motion.end) * motion.frequency
+    inside, cycles = inside.isel(event=cycles > -1.005), cycles[cycles > -1.005]
     speed = np.cos(2.0 * np.pi * cycles)
-    mu, error = own.trace_mu.values / scale, own.trace_mu_error.values / scale
+    mu, error = inside.trace_mu.values / scale, inside.trace_mu_error.values / scale
     turn = int(np.argmin(speed))
     for part, text in ((slice(turn + 1), label), (slice(turn, None), None)):
         band(ax, speed[part], mu[part], error[part], color=colour, label=text)
@@ -121,15 +121,15 @@ def _response(ax: Axes, data: xr.Dataset, name: str, colour: str, label: str) ->
 
 def motions(data: xr.Dataset) -> list[Swing]:
     """Return the oscillations of the programme of a result, which else only holds."""
-    found: list[Swing] = []
+    swings: list[Swing] = []
     time = 0.0
     for number, segment in enumerate(computed_study(data).scene.programme):
         if isinstance(segment, HoldSegment):
             time += segment.durations[0]
         elif isinstance(segment, Oscillate):
             time += segment.cycles / segment.frequency
-            found.append(Swing(number, segment.amplitude, segment.frequency, time))
-    return found
+            swings.append(Swing(number, segment.amplitude, segment.frequency, time))
+    return swings
 
 
 def shift_factors(data: xr.Dataset) -> np.ndarray:

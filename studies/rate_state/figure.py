@@ -30,7 +30,7 @@ CAPTION = (
     "normal force and on the shortest wave of the surface."
 )
 BROAD, KELVIN = "", "kelvin"
-TIME = 1e-3  # s, tau of the Kelvin element, the middle of the times of the rubber
+MIDDLE_TIME = 1e-3  # s, tau of the Kelvin element, the middle of the times of the rubber
 RATIO_LABEL = "$v_2/v_1$"
 TITLES = (
     "(a) direct effect $a$",
@@ -44,29 +44,31 @@ STYLES: dict[str, dict[str, Any]] = {
     BROAD: {"fmt": "o-", "ms": 3.2, "lw": 0.6},
     KELVIN: {"fmt": "s--", "ms": 3.2, "lw": 0.6},
 }
-SHOWN = ("rate_state_a", "rate_state_b", "rate_state_a_minus_b", "rate_state_dc")
+PARAMETERS = ("rate_state_a", "rate_state_b", "rate_state_a_minus_b", "rate_state_dc")
 
 
 def points(data: xr.Dataset) -> xr.Dataset:
-    """Return the points over force, spacing, velocity, step and law, with what is drawn.
+    """Return the points over force, spacing, velocity, step and law, with derived variables.
 
-    a, b and a - b are over the rms slope, D_c is known where the law was fitted, ``ratio`` is
-    v2/v1, ``x`` is v2 TIME q_max, ``q_max`` is in 1/m and ``distance`` is D_c q_max.
+    a, b and a - b are divided by the rms slope, D_c is NaN unless the law was fitted, ``ratio`` is
+    v2/v1, ``x`` is v2 MIDDLE_TIME q_max, ``q_max`` is in 1/m and ``distance`` is D_c q_max.
     """
     one = data.isel(hurst=0, roughness=0)
     fitted = one.rate_state_status == FITTED
     scaled = {}
-    for name in SHOWN:
+    for name in PARAMETERS:
         divisor = 1.0 if name == "rate_state_dc" else one.rms_slope
         known = fitted if name == "rate_state_dc" else True
-        for each in (name, f"{name}_error"):
-            scaled[each] = (one[each] / divisor).where(known)
-    found = one.assign(scaled)
-    ratio = 1.0 + found.velocity_step
-    q_max = np.pi / found.spacing
-    for each in ("", "_error"):
-        found[f"distance{each}"] = found[f"rate_state_dc{each}"] * q_max
-    return found.assign(ratio=ratio, q_max=q_max, x=found.velocity * ratio * TIME * q_max)
+        for variable in (name, f"{name}_error"):
+            scaled[variable] = (one[variable] / divisor).where(known)
+    scaled_points = one.assign(scaled)
+    ratio = 1.0 + scaled_points.velocity_step
+    q_max = np.pi / scaled_points.spacing
+    for variable in ("", "_error"):
+        scaled_points[f"distance{variable}"] = scaled_points[f"rate_state_dc{variable}"] * q_max
+    return scaled_points.assign(
+        ratio=ratio, q_max=q_max, x=scaled_points.velocity * ratio * MIDDLE_TIME * q_max
+    )
 
 
 def draw(groups: Groups) -> Figure:
@@ -132,7 +134,7 @@ def _by_step(ax: Axes, data: xr.Dataset, over: str) -> None:
 
 
 def _dress(axes: np.ndarray, broad: xr.Dataset) -> None:
-    """Set scales, labels and what is to be compared with."""
+    """Set scales, labels and reference lines."""
     a, b, weakening, length, load, cutoff = axes.flat
     a.set(yscale="log", ylim=(3e-3, 1.0), xlabel=RATIO_LABEL, ylabel="$a/\\nabla z$")
     b.set(xlabel=RATIO_LABEL, ylabel="$b/\\nabla z$")
@@ -165,7 +167,7 @@ def _dress(axes: np.ndarray, broad: xr.Dataset) -> None:
 
 
 def left_out(groups: Groups) -> list[str]:
-    """Return how many fits of each material by Ruina's law say nothing, in words."""
+    """Return the numbers of failed fits of Ruina's law for each material, as text."""
     words = []
     for name, data in groups.items():
         status = data.rate_state_status.sel(law="ruina").values
@@ -173,6 +175,6 @@ def left_out(groups: Groups) -> list[str]:
         label = "Nine branches" if name == BROAD else "Kelvin"
         words.append(
             f"{label}: {others} of {status.size} steps are not fitted by Ruina's law, {none} of "
-            "them as there is no state (|b| below three errors)."
+            "them because |b| is below three standard errors."
         )
     return words

@@ -1,4 +1,4 @@
-"""Refinement of figure 7 in time: what of its left branch is physics, and what the time step."""
+"""Refinement of figure 7 in time: physical and numerical parts of its left branch."""
 
 import numpy as np
 import xarray as xr
@@ -9,7 +9,7 @@ from matplotlib.figure import Figure
 from elastomer_friction.studies.style import (
     CONVERGED,
     DOTS,
-    PALEST,
+    MAX_LIGHTNESS,
     PAPER_STEP,
     SCHEMES,
     X_LABEL,
@@ -22,13 +22,13 @@ from elastomer_friction.workflow.result import Groups
 CAPTION = (
     "Panels (a) and (b) show the relaxation rate b over the dimensionless velocity x with ever "
     "smaller time steps of both schemes, beside the limit to which they converge and eq. 13 of "
-    "the paper. Panel (c) shows which share of the jump is left to relax."
+    "the paper. Panel (c) shows the share of the jump that relaxes."
 )
-LEFT = {"": ("converged", CONVERGED), "euler_1": ("implicit Euler, $m = 1$", PAPER_STEP)}
+SHARE_CURVES = {"": ("converged", CONVERGED), "euler_1": ("implicit Euler, $m = 1$", PAPER_STEP)}
 FORCE = 0.1  # N, the nearest is shown
 NOTE = (
     "Dotted in (a) is the rate at which implicit Euler lets a free element decay, "
-    "ln(1 + Δt/τ)·τ/Δt with Δt = Δx/(m·v₂). No marker stands where there is no fit; "
+    "ln(1 + Δt/τ)·τ/Δt with Δt = Δx/(m·v₂). Points without a fit have no marker; "
 )
 
 
@@ -43,7 +43,7 @@ def draw(groups: Groups) -> Figure:
         }
         _rates(row[0], shown, "euler", hurst)
         _rates(row[1], shown, "exponential", hurst)
-        for name, (label, scheme) in LEFT.items():
+        for name, (label, scheme) in SHARE_CURVES.items():
             if name in shown:
                 one = shown[name].where(shown[name].relaxation_rate.notnull())
                 share = abs(one.amplitude / one.jump)
@@ -52,7 +52,7 @@ def draw(groups: Groups) -> Figure:
         row[0].set_ylabel(f"relaxation rate $b$, $H = {hurst:g}$")
     axes[0, 0].set_title("(a) implicit Euler; dotted: free")
     axes[0, 1].set_title("(b) exponential")
-    axes[0, 2].set_title("(c) what is left to relax, $|\\mu^*| / \\Delta\\mu_0$")
+    axes[0, 2].set_title("(c) share that relaxes, $|\\mu^*| / \\Delta\\mu_0$")
     for ax in axes[1]:
         ax.set_xlabel(X_LABEL)
     axes[0, 0].legend(loc="upper left", ncols=2, columnspacing=0.6, handlelength=1.2)
@@ -63,9 +63,9 @@ def draw(groups: Groups) -> Figure:
 
 
 def decay_rate(data: xr.Dataset, steps: int) -> xr.DataArray:
-    """Return the rate, per tau, at which implicit Euler lets a free element decay at v2.
+    """Return the decay rate, per tau, of a free element at v2 with implicit Euler.
 
-    By 1/(1 + dt) a step of dt instead of exp(-dt): ln(1 + dt)/dt.
+    A step of dt multiplies by 1/(1 + dt) instead of exp(-dt), which is a rate ln(1 + dt)/dt.
     """
     dt = np.pi / (steps * data.speed_ratio * (1.0 + data.velocity_step))
     return np.log1p(dt) / dt
@@ -73,7 +73,7 @@ def decay_rate(data: xr.Dataset, steps: int) -> xr.DataArray:
 
 def _rates(ax: Axes, shown: dict[str, xr.Dataset], scheme: str, hurst: float) -> None:
     steps = sorted(int(name.rpartition("_")[2]) for name in shown if name.startswith(scheme))
-    colours = plt.get_cmap("viridis")(np.linspace(PALEST, 0.1, len(steps)))
+    colours = plt.get_cmap("viridis")(np.linspace(MAX_LIGHTNESS, 0.1, len(steps)))
     for m, colour in zip(steps, colours, strict=True):
         one = shown[f"{scheme}_{m}"]
         style = DOTS | {"color": colour, "ms": 2.8, "mew": 1.0, "lw": 0.7, "label": f"$m = {m}$"}

@@ -10,7 +10,7 @@ from matplotlib.figure import Figure
 
 from elastomer_friction.kernels.rheology.spectrum import Spectrum, complex_modulus
 from elastomer_friction.studies.master_curve.collapse import UNSHIFTED, Collapse, Curve, collapse
-from elastomer_friction.studies.style import HEAT, slide_of
+from elastomer_friction.studies.style import TEMPERATURE_COLOURS, slide_of
 from elastomer_friction.workflow.report import (
     COLOURS,
     band,
@@ -58,7 +58,9 @@ def draw(groups: Groups) -> Figure:
     _over_speed(axes[0, 2], known, "contact_fraction", (1e-4, 1.5))
     axes[0, 2].set(title="(c) share in contact at 20 °C", ylabel="share of the line in contact")
     axes[0, 2].legend(loc="lower left", fontsize=6.5)
-    for temperature, colour in zip(known[RUBBER].temperature.values, HEAT, strict=False):
+    for temperature, colour in zip(
+        known[RUBBER].temperature.values, TEMPERATURE_COLOURS, strict=False
+    ):
         one = known[RUBBER].sel(temperature=temperature)
         style = POINTS | {"fmt": "o-", "color": colour, "label": with_unit(temperature, "°C")}
         error_bars(axes[1, 0], one, "mu_1", "velocity", **style)
@@ -77,9 +79,9 @@ def warmest(data: xr.Dataset) -> xr.Dataset:
 
 
 def master(data: xr.Dataset, material: Material) -> tuple[Collapse, list[Curve]]:
-    """Return how mu(v) at all temperatures meets in one curve of a_T v, and the curves.
+    """Return the collapse of mu(a_T v) at all temperatures onto one curve, and the curves.
 
-    The shift is that of the material, nothing is fitted; the reference is the highest temperature.
+    The shift is that of the material, without a fit; the reference is the highest temperature.
     """
     curves = [_curve(data, t, material.shift(float(t))) for t in data.temperature.values]
     reference = curves[int(np.argmax(data.temperature.values))]
@@ -111,8 +113,8 @@ def _over_speed(
 
 
 def _master(ax: Axes, data: xr.Dataset, material: Material) -> None:
-    found, curves = master(data, material)
-    for curve, colour in zip(curves, HEAT, strict=False):
+    shifted, curves = master(data, material)
+    for curve, colour in zip(curves, TEMPERATURE_COLOURS, strict=False):
         mu = 10.0**curve.y
         bars = mu * curve.error * np.log(10.0)
         ax.errorbar(10.0**curve.x, mu, bars, fmt="o", color=colour, **POINTS)
@@ -121,8 +123,8 @@ def _master(ax: Axes, data: xr.Dataset, material: Material) -> None:
         0.03,
         0.97,
         "rms difference in the overlap:\n"
-        f"{_percent(found.rms)}, unshifted {_percent(before.rms)}\n"
-        f"({found.left_out} of {sum(c.x.size for c in curves)} points beyond it)",
+        f"{_percent(shifted.rms)}, unshifted {_percent(before.rms)}\n"
+        f"({shifted.left_out} of {sum(c.x.size for c in curves)} points beyond it)",
         transform=ax.transAxes,
         va="top",
         fontsize=6.5,
@@ -139,7 +141,7 @@ def _curve(data: xr.Dataset, temperature: float, shift: float = 1.0) -> Curve:
 
 
 def _percent(decades: float) -> str:
-    """Return a difference of log10 mu as a share of mu."""
+    """Return a difference of log10 mu as a percentage of mu."""
     percent = 100.0 * (10.0**decades - 1.0)
     return f"{percent:.2g} %" if percent < 10.0 else f"{percent:.0f} %"
 
@@ -152,8 +154,8 @@ def _step(ax: Axes, known: dict[str, xr.Dataset]) -> None:
         slide = slide_of(point, 1)
         mu, error = slide.trace_mu.values, slide.trace_mu_error.values
         one, two = float(point.mu_1), float(point.mu_2)
-        said = f"{label}, {with_unit(float(point.velocity), 'm/s')}"
-        band(ax, slide.slid, mu / one, error / one, color=colour, label=said)
+        text = f"{label}, {with_unit(float(point.velocity), 'm/s')}"
+        band(ax, slide.slid, mu / one, error / one, color=colour, label=text)
         ax.plot(slide.slid[-1] * 1.3, two / one, "<", color=colour, ms=4.0, clip_on=False)
     ax.set(xscale="log", xlabel="slip since the step (m)", ylabel="$\\mu/\\mu_1$")
     ax.set(title="(f) after a step to $2 v_1$")

@@ -1,15 +1,15 @@
-"""Slide, hold, slide: static peak of the friction over the duration of the hold.
+"""Slide-hold-slide tests: static peak of the friction over the duration of the hold.
 
-The drive is held, as in an experiment, and the line creeps on as its spring slackens; the stiffest
-spring holds the line at a fixed place, where friction decays to zero. To be read beside Dieterich's
-law of healing (C. Marone, Annu. Rev. Earth Planet. Sci. 26, 643 (1998)), of which b and D_c are
-those of a velocity step of the line, by Ruina's law: nothing is fitted to the holds. Beside it S.
-Hulikal, K. Bhattacharya, N. Lapusta, arXiv:1811.03811 (an array of viscoelastic elements: static
-friction that goes on growing tells of many relaxation times), F. Landes, A. Rosso, E. Jagla,
+The drive is held, as in an experiment, and the line creeps while its spring relaxes; the stiffest
+spring holds the line in place, where friction decays to zero. Compare Dieterich's law of healing
+(C. Marone, Annu. Rev. Earth Planet. Sci. 26, 643 (1998)) with b and D_c from a velocity step of the
+line by Ruina's law; nothing is fitted to the holds. Compare also S. Hulikal, K. Bhattacharya,
+N. Lapusta, arXiv:1811.03811 (an array of viscoelastic elements, where a sustained increase of
+static friction suggests many relaxation times), F. Landes, A. Rosso, E. Jagla,
 arXiv:1503.07847 (slide-hold-slide of viscoelastic spring-blocks), and O. Ronsin, K. L.
 Coeyrehourcq, "State, rate and temperature-dependent sliding friction of elastomers" (rubber on
-glass, where deformation is negligible: kinetics, not magnitudes). The abstracts of Hulikal et al.
-and of Ronsin and Coeyrehourcq were read, the others are cited from memory.
+glass, where deformation is negligible: compare kinetics, not magnitudes). The abstracts of Hulikal
+et al. and of Ronsin and Coeyrehourcq were read; the others are cited from memory.
 """
 
 from typing import Any
@@ -20,21 +20,20 @@ from matplotlib import pyplot as plt
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from elastomer_friction.studies.style import PALEST, slide_of
+from elastomer_friction.studies.style import MAX_LIGHTNESS, slide_of
 from elastomer_friction.workflow.report import COLOURS, band, error_bars, foot_line, with_unit
 from elastomer_friction.workflow.result import Groups
 
 CAPTION = (
-    "A line slides, its drive rests for a while and goes on, and panels (a) and (b) show by how "
-    "much the static peak afterwards exceeds the friction before, over the duration of the rest, "
-    "for two materials, on springs and at a fixed place. Panel (c) shows which share of the "
-    "friction is left at the end of the rest, and panel (d) how friction passes its peak over the "
-    "distance slid."
+    "The drive of a sliding line is held for a while and then moves on. Panels (a) and (b) show "
+    "the static peak after the hold minus the friction before it, over the duration of the hold, "
+    "for two materials, on springs and at a fixed position. Panel (c) shows the share of friction "
+    "that remains at the end of the hold, and panel (d) friction over the distance slid after it."
 )
 KELVIN, RUBBER = "", "rubber"
 TAU = 1e-3  # s, of the Kelvin element; the middle of the rubber's times
-LONGEST = 0.1  # s, of the rubber
-SHOWN = (0, 4, 5, 8)  # holds in panel (d)
+LONGEST_TIME = 0.1  # s, of the rubber
+SHOWN_HOLDS = (0, 4, 5, 8)  # holds in panel (d)
 STYLES: tuple[dict[str, Any], ...] = (  # of the springs, the softest first
     {"marker": "s", "ls": ":"},
     {"marker": "^", "ls": "--"},
@@ -65,20 +64,20 @@ def draw(groups: Groups) -> Figure:
         for index, colour in zip(range(data.sizes["velocity"]), COLOURS, strict=False):
             point = data.isel(velocity=index)
             for spring, style in enumerate(STYLES):
-                own = point.isel(stiffness=spring)
-                error_bars(ax, own, "healing", "hold", ms=3, lw=0.6, color=colour, **style)
+                on_spring = point.isel(stiffness=spring)
+                error_bars(ax, on_spring, "healing", "hold", ms=3, lw=0.6, color=colour, **style)
             holds = point.hold.values
             hold = np.geomspace(holds[0], holds[-1], 100)
             if name == RUBBER:
                 rise, error = law(point.isel(stiffness=-1), hold)
                 ax.fill_between(hold, rise - error, rise + error, color=colour, alpha=0.2, lw=0)
         ax.set(xscale="log", xlabel="duration of the hold $t_h$ (s)")
-        ax.axvline(TAU if name == KELVIN else LONGEST, color="0.6", lw=0.7, ls=":")
+        ax.axvline(TAU if name == KELVIN else LONGEST_TIME, color="0.6", lw=0.7, ls=":")
         ax.axhline(0.0, color="0.7", lw=0.5)
     for velocity, colour in zip(data.velocity.values, COLOURS, strict=False):
         axes[0, 0].plot([], [], "-", color=colour, label=f"$v = {velocity:g}$ m/s")
     for stiffness, style in zip(data.stiffness.values, STYLES, strict=True):
-        label = "fixed place" if stiffness == data.stiffness[-1] else f"$k = {stiffness:g}$ N/m"
+        label = "fixed position" if stiffness == data.stiffness[-1] else f"$k = {stiffness:g}$ N/m"
         axes[0, 1].plot([], [], ms=3, lw=0.6, color="0.3", label=label, **style)
     axes[0, 0].legend(loc="center right")
     axes[0, 1].legend(loc="upper left")
@@ -91,18 +90,18 @@ def draw(groups: Groups) -> Figure:
         figure,
         groups[""],
         "(b) bands: Dieterich's b ln(1 + v t_h/D_c), b and D_c from a velocity step of the line, "
-        "nothing fitted to the holds. Fixed place: on 1 MN/m.",
+        "nothing fitted to the holds. Fixed position: k = 1 MN/m.",
     )
     return figure
 
 
 def _left(ax: Axes, point: xr.Dataset) -> None:
-    """Draw which share of the friction is left at the end of the hold, on every spring."""
+    """Draw the share of friction that remains at the end of the hold, on every spring."""
     for index, style in enumerate(STYLES):
-        own = point.isel(stiffness=index)
-        before = own.static_peak - own.healing
-        share, error = (own[f"mu_end_of_hold{end}"] / before for end in ("", "_error"))
-        ax.errorbar(own.hold, share, error, ms=3, lw=0.8, color=COLOURS[0], **style)
+        on_spring = point.isel(stiffness=index)
+        before = on_spring.static_peak - on_spring.healing
+        share, error = (on_spring[f"mu_end_of_hold{end}"] / before for end in ("", "_error"))
+        ax.errorbar(on_spring.hold, share, error, ms=3, lw=0.8, color=COLOURS[0], **style)
     ax.axhline(0.0, color="0.7", lw=0.5)
     ax.set(xscale="log", xlabel="duration of the hold $t_h$ (s)")
     ax.set_ylabel("$\\mu\\,/\\,\\mu$ before the hold")
@@ -110,9 +109,9 @@ def _left(ax: Axes, point: xr.Dataset) -> None:
 
 
 def _after(ax: Axes, point: xr.Dataset) -> None:
-    """Draw the friction over the distance slid after holds, at a fixed place and on a spring."""
-    colours = plt.get_cmap("viridis")(np.linspace(PALEST, 0.0, len(SHOWN)))
-    for index, colour in zip(SHOWN, colours, strict=True):
+    """Draw friction over the distance slid after holds, at a fixed position and on a spring."""
+    colours = plt.get_cmap("viridis")(np.linspace(MAX_LIGHTNESS, 0.0, len(SHOWN_HOLDS)))
+    for index, colour in zip(SHOWN_HOLDS, colours, strict=True):
         for spring in (-1, 0):
             one = point.isel(hold=index, stiffness=spring)
             slide = slide_of(one, 2)

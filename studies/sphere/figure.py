@@ -28,9 +28,9 @@ def draw(groups: Groups) -> Figure:
     names = [name for name in TITLES if name in groups]
     figure, axes = plt.subplots(1, len(names), figsize=(3.6 * len(names), 3.2), squeeze=False)
     for ax, name in zip(axes[0], names, strict=True):
-        own = groups[name]
-        ax.plot(own.speed, own.half_space, "o", color=COLOURS[0], label="half-space", ms=4)
-        ax.plot(own.speed, own.foundation, "s", color=COLOURS[1], label="foundation", ms=4)
+        dataset = groups[name]
+        ax.plot(dataset.speed, dataset.half_space, "o", color=COLOURS[0], label="half-space", ms=4)
+        ax.plot(dataset.speed, dataset.foundation, "s", color=COLOURS[1], label="foundation", ms=4)
         ax.set(xscale="log", yscale="log", ylabel="coefficient of friction $\\mu$")
         title, label = TITLES[name]
         ax.set(title=title, xlabel=label)
@@ -39,8 +39,8 @@ def draw(groups: Groups) -> Figure:
     axes[0, 0].plot(data.speed, 2.0 * data.closed, "k:", lw=0.8, label="$2 v \\tau/R$")
     axes[0, 0].set_ylim(1e-5, 0.2)
     if "published" in groups:
-        own = groups["published"]
-        axes[0, 1].plot(own.speed, own.published, "kx", label="Carbone and Putignano")
+        dataset = groups["published"]
+        axes[0, 1].plot(dataset.speed, dataset.published, "kx", label="Carbone and Putignano")
     for ax in axes[0]:
         ax.legend(loc="best")
     return figure

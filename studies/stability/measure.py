@@ -14,12 +14,12 @@ from elastomer_friction.workflow.study import Key, integer
 
 from .probe import COUNTS, RESIDUALS, Motion, corners, count_corners, probe, random_line, refinement
 
-HURST, M, RATIO = 0.7, 4, 1.2  # of the map
-KINDS = RESIDUALS | COUNTS
-SECONDS = 9e-5  # of the typical machine, per step of a short line
-SECONDS_PER_SAMPLE = 9.5e-8  # and per sample of it
-LONG_SECONDS = 5.8e-6  # per element of a very long line
-SETTINGS = {  # docs/reference/measures.md says what they mean
+MAP_HURST, MAP_STEPS, MAP_RATIO = 0.7, 4, 1.2
+PROBED = RESIDUALS | COUNTS
+SECONDS_PER_STEP = 9e-5  # of a short line, on a typical machine
+SECONDS_PER_SAMPLE = 9.5e-8  # of a step, in addition
+SECONDS_PER_LONG_ELEMENT = 5.8e-6  # of a very long line
+SETTINGS = {  # documented in docs/reference/measures.md
     "map_loads": Key(partial(integer, least=2)),
     "map_speeds": Key(partial(integer, least=2)),
     "map_elements": Key(partial(integer, least=8)),
@@ -31,24 +31,26 @@ SETTINGS = {  # docs/reference/measures.md says what they mean
 
 
 def outline(settings: dict) -> tuple[list[str], float]:
-    """Return what would be measured, and the predicted seconds of one core."""
+    """Return a description of the measurement, and the predicted seconds of one core."""
     points = settings["map_loads"] * settings["map_speeds"] * len(SCHEMES)
     cases = count_corners(settings["corner_lines"], settings["most_elements"])
     lines = [
         f"map         {points} points, {settings['map_lines']} lines each",
         f"corners     {cases} cases of {settings['steps']} steps",
     ]
-    long = sum(n * 4 * LONG_SECONDS for n in (10**5, 10**6) if n <= settings["most_elements"])
+    long = sum(
+        n * 4 * SECONDS_PER_LONG_ELEMENT for n in (10**5, 10**6) if n <= settings["most_elements"]
+    )
     corner = _seconds(settings, 250)  # samples of a line, the mean of all corners
     return lines, points * _map_seconds(settings) + cases * corner + long
 
 
 def _seconds(settings: dict, samples: int) -> float:
-    return (settings["steps"] + 40) * (SECONDS + SECONDS_PER_SAMPLE * samples)
+    return (settings["steps"] + 40) * (SECONDS_PER_STEP + SECONDS_PER_SAMPLE * samples)
 
 
 def _map_seconds(settings: dict) -> float:
-    return settings["map_lines"] * _seconds(settings, M * settings["map_elements"])
+    return settings["map_lines"] * _seconds(settings, MAP_STEPS * settings["map_elements"])
 
 
 def measure(settings: dict, seed: int, advance: Callable[[float], None]) -> dict[str, xr.Dataset]:
@@ -61,25 +63,27 @@ def _map(settings: dict, seed: int, advance: Callable[[float], None]) -> xr.Data
     speeds = np.geomspace(1e-4, 1e6, settings["map_speeds"])
     n = settings["map_elements"]
     both = [  # the same lines with m and 2 m samples per spacing
-        [random_line(HURST, n, m, seed, index) for m in (M, 2 * M)]
+        [random_line(MAP_HURST, n, m, seed, index) for m in (MAP_STEPS, 2 * MAP_STEPS)]
         for index in range(settings["map_lines"])
     ]
     axes = {"scheme": list(SCHEMES), "mean_load": loads, "speed_ratio": speeds}
     rows = []
     for scheme, load, x in product(SCHEMES, loads.tolist(), speeds.tolist()):
-        each = []
+        residuals = []
         for line, fine in both:
-            motion = Motion(line, load, x / np.pi, RATIO, scheme)
+            motion = Motion(line, load, x / np.pi, MAP_RATIO, scheme)
             worst = probe(motion, settings["steps"])
-            each.append(worst | {"refinement": refinement(motion, fine, HURST)})
-        rows.append({kind: max(worst[kind] for worst in each) for kind in each[0]})
+            residuals.append(worst | {"refinement": refinement(motion, fine, MAP_HURST)})
+        rows.append({kind: max(worst[kind] for worst in residuals) for kind in residuals[0]})
         advance(_map_seconds(settings))
     shape = (len(SCHEMES), loads.size, speeds.size)
     data = {
         kind: (list(axes), np.reshape([row[kind] for row in rows], shape), _attributes(kind))
         for kind in rows[0]
     }
-    return xr.Dataset(data, axes, {"hurst": HURST, "elements": n, "steps_per_spacing": M})
+    return xr.Dataset(
+        data, axes, {"hurst": MAP_HURST, "elements": n, "steps_per_spacing": MAP_STEPS}
+    )
 
 
 def _corners(settings: dict, seed: int, advance: Callable[[float], None]) -> xr.Dataset:
@@ -101,14 +105,14 @@ def _corners(settings: dict, seed: int, advance: Callable[[float], None]) -> xr.
         )
         samples = motion.line.z.size
         long = samples > 10**4
-        advance(samples * LONG_SECONDS if long else _seconds(settings, 250))
+        advance(samples * SECONDS_PER_LONG_ELEMENT if long else _seconds(settings, 250))
     data = {name: ("case", [row[name] for row in rows], _attributes(name)) for name in rows[0]}
     return xr.Dataset(data)
 
 
 def _attributes(name: str) -> dict[str, str]:
     """Return the attributes of a variable; residuals are relative."""
-    known = KINDS | {
+    known = PROBED | {
         "refinement": "|mu_1(2 m) - mu_1(m)| / rms slope",
         "mean_load": "Fbar = F_N / (4 G L h)",
         "speed_ratio": "x = v1 tau q_max",
@@ -118,15 +122,15 @@ def _attributes(name: str) -> dict[str, str]:
 
 
 def table(groups: Groups) -> pd.DataFrame:
-    """Return the worst of every kind over the map and the corners, and where it was."""
+    """Return the worst value of every kind over the map and the corners, with its case."""
     data = groups[""]
     points = data.to_dataframe().reset_index()
-    settings = {"line": f"H = {data.hurst:g}", "elements": data.elements, "ratio": RATIO}
+    settings = {"line": f"H = {data.hurst:g}", "elements": data.elements, "ratio": MAP_RATIO}
     points = points.assign(**settings, steps_per_spacing=data.steps_per_spacing)
     cases = pd.concat([points, groups["corners"].to_dataframe()], ignore_index=True)
     where = ["line", "elements", "steps_per_spacing", "mean_load", "speed_ratio", "ratio", "scheme"]
     rows = []
-    for kind, meaning in KINDS.items():
+    for kind, meaning in PROBED.items():
         worst = cases.iloc[int(np.nanargmax(cases[kind].to_numpy()))]
         row = {"kind": kind, "meaning": meaning, "cases": len(cases), "worst": worst[kind]}
         rows.append(row | {name: worst[name] for name in where if worst[kind] > 0.0})

@@ -1,8 +1,8 @@
-"""Residuals of one velocity step, measured on the state of every element at every step.
+"""Residuals of a velocity step, measured on the state of every element at every step.
 
-The kernels give the indentation; the displacements under it are worked out here, element by
-element, and held against the equations of the model. Residuals are relative to their terms. The
-cases are all corners on random lines, lines that no spectrum makes, and very long lines.
+The kernels give the indentation; this module computes the displacements of all elements from it
+and inserts them into the equations of the model. Residuals are relative to their terms. The cases
+are all corners on random lines, artificial lines without a spectrum, and very long lines.
 """
 
 import itertools
@@ -33,21 +33,21 @@ from elastomer_friction.kernels.model.steady import sweep
 
 TINY = np.finfo(float).tiny  # the smallest normal number
 EPS = np.finfo(float).eps
-STAY = 20  # steps for which steady sliding has to stay as it is
+STEADY_STEPS = 20  # for which steady sliding must remain unchanged
 RESIDUALS = {
     "balance": "sum f = F_N (eq. 4)",
     "mean": "mean of -u = F_N/(4GL) (eq. 2 summed)",
     "contact": "f >= 0, u <= z - d, one of them equal",
     "energy": "work = elastic energy + dissipation",
     "steady": "steady sliding marched on stays steady",
-    "march": "d by stretches that can touch = d of all elements",
+    "march": "d from elements that can touch = d from all elements",
 }
 COUNTS = {
     "falling": "places where F_N(d) falls",
     "subnormal": "subnormal numbers in the state",
-    "not_finite": "numbers that are none",
-    "passes": "Newton passes of one step, at most",
-    "sweeps": "sweeps of one steady state, at most",
+    "not_finite": "numbers that are not finite",
+    "passes": "largest number of Newton passes of a step",
+    "sweeps": "largest number of sweeps of a steady state",
 }
 HURST = (0.0, 0.5, 1.0)
 ELEMENTS = ((8, 1), (8, 4), (64, 2), (1000, 1))  # N and samples per spacing
@@ -73,7 +73,7 @@ class Motion(NamedTuple):
         return dt, SCHEMES[self.scheme](dt)
 
     def steady(self, law: Kelvin) -> tuple[State, int]:
-        """Return the state of steady sliding, and the sweeps it took."""
+        """Return the state of steady sliding and its number of sweeps."""
         return steady_sliding(law, self.line.z, self.total)
 
     @property
@@ -92,20 +92,22 @@ def probe(motion: Motion, steps: int) -> dict[str, float]:
         starts.append(state)
         w, d = state
         subnormal = np.sum((w != 0.0) & (np.abs(w) < TINY))
-        again = np.empty_like(w)
+        scratch = np.empty_like(w)
         deeper, deepest = d * np.geomspace(0.01, 100.0, 25), int(np.argmin(motion.line.z))
-        force = [sweep(law, motion.line.z, depth, deepest, again)[0] for depth in deeper]
-        falling = sum(b <= a for a, b in pairwise(force))  # where the force fails to rise
+        force = [sweep(law, motion.line.z, depth, deepest, scratch)[0] for depth in deeper]
+        falling = sum(
+            b <= a for a, b in pairwise(force)
+        )  # pairs between which the force does not rise
         _raise(worst, sweeps=sweeps, falling=falling, subnormal=subnormal)
         _raise(worst, not_finite=np.sum(~np.isfinite(w)))
-        depths = _follow(motion, state, dt, law, 1.02 * d, STAY, worst)
+        depths = _follow(motion, state, dt, law, 1.02 * d, STEADY_STEPS, worst)
         _raise(worst, steady=np.max(np.abs(depths / d - 1.0)))
     _follow(motion, starts[0], dt, law, 1.02 * max(d for _, d in starts), steps, worst)
     return worst
 
 
 def refinement(motion: Motion, fine: Line, hurst: float) -> float:
-    """Return by how much mu_1 moves when the samples are halved, in units of the rms slope."""
+    """Return the change of mu_1 on halving the sample spacing, in units of the rms slope."""
     case = Case(motion.load, motion.speed, (), (), motion.scheme)
     steady = Quantities(jump=False, relaxation=False)
     one, two = (run_case(line, case, steady).mu_1 for line in (motion.line, fine))
@@ -114,9 +116,9 @@ def refinement(motion: Motion, fine: Line, hurst: float) -> float:
 
 
 def _follow(motion, state, dt, law, cap, steps, worst):
-    """March as run_case does, let every element follow the indentations, keep the worst residuals.
+    """March as run_case does, update the worst residuals of all elements.
 
-    Return the indentations after each step.
+    Returns the indentations after each step.
     """
     z, total = motion.line.z, motion.total
     weight, control = lagged_slope(motion.line.slope, law.lag), ConstantForce(total)
@@ -133,7 +135,7 @@ def _follow(motion, state, dt, law, cap, steps, worst):
         d, passes = solve_indentation(z - free, total / law.stiffness, d)
         u = np.minimum(free, z - depth)
         force = law.stiffness * (free - u)
-        # How far an element presses and stands off at once, pulls, or passes through.
+        # Violation of complementarity, tension, or penetration of an element.
         pressed, apart = force / force.max(), ((z - depth) - u) / depth
         _raise(
             worst,
@@ -151,8 +153,8 @@ def _follow(motion, state, dt, law, cap, steps, worst):
 def _energy(scheme, dt, old, new, force):
     """Return |work - elastic energy - dissipation| relative to the sizes of its terms.
 
-    Exponential: the force is constant over a step, and the motion under it exact. Implicit
-    Euler dissipates (u - u_old)^2 / 2 of its own. Both are sums of squares: none is created.
+    Exponential: the force is constant over a step, and the motion under it exact. Implicit Euler
+    has a numerical dissipation (u - u_old)^2 / 2. Both are sums of squares, hence not negative.
     """
     work = -force * (new - old)
     elastic = 0.5 * (new - old) * (new + old)
@@ -160,14 +162,14 @@ def _energy(scheme, dt, old, new, force):
         dissipated = -0.5 * np.expm1(-2.0 * dt) * (old + force) ** 2
     else:
         dissipated = (1.0 / dt + 0.5) * (new - old) ** 2
-    # At rest all terms are rounding of the stored energy.
+    # At rest all terms are rounding errors of the stored energy.
     size = np.sum(np.abs(work) + np.abs(elastic) + dissipated + EPS * old**2)
     return abs(np.sum(work - elastic - dissipated)) / size
 
 
-def _raise(worst: dict[str, float], **found: float) -> None:
-    """Keep the larger value of each kind; what is no number counts as infinite."""
-    for kind, value in found.items():
+def _raise(worst: dict[str, float], **values: float) -> None:
+    """Keep the larger value of each kind; a NaN counts as infinite."""
+    for kind, value in values.items():
         worst[kind] = max(worst[kind], float(value) if np.isfinite(value) else np.inf)
 
 
@@ -201,7 +203,7 @@ def shapes(n: int = 48) -> dict[str, Line]:
 
 
 class Corner(NamedTuple):
-    """One case: what it is called, what moves, for how many steps."""
+    """A case: name of the line, number of elements, motion and number of steps."""
 
     line: str
     elements: int
@@ -210,13 +212,13 @@ class Corner(NamedTuple):
 
 
 def random_line(hurst: float, elements: int, m: int, seed: int, index: int) -> Line:
-    """Return a random line, a function of these numbers alone."""
+    """Return a random line, determined by its arguments alone."""
     rng = np.random.default_rng([seed, round(1e6 * hurst), elements, index])
     return Line.self_affine(amplitudes(hurst, elements), draw_phases(rng, elements), elements, m)
 
 
 def corners(seed: int, lines: int, most_elements: int, steps: int) -> Iterator[Corner]:
-    """Return all cases, the lines made as they are needed."""
+    """Yield all cases, generating the lines on demand."""
     for hurst, (n, m), index in itertools.product(HURST, ELEMENTS, range(lines)):
         line = random_line(hurst, n, m, seed, index)
         yield from _every_motion(f"H = {hurst:g}", n, line, RATIOS, steps)
@@ -236,7 +238,7 @@ def _every_motion(name, elements, line, ratios, steps):
 
 
 def count_corners(lines: int, most_elements: int) -> int:
-    """Return how many cases ``corners`` yields."""
+    """Return the number of cases that ``corners`` yields."""
     motions = len(LOADS) * len(X) * len(SCHEMES)
     random = len(HURST) * len(ELEMENTS) * lines * motions * len(RATIOS)
     long = sum(n <= most_elements for n in LONG)

@@ -4,32 +4,36 @@ import numpy as np
 from matplotlib import pyplot as plt
 from matplotlib.figure import Figure
 
-from elastomer_friction.studies.style import BODIES, HEAT
+from elastomer_friction.studies.style import BODIES, TEMPERATURE_COLOURS
 from elastomer_friction.workflow.report import error_bars, foot_line, with_unit
 from elastomer_friction.workflow.result import Groups
 
 CAPTION = (
     "Hysteretic friction (a) and real contact area (b) of a tread rubber on a rough surface under "
     "a nominal pressure, over the speed, at several temperatures: a half-space (circles), the "
-    "foundation (squares) and Persson's theory (dotted). What lies between the three is the error "
+    "foundation (squares) and Persson's theory (dotted). The spread of the three is the error "
     "of the model."
 )
-SHOWN = {"mu_1": "mu_persson", "contact_fraction": "area_persson"}
+PANEL_VARIABLES = {"mu_1": "mu_persson", "contact_fraction": "area_persson"}
 
 
 def draw(groups: Groups) -> Figure:
     """Return the figure of a result of this study."""
     figure, axes = plt.subplots(1, 2, figsize=(7.2, 3.3))
-    for ax, (name, theory) in zip(axes, SHOWN.items(), strict=True):
+    for ax, (name, theory) in zip(axes, PANEL_VARIABLES.items(), strict=True):
         for group, form in BODIES.items():
             data = groups[group].squeeze()
-            for temperature, colour in zip(data.temperature.values, HEAT, strict=False):
+            for temperature, colour in zip(
+                data.temperature.values, TEMPERATURE_COLOURS, strict=False
+            ):
                 points = data.sel(temperature=temperature)
                 error_bars(ax, points, name, "velocity", lw=0.8, color=colour, **form)
                 if group == "" and theory in points:
                     ax.plot(points.velocity, points[theory], ":", color=colour)
         ax.set(xscale="log", xlabel="speed (m/s)")
-    for temperature, colour in zip(groups[""].temperature.values, HEAT, strict=False):
+    for temperature, colour in zip(
+        groups[""].temperature.values, TEMPERATURE_COLOURS, strict=False
+    ):
         axes[0].plot([], [], "-", color=colour, label=with_unit(temperature, "°C"))
     for form, label in zip(BODIES.values(), ("half-space", "foundation"), strict=True):
         axes[1].plot([], [], color="0.3", label=label, **form)

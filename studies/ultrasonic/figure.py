@@ -1,12 +1,11 @@
-"""Mean friction of a line that slides and oscillates along its way, beside Coulomb's law.
+"""Mean friction of a line that slides with a superposed oscillation, and Coulomb's law.
 
 With one coefficient of friction mu, whose sign is that of the velocity v + v^ cos(omega t), the
 mean is (2/pi) asin(v/v^) mu for v < v^, and mu above (V. L. Popov, Contact Mechanics and Friction,
-Springer 2010, cited from memory). Here mu depends on the velocity. Where the oscillation is slow,
-the mean is that of steady friction at the velocities that it passes. Nothing of that is fitted: it
-is taken from the same lines at other temperatures. Where the amplitude of the displacement is small
-beside the shortest wave, contacts are not renewed within a cycle, and the mean friction stays what
-it is without an oscillation.
+Springer 2010, cited from memory). Here mu depends on the velocity. For a slow oscillation
+the mean is that of steady friction over the velocities of a cycle, taken without a fit from the
+same lines at other temperatures. If the amplitude of the displacement is small compared with the
+shortest wave, contacts are not renewed within a cycle and the mean friction does not change.
 """
 
 import numpy as np
@@ -21,9 +20,9 @@ from elastomer_friction.workflow.report import COLOURS, foot_line
 from elastomer_friction.workflow.result import Groups
 
 CAPTION = (
-    "A line slides while it oscillates along its way, beside Coulomb's law. Panel (a) shows steady "
-    "friction over the velocity, panel (b) by how much a slow oscillation lowers the mean friction "
-    "of a rubber at three places of (a), over the amplitude of the velocity, panel (c) the same at "
+    "A line slides with an oscillation along its path. Panel (a) shows steady "
+    "friction over the velocity, panel (b) how a slow oscillation lowers the mean friction of a "
+    "rubber at three points of (a), over the amplitude of the velocity, panel (c) the same at "
     "one of them for several frequencies, and panel (d) that of a Kelvin element."
 )
 LABELS = {"": "Kelvin element", "rubber": "nine branches"}
@@ -32,7 +31,7 @@ TOP = 32.9  # °C, of the largest friction of the rubber
 
 
 def coulomb(ratio: np.ndarray) -> np.ndarray:
-    """Return the mean friction of Coulomb's law over mu; ratio : v^/v."""
+    """Return the mean friction over mu for Coulomb's law. ratio : v^/v."""
     return 2.0 / np.pi * np.arcsin(1.0 / np.maximum(ratio, 1.0))
 
 
@@ -122,7 +121,7 @@ def _turns(data: xr.Dataset, frequency: float) -> float:
 def _share(
     ax: Axes, data: xr.Dataset, temperature: float, frequency: float, colour: str, label: str
 ) -> None:
-    """Draw mean friction over that of steady sliding, and what quasi-steady friction says."""
+    """Draw mean friction over that of steady sliding, with the quasi-steady prediction."""
     at = data.sel(temperature=temperature, frequency=frequency)
     ratio = at.velocity_amplitude.values / float(at.velocity)
     ax.errorbar(

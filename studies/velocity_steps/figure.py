@@ -1,10 +1,10 @@
 """Velocity steps up and down: friction and indentation over the distance slid, and their peaks.
 
-To be read beside what a step shows in rate-and-state friction (A. Ruina, J. Geophys. Res. 88,
-10359 (1983); C. Marone, Annu. Rev. Earth Planet. Sci. 26, 643 (1998)): a direct effect a ln r, then
-a decay over one distance D_c to (a - b) ln r, the same for all sizes, up and down. Beside it steps
-on rubber (O. Ronsin and K. L. Coeyrehourcq, "State, rate and temperature-dependent sliding friction
-of elastomers": kinetics, not magnitudes, as deformation is negligible there), and an ensemble of
+Compare a step in rate-and-state friction (A. Ruina, J. Geophys. Res. 88, 10359 (1983); C. Marone,
+Annu. Rev. Earth Planet. Sci. 26, 643 (1998)): a direct effect a ln r, then a decay over one
+distance D_c to (a - b) ln r, the same for all sizes, up and down. Compare also steps on rubber (O.
+Ronsin and K. L. Coeyrehourcq, "State, rate and temperature-dependent sliding friction of
+elastomers": kinetics, not magnitudes, as deformation is negligible there), and an ensemble of
 viscoelastic elements on a rough rigid surface (S. Hulikal, K. Bhattacharya, N. Lapusta,
 arXiv:1405.3643). The abstracts of the last two were read; the others are cited from memory.
 """
@@ -24,8 +24,8 @@ from elastomer_friction.workflow.result import Groups
 CAPTION = (
     "Friction and indentation are shown over the distance slid since velocity steps up (solid) and "
     "down (dashed) of several sizes, for a Kelvin element and for a rubber of nine branches. The "
-    "panels on the right show the largest change of friction and the lasting one over the "
-    "logarithm of the step, each of which is one number in rate-and-state friction."
+    "panels on the right show the largest and the final change of friction over the logarithm of "
+    "the step; in rate-and-state friction each is a constant."
 )
 LABELS = {"": "Kelvin element", "rubber": "nine branches"}
 MICRO = 1e6
@@ -42,16 +42,16 @@ class StepWithSlide(NamedTuple):
 
 def simulated_steps(data: xr.Dataset) -> list[StepWithSlide]:
     """Return the steps from v1 of a result without axes of length 1, in order of their ratio."""
-    found = []
+    steps = []
     for k in range(1, int(data.trace_segment.max()) + 1, 2):
         slide, before = slide_of(data, k), data.trace_velocity[data.trace_segment == k - 1]
         ratio = float(slide.trace_velocity[-1] / before[-1])
         change, error = slide.trace_mu_change.values, slide.trace_mu_change_error.values
         top = int(np.argmax(np.sign(ratio - 1.0) * change))
-        found.append(
+        steps.append(
             StepWithSlide(ratio, slide, (change[top], error[top]), (change[-1], error[-1]))
         )
-    return sorted(found, key=lambda step: step.ratio)
+    return sorted(steps, key=lambda step: step.ratio)
 
 
 def draw(groups: Groups) -> Figure:

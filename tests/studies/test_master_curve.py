@@ -6,7 +6,7 @@ import pytest
 from elastomer_friction.studies.master_curve.collapse import (
     ALONG_BOTH,
     ALONG_SPEED,
-    LEAST_POINTS,
+    MIN_POINTS,
     UNSHIFTED,
     Curve,
     collapse,
@@ -52,9 +52,9 @@ def test_error_of_a_shift_is_its_scatter():
 
 
 def test_a_curve_without_overlap_is_left_out():
-    far = bell(X[:LEAST_POINTS] + 40.0)
+    far = bell(X[:MIN_POINTS] + 40.0)
     found = collapse([far], bell(X), ALONG_BOTH)
-    assert found.left_out == LEAST_POINTS
+    assert found.left_out == MIN_POINTS
     assert np.isnan(found.rms)
 
 
@@ -66,15 +66,15 @@ def found(result):
 
 @pytest.mark.parametrize("pressed", ["force", "indentation"])
 def test_shifts_bring_the_curves_together(found, pressed):
-    ways = found[pressed].ways
-    assert ways[ALONG_BOTH].rms < ways[ALONG_SPEED].rms < 0.6 * ways[UNSHIFTED].rms
-    assert ways[ALONG_BOTH].rms < 0.1
+    modes = found[pressed].collapses
+    assert modes[ALONG_BOTH].rms < modes[ALONG_SPEED].rms < 0.6 * modes[UNSHIFTED].rms
+    assert modes[ALONG_BOTH].rms < 0.1
 
 
 def test_indentation_is_the_robust_parameter(found):
     """Popov et al. (2018), arXiv:1604.03407: contacts follow the indentation, not the force."""
-    for way in (ALONG_SPEED, ALONG_BOTH):
-        assert found["indentation"].ways[way].rms < 0.8 * found["force"].ways[way].rms
+    for mode in (ALONG_SPEED, ALONG_BOTH):
+        assert found["indentation"].collapses[mode].rms < 0.8 * found["force"].collapses[mode].rms
 
 
 def test_temperature_shifts_as_wlf_says(found):
