@@ -6,7 +6,7 @@ So at a fixed place, which the stiffest spring is; on softer ones the line creep
 import numpy as np
 import pytest
 
-from elastomer_friction.studies.slide_hold_slide.figure import LONGEST, TAU, law
+from elastomer_friction.studies.slide_hold_slide.figure import LONGEST_TIME, TAU, law
 from elastomer_friction.workflow import scene
 from elastomer_friction.workflow.study import read_study
 
@@ -37,9 +37,9 @@ def test_a_kelvin_element_heals_in_tau(fast):
 
 def test_a_broad_spectrum_heals_until_its_longest_time(slow, fast):
     for point in (slow["rubber"], fast["rubber"]):
-        within = point.healing.isel(hold=point.hold.values < LONGEST)
+        within = point.healing.isel(hold=point.hold.values < LONGEST_TIME)
         assert (np.diff(within) > 0.0).all()
-        over = point.healing.isel(hold=point.hold.values > 15.0 * LONGEST)
+        over = point.healing.isel(hold=point.hold.values > 15.0 * LONGEST_TIME)
         assert over[-1] == pytest.approx(float(over[0]), rel=1e-2)
         assert over[0] > 1.2 * within[-1]
 
@@ -49,7 +49,7 @@ def test_holds_follow_the_law_of_dieterich_with_what_the_step_says(slow):
     holds = point.hold.values
     rise, _ = law(point, holds)
     ratio = point.healing.values / rise
-    within = (holds > 1e-3) & (holds < LONGEST)
+    within = (holds > 1e-3) & (holds < LONGEST_TIME)
     assert within.sum() >= 3
     assert ratio[within] == pytest.approx(1.0, abs=0.35)
     assert ratio[-1] < 0.8  # the law goes on
@@ -94,7 +94,7 @@ def test_the_stiffest_spring_holds_the_line_as_a_programme_of_the_line_does(slow
 
 def test_on_a_softer_spring_more_friction_is_left_and_less_is_healed(groups):
     data = groups["rubber"]
-    middle = (data.hold.values > 1e-3) & (data.hold.values < LONGEST)
+    middle = (data.hold.values > 1e-3) & (data.hold.values < LONGEST_TIME)
     left = data.mu_end_of_hold.isel(hold=middle).transpose("stiffness", ...).values
     assert (np.diff(left, axis=0) < 0.0).all()
     healed = data.healing.isel(hold=data.hold.values > TAU).transpose("stiffness", ...).values

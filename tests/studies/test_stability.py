@@ -42,10 +42,11 @@ def test_low_speed_is_exact_to_rounding(groups):
     assert max(slow[kind].max() for kind in ("balance", "mean", "energy", "steady")) < 1e-12
 
 
-def test_full_contact_does_not_depend_on_the_samples_and_narrow_contacts_do(groups):
-    moved = groups[""].refinement
-    assert moved.sel(mean_load=1e4, speed_ratio=1e-4, method="nearest").max() < 1e-6
-    assert moved.sel(mean_load=1e-6, speed_ratio=1e6, method="nearest").min() > 1e-3
+def test_friction_of_full_and_of_narrow_contacts_does_not_depend_on_the_samples(groups):
+    """Narrow contacts are located between the samples."""
+    change = groups[""].refinement
+    assert change.sel(mean_load=1e4, speed_ratio=1e-4, method="nearest").max() < 1e-6
+    assert change.sel(mean_load=1e-6, speed_ratio=1e6, method="nearest").max() < 1e-6
 
 
 def test_the_figure_is_drawn_and_the_table_names_the_worst_case_of_every_kind(groups):
