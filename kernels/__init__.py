@@ -36,11 +36,11 @@ from .rheology.law import State, law_of, memory_size
 from .rheology.spectrum import KELVIN, Spectrum
 from .scene import (
     ENERGIES,
-    MOTION,
-    START,
+    MOTION_TRACES,
     TRACES,
+    ZERO_ORIGIN,
     Origin,
-    Saved,
+    SavedState,
     SceneCase,
     run_scene,
     scene_steps,

@@ -29,5 +29,5 @@ def _balance(control, law, z, c, noted, d, step):
 
 @balance_rows.register(PrescribedIndentation)
 def _balance_rows(control, law, rows, d, step):
-    rows.highest[0] = control.indentation[step - 1]
+    rows.evaluation[0]["highest_d"] = control.indentation[step - 1]
     return control.indentation[step - 1], 0

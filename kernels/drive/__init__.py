@@ -1,17 +1,17 @@
-"""A slider that is pulled through a spring: the motion of the drive is given, its own is found."""
+"""A slider pulled through a spring: its motion follows from that of the drive."""
 
 from .pulled_line import run_pulled
-from .slider import MOST_EVENTS, PULLED_TRACES, SLIP_EVENTS, SLIPS, courses
+from .slider import MAX_SLIP_EVENTS, PULLED_TRACES, SLIP_EVENTS, SLIPS, drive_legs
+from .slider_step import FORCE_TOLERANCE
 from .spring import Drive
-from .step import TOLERANCE
 
 __all__ = [
-    "MOST_EVENTS",
+    "FORCE_TOLERANCE",
+    "MAX_SLIP_EVENTS",
     "PULLED_TRACES",
     "SLIPS",
     "SLIP_EVENTS",
-    "TOLERANCE",
     "Drive",
-    "courses",
+    "drive_legs",
     "run_pulled",
 ]

@@ -1,8 +1,8 @@
-"""What is pulled: elements under a surface, and a step of them that is tried before it is taken.
+"""Elements under a pulled surface, with steps that are tried before they are accepted.
 
-A rig is a line here, whose elements are all stepped; one in block_rig.py, of whose elements those
-alone are that can touch; or a map in half_space/pulled_map.py. The functions declared here are
-reached by its type.
+The rig of this file steps all elements of a line; the rig in block_rig.py steps only elements that
+can touch; a map has its rig in half_space/pulled_map.py. The functions declared here dispatch on
+the type of the rig.
 """
 
 from typing import Any, NamedTuple
@@ -14,21 +14,21 @@ from ..model.balance import balance
 from ..model.friction import weighted_sums
 from ..rheology.law import Elements, advance_memory, law_of, predict
 from ..scene.samples import samples_per_contact
-from .posed_line import PosedLine, heights_at, seen_from, slope_at
+from .shiftable_line import ShiftableLine, heights_at, interval_at, slope_at
 
 
 @dispatch_on_type
 def attempt(rig, places, dt):
-    """Return (friction, lag) of a step between two Places; the rig keeps what is found.
+    """Return (friction, lag) of a step between two Places, and store the step in the rig.
 
-    friction : F_x in the units of the drive (spring.py). lag : where within the step it acts,
-    before its end, as a share of it.
+    friction : F_x in the units of the drive (spring.py). lag : time from the action of the
+    friction to the end of the step, as a share of dt.
     """
 
 
 @dispatch_on_type
 def accept(rig, dt):
-    """Take the step that was tried last; return (normal force, indentation, share in contact).
+    """Accept the step that was tried last; return (normal force, indentation, share in contact).
 
     The indentation is that at which the force acts, in h; the normal force is in 4 G L h, or in
     E* L h of a half-space.
@@ -37,70 +37,84 @@ def accept(rig, dt):
 
 @dispatch_on_type
 def patch_width(rig):
-    """Return how many samples a patch of contact had in the step that was taken last."""
+    """Return the number of samples per contact patch in the last accepted step."""
+
+
+# State of a rig: one record, changed in place.
+RIG_STATE = np.dtype(
+    [
+        ("d", np.float64),  # indentation after the last accepted step, in h
+        ("trial_d", np.float64),  # indentation after the step that is tried, in h
+        ("normal_sum", np.float64),  # sum of forces in that step
+        ("touching_sum", np.float64),  # number of elements that touch in it
+    ]
+)
 
 
 class Rig(NamedTuple):
     """A line on its elements; its arrays are changed in place."""
 
     form: Any  # of the material (rheology/forms.py)
-    control: Any  # what the indentation follows from (model/balance.py)
-    line: PosedLine
+    control: Any  # determines the indentation (model/balance.py)
+    line: ShiftableLine
     memory: np.ndarray  # shape (M, n): of the elements
-    p: np.ndarray  # shape (n,): forces of the last step, in 4 G dx h
-    w: np.ndarray  # shape (n,): where elements would go in the step that is tried
+    p: np.ndarray  # shape (n,): forces of the last accepted step, in 4 G dx h
+    w: np.ndarray  # shape (n,): displacements without force in the step that is tried
     new: np.ndarray  # shape (n,): forces in it
-    d: np.ndarray  # shape (2,): indentation after the last step, and in that which is tried
-    sums: np.ndarray  # shape (2,): of forces in that, and of elements that touch
+    state: np.ndarray  # RIG_STATE, shape (1,)
 
 
-def plain_rig(form: Any, control: Any, line: PosedLine, elements: Elements) -> Rig:
-    """Return a rig of elements that have taken no step, of any material."""
+def plain_rig(form: Any, control: Any, line: ShiftableLine, elements: Elements) -> Rig:
+    """Return a rig before its first step, of elements of any material."""
     memory, p, d = elements
-    room = np.empty_like(p), np.empty_like(p), np.full(2, d), np.empty(2)
-    return Rig(form, control, line, memory.copy(), p.copy(), *room)
+    state = np.zeros(1, RIG_STATE)
+    state["d"] = state["trial_d"] = d
+    workspace = np.empty_like(p), np.empty_like(p)
+    return Rig(form, control, line, memory.copy(), p.copy(), *workspace, state)
 
 
 @attempt.register(Rig)
 def _attempt(rig, places, dt):
-    law, n = law_of(rig.form, dt), rig.p.size
+    law, n, state = law_of(rig.form, dt), rig.p.size, rig.state[0]
     z = np.empty(n)
-    heights_at(rig.line, *seen_from(rig.line, places.after), z)
+    heights_at(rig.line, *interval_at(rig.line, places.after), z)
     predict(law, rig.memory, rig.p, rig.w)
     c = z - rig.w
-    rig.d[1] = balance(rig.control, law, z, c, None, rig.d[0], 0)[0]
+    state["trial_d"] = balance(rig.control, law, z, c, None, state["d"], 0)[0]
     for i in range(n):
-        depth = rig.d[1] - c[i]
+        depth = state["trial_d"] - c[i]
         rig.new[i] = law.stiffness * depth if depth > 0.0 else 0.0
-    some = np.flatnonzero(rig.new)
-    return friction_of(rig, places, law.lag, some, rig.new[some]), law.lag
+    touching = np.flatnonzero(rig.new)
+    return trial_friction(rig, places, law.lag, touching, rig.new[touching]), law.lag
 
 
 @kernel
-def friction_of(rig, places, lag, some, p):
-    """Return the friction of a step between two places (eq. 5), and note the other sums.
+def trial_friction(rig, places, lag, touching, p):
+    """Return the friction of a step between two places (eq. 5), and store the other sums.
 
-    some : elements that touch, p : their forces. lag : where within the step they act.
+    touching : numbers of the elements that touch, p : their forces. lag : as of ``attempt``.
     """
     line, n = rig.line, rig.line.polynomials.shape[1] // 2
-    (before, s), (after, t) = seen_from(line, places.before), seen_from(line, places.after)
-    slope = np.empty(some.size)
-    for j in range(some.size):
-        slope[j] = slope_at(line, after + some[j], t)
+    (before, s), (after, t) = interval_at(line, places.before), interval_at(line, places.after)
+    slope = np.empty(touching.size)
+    for j in range(touching.size):
+        slope[j] = slope_at(line, after + touching[j], t)
         if lag > 0.0:
-            slope[j] += lag * (slope_at(line, before + some[j], s) - slope[j])
-    rig.sums[0], friction, rig.sums[1] = weighted_sums(-p, None, slope, 0.0)
+            slope[j] += lag * (slope_at(line, before + touching[j], s) - slope[j])
+    normal, friction, count = weighted_sums(-p, None, slope, 0.0)
+    state = rig.state[0]
+    state["normal_sum"], state["touching_sum"] = normal, count
     return friction / n
 
 
 @accept.register(Rig)
 def _accept(rig, dt):
-    law = law_of(rig.form, dt)
+    law, state = law_of(rig.form, dt), rig.state[0]
     advance_memory(law, rig.memory, rig.w, rig.p, rig.new)
     rig.p[:] = rig.new
-    d = rig.d[1] + law.lag * (rig.d[0] - rig.d[1])
-    rig.d[0] = rig.d[1]
-    return rig.sums[0] / rig.p.size, d, rig.sums[1] / rig.p.size
+    d = state["trial_d"] + law.lag * (state["d"] - state["trial_d"])
+    state["d"] = state["trial_d"]
+    return state["normal_sum"] / rig.p.size, d, state["touching_sum"] / rig.p.size
 
 
 @patch_width.register(Rig)

@@ -1,4 +1,4 @@
-"""A slider that is pulled through a programme of its drive: how it begins, and what is kept."""
+"""A slider pulled through the programme of its drive: its start, its legs and its results."""
 
 import math
 from collections.abc import Callable, Iterator
@@ -19,41 +19,30 @@ from ..motion.path import hold_step_ratio
 from ..rheology.spectrum import min_step
 from ..scene.records import TRACES
 from ..scene.scene_case import SceneCase, check_scene, scene_steps
-from .slider_record import (
-    BEGAN,
-    LATEST,
-    LEAST,
-    MOST,
-    SINCE,
-    SLIDES,
-    SLOW,
-    Moment,
-    SliderRecord,
-    keep,
-)
-from .spring import Course, Drive, SliderState
-from .step import TOLERANCE, Going, Pulled
+from .slider_record import SLIDER_TALLY, Moment, SliderRecord, record_between
+from .slider_step import FORCE_TOLERANCE, SEARCH_MEMORY, PulledSlider, SliderProgress
+from .spring import Drive, DriveLeg, SliderState
 
 PULLED_TRACES = (*TRACES, "trace_drive_force")
 SLIPS = ("drive_swing", "slip_period", "peak_velocity")  # of the second half of the last leg
-SLIP_EVENTS = ("slip_event_time", "slip_event_kind")  # tau; BEGINS, ENDS or REVERSES
-MOST_EVENTS = 1000  # kept
-KEPT = ("trace", "stick_slip", "slip_events")
-FIRST_OF_LEG = 0.25  # of the step before: where the velocity of the drive jumps
-FREE = 1e3  # times the shortest step in which forces are not lost in rounding: of a free slider
+SLIP_EVENTS = ("slip_event_time", "slip_event_kind")  # tau; SLIP_BEGINS, SLIP_ENDS or SLIDER_TURNS
+MAX_SLIP_EVENTS = 1000  # recorded
+SLIDER_QUANTITIES = ("trace", "stick_slip", "slip_events")
+FIRST_STEP_SHARE = 0.25  # of the step before, where the velocity of the drive jumps
+MIN_FREE_STEPS = 1e3  # min_step_time over the shortest step whose forces are not lost in rounding
 
 
-class Start(NamedTuple):
+class SliderStart(NamedTuple):
     """A slider before its first step."""
 
-    rig: Any  # that attempt and accept know (rig.py)
+    rig: Any  # with attempt and accept (rig.py)
     steps_per_spacing: int
     slope: np.ndarray  # of the surface, in h/dx
     forces: tuple[float, float, float, float, float, float]  # of a Moment, from mu to samples
 
 
-def courses(programme: Programme, place: float) -> Iterator[Course]:
-    """Yield how the drive moves in each leg; place : of it at the start, in dx."""
+def drive_legs(programme: Programme, place: float) -> Iterator[DriveLeg]:
+    """Yield the motion of the drive in each leg; place : of the drive at the start, in dx."""
     now = 0.0
     for leg in programme:
         if isinstance(leg, Slide):
@@ -67,95 +56,107 @@ def courses(programme: Programme, place: float) -> Iterator[Course]:
         if times[-1] == 0.0:
             continue
         moved = np.cumsum(np.append(0.0, np.diff(times) * 0.5 * (speeds[1:] + speeds[:-1])))
-        yield Course(now + times, place + moved, speeds)
+        yield DriveLeg(now + times, place + moved, speeds)
         now, place = now + float(times[-1]), place + float(moved[-1])
 
 
-def first_motion(programme: Programme, m: int, first: Moment) -> SliderState:
-    """Return the motion before the first step: steady sliding, or none; m : steps per spacing."""
+def initial_motion(programme: Programme, m: int, first: Moment) -> SliderState:
+    """Return the motion before the first step: steady sliding or rest; m : steps per spacing."""
     speed = speed_at_start(programme)
     if first.speed:
         dt = 1.0 / (m * abs(speed))
     elif speed:
-        dt = FIRST_OF_LEG / (m * abs(speed))
+        dt = FIRST_STEP_SHARE / (m * abs(speed))
     else:
         dt = FIRST_HOLD_STEP * leg_duration(programme[0])
     return SliderState(0.0, 0.0, dt, first.speed, 0.0, -dt, -dt, first.friction)
 
 
-def kept_times(scene: SceneCase, steps_per_spacing: int) -> np.ndarray:
-    """Return when the moments of a slider are kept, in tau.
+def recorded_times(scene: SceneCase, steps_per_spacing: int) -> np.ndarray:
+    """Return the times at which moments of a slider are recorded, in tau.
 
-    A line that the drive moved itself would end the steps that are kept then. Raises ValueError for
-    a scene without meaning, and for what is not kept of a slider.
+    A line moved by the drive itself would end the recorded steps at these times. Raises ValueError
+    for an invalid scene, and for quantities that a slider does not have.
     """
     steps = scene_steps(scene, steps_per_spacing)
     check_scene(scene, steps, False)
-    if set(scene.asked) - set(KEPT):
-        raise ValueError(f"asked = {sorted(scene.asked)}: of a slider on a spring there is {KEPT}")
-    return np.append(0.0, np.cumsum(steps.dt))[scene.kept]
+    if set(scene.requested) - set(SLIDER_QUANTITIES):
+        raise ValueError(
+            f"requested = {sorted(scene.requested)}: with a drive use some of {SLIDER_QUANTITIES}"
+        )
+    return np.append(0.0, np.cumsum(steps.dt))[scene.recorded]
 
 
-def steady_speed(scene: SceneCase) -> float:
-    """Return the speed of the steady sliding that a scene begins with; 0 where there is none."""
+def initial_speed(scene: SceneCase) -> float:
+    """Return the speed of the steady sliding at the start of a scene; 0 for any other start."""
     return speed_at_start(scene.programme) if scene.start == "steady" else 0.0
 
 
 def pull_through(
-    follow: Callable[[Pulled, Course, Going], Going],
-    start: Start,
+    follow: Callable[[PulledSlider, DriveLeg, SliderProgress], SliderProgress],
+    start: SliderStart,
     drive: Drive,
     scene: SceneCase,
     times: np.ndarray,
 ) -> tuple[dict[str, np.ndarray], int]:
-    """Return (traces at some times, tries of steps) of a slider that is pulled; times in tau.
+    """Return (traces at some times, tries of steps) of a pulled slider; times in tau.
 
-    follow : as follow_leg. What is kept at the end of a leg is of its last step, and not between it
-    and the leg after.
+    follow : as follow_leg. Values recorded at the end of a leg are those of its last step: they are
+    not interpolated between this leg and the next one.
     """
-    speed, friction = steady_speed(scene), start.forces[Moment._fields.index("friction")]
+    speed, friction = initial_speed(scene), start.forces[Moment._fields.index("friction")]
     force = friction if speed else 0.0  # the spring is slack where nothing slides
     moment = Moment(*start.forces, 0.0, 0.0, speed, force)
-    legs = list(courses(scene.programme, force / drive.stiffness))
-    since = 0.5 * float(legs[-1].time[0] + legs[-1].time[-1])
-    tally = np.zeros(SLIDES + 1)
-    tally[[SINCE, LEAST, MOST, SLOW]] = since, math.inf, -math.inf, math.inf
-    tally[[BEGAN, LATEST]] = math.nan
-    kept = np.empty((len(PULLED_TRACES), times.size))
+    legs = list(drive_legs(scene.programme, force / drive.stiffness))
     m, drive = start.steps_per_spacing, Drive(*map(float, drive))
-    ringing = math.pi * math.sqrt(drive.mass / drive.stiffness)
-    fastest = max(abs(float(v)) for v in legs[-1].speed)
-    sticks = max(ringing, 1.0 / (m * fastest) if fastest else 0.0)
-    events = np.full((2, MOST_EVENTS if "slip_events" in scene.asked else 0), math.nan)
-    record = SliderRecord(times, kept, np.zeros(2, np.int64), tally, sticks, events)
+    record = _slider_record(scene, m, drive, legs[-1], times)
     scale = scene.load * math.sqrt(float(np.mean(start.slope**2)))
-    limits = FREE * min_step(scene.spectrum), TOLERANCE * scale, hold_step_ratio(m)
-    search = np.zeros(2), np.zeros(1, np.int64)
-    pulled = Pulled(start.rig, m, drive, *limits, record, *search)
-    motion = first_motion(scene.programme, m, moment)
-    keep(record, moment, moment, 0.0)
-    driven = motion.speed
-    for course in legs:
-        jumps, driven = float(course.speed[0]) != driven, float(course.speed[-1])
-        pace = FIRST_OF_LEG * motion.dt if jumps else motion.dt
-        motion, last, _ = follow(pulled, course, Going(motion, moment, pace))
-        moment = last._replace(time=float(course.time[-1]), place=motion.place)
-        keep(record, last, moment, driven)
-    return finished(record, moment), int(pulled.tries[0])
+    min_step_time = MIN_FREE_STEPS * min_step(scene.spectrum)
+    limits = min_step_time, FORCE_TOLERANCE * scale, hold_step_ratio(m)
+    memory = np.zeros(1, SEARCH_MEMORY)
+    pulled = PulledSlider(start.rig, m, drive, *limits, record, memory)
+    motion = initial_motion(scene.programme, m, moment)
+    record_between(record, moment, moment, 0.0)
+    drive_speed = motion.speed
+    for leg in legs:
+        jumps, drive_speed = float(leg.speed[0]) != drive_speed, float(leg.speed[-1])
+        pace = FIRST_STEP_SHARE * motion.dt if jumps else motion.dt
+        motion, last, _ = follow(pulled, leg, SliderProgress(motion, moment, pace))
+        moment = last._replace(time=float(leg.time[-1]), place=motion.place)
+        record_between(record, last, moment, drive_speed)
+    return recorded_values(record, moment), int(memory[0]["tries"])
 
 
-def finished(record: SliderRecord, last: Moment) -> dict[str, np.ndarray]:
-    """Return the traces, SLIPS and SLIP_EVENTS; what lies behind the last moment is as then.
+def _slider_record(
+    scene: SceneCase, m: int, drive: Drive, last_leg: DriveLeg, times: np.ndarray
+) -> SliderRecord:
+    """Return an empty record of moments at some times; slips count in half of the last leg."""
+    tally = np.zeros(1, SLIDER_TALLY)
+    tally["window_start"] = 0.5 * float(last_leg.time[0] + last_leg.time[-1])
+    tally["min_force"], tally["max_force"] = math.inf, -math.inf
+    tally["slow_since"] = math.inf
+    tally["first_slip"] = tally["last_slip"] = math.nan
+    half_swing = math.pi * math.sqrt(drive.mass / drive.stiffness)
+    fastest = max(abs(float(v)) for v in last_leg.speed)
+    min_stick_time = max(half_swing, 1.0 / (m * fastest) if fastest else 0.0)
+    room = MAX_SLIP_EVENTS if "slip_events" in scene.requested else 0
+    moments, events = np.empty((len(PULLED_TRACES), times.size)), np.full((2, room), math.nan)
+    return SliderRecord(times, moments, tally, min_stick_time, events)
 
-    The swing is that of the drive's force over the normal force, in h/dx, the period in tau. An end
-    of a slip is known later than what has happened meanwhile: events are sorted by their times.
+
+def recorded_values(record: SliderRecord, last: Moment) -> dict[str, np.ndarray]:
+    """Return the traces, SLIPS and SLIP_EVENTS; times after the last moment get its values.
+
+    The swing is that of the drive's force over the normal force, in h/dx, the period in tau. The
+    end of a slip is recorded after later events: events are sorted by their times.
     """
-    times, kept, many, (_, least, most, fastest, slips, began, latest, *_), _, events = record
-    kept[:, many[0] :] = np.array(last)[:, None]
-    kept[Moment._fields.index("time")] = times
-    swing = (most - least) / last.normal
-    period = (latest - began) / (slips - 1.0) if slips > 1.0 else math.nan
-    told = map(np.array, (swing, period, fastest))
+    moments, events, tally = record.moments, record.events, record.tally[0]
+    moments[:, tally["moments"] :] = np.array(last)[:, None]
+    moments[Moment._fields.index("time")] = record.times
+    swing = (tally["max_force"] - tally["min_force"]) / last.normal
+    slips = int(tally["slips"])
+    period = (tally["last_slip"] - tally["first_slip"]) / (slips - 1.0) if slips > 1 else math.nan
+    numbers = map(np.array, (swing, period, tally["max_speed"]))
     in_order = events[:, np.argsort(events[0], kind="stable")]
     names = (*PULLED_TRACES, *SLIPS, *SLIP_EVENTS)
-    return dict(zip(names, (*kept, *told, *in_order), strict=True))
+    return dict(zip(names, (*moments, *numbers, *in_order), strict=True))

@@ -1,4 +1,4 @@
-"""What is kept of a slider on its way."""
+"""Record of a pulled slider: its motion at requested times, and its slips."""
 
 import math
 from typing import NamedTuple
@@ -9,116 +9,137 @@ from ..compile.jit import kernel
 
 
 class Moment(NamedTuple):
-    """What is known where the force of a step acts, in the order of PULLED_TRACES (slider.py)."""
+    """Slider at the time at which the force of a step acts, in the order of PULLED_TRACES."""
 
     mu: float  # in h/dx
     indentation: float  # in h
     normal: float  # in the units of the load
     friction: float  # in the units of the drive
     touching: float  # share of the surface
-    samples: float  # in a patch of contact
+    samples: float  # in a contact patch
     time: float  # in tau
     place: float  # of the slider, in dx
     speed: float  # in dx/tau
     force: float  # of the drive
 
 
-class SliderRecord(NamedTuple):
-    """What is kept of a slider's way."""
+# Counts and extremes of a slider: one record, changed in place. Times are in tau.
+SLIDER_TALLY = np.dtype(
+    [
+        ("moments", np.int64),  # recorded
+        ("events", np.int64),  # recorded
+        ("window_start", np.float64),  # extremes and slips are counted from this time on
+        ("min_force", np.float64),  # of the drive
+        ("max_force", np.float64),
+        ("max_speed", np.float64),
+        ("slips", np.int64),
+        ("first_slip", np.float64),  # time at which it begins, or NaN
+        ("last_slip", np.float64),
+        ("slow_since", np.float64),  # inf while the slider is not slow
+        ("last_slow", np.float64),  # last time at which it was slow
+        ("has_stuck", np.bool_),  # since its last slip
+        ("is_slipping", np.bool_),
+    ]
+)
 
-    times: np.ndarray  # at which its moments are kept, in tau, increasing
-    kept: np.ndarray  # shape (10, times): those moments, field by field
-    many: np.ndarray  # shape (2,): how many of them are, and how many events
-    tally: np.ndarray  # shape (11,): of sticking and slipping, see ``follow_slips``
-    sticks: float  # a stick lasts so long at least, in tau
+
+class SliderRecord(NamedTuple):
+    """Recorded moments and events of a slider, with room for the rest; changed in place."""
+
+    times: np.ndarray  # at which moments are recorded, in tau, increasing
+    moments: np.ndarray  # shape (10, times): field by field
+    tally: np.ndarray  # SLIDER_TALLY, shape (1,)
+    min_stick_time: float  # in tau
     events: np.ndarray  # shape (2, room): times (tau) and kinds of the first events, NaN beyond
 
 
-SAMPLES = Moment._fields.index("samples")
-SINCE, LEAST, MOST, FASTEST, SLIPS, BEGAN, LATEST, STICKS, SLOW, LAST, SLIDES = range(11)
-BEGINS, ENDS, REVERSES = range(3)  # kinds of events: a slip begins, it ends, the slider turns
+SAMPLES_ROW = Moment._fields.index("samples")
+SLIP_BEGINS, SLIP_ENDS, SLIDER_TURNS = range(3)  # kinds of events
 
 
 @kernel
 def add_to_tally(tally, now):
-    """Add a moment to the tally, from a time on.
-
-    tally : that time; the least and the greatest force of the drive; the highest speed; the
-    number of slips, and when the first and the last of them began; then what ``follow_slips`` goes
-    by: whether the slider has stuck, since when it has been slow, or inf, when it last was, and
-    whether it slips.
-    """
-    if now.time >= tally[SINCE]:
-        tally[LEAST], tally[MOST] = min(tally[LEAST], now.force), max(tally[MOST], now.force)
-        tally[FASTEST] = max(tally[FASTEST], abs(now.speed))
+    """Include a moment in the extremes, from the start of the window on; tally : a SLIDER_TALLY."""
+    if now.time >= tally["window_start"]:
+        tally["min_force"] = min(tally["min_force"], now.force)
+        tally["max_force"] = max(tally["max_force"], now.force)
+        tally["max_speed"] = max(tally["max_speed"], abs(now.speed))
 
 
 @kernel
-def follow_slips(record, before, now, driven):
-    """Note and count what the slider does between two moments, by the speed of the drive.
+def follow_slips(record, before, now, drive_speed):
+    """Record and count the events of the slider between two moments.
 
-    It is slow where it is less than half as fast as the drive, either way, and has stuck once it
-    was slow for half a free swing of the mass, and for as long as the drive takes over a sample: a
-    mass that swings about steady sliding is slow for less than that, and so is a line without one
-    between the jumps of one slip. A slip begins where it is then twice as fast as the drive, and
-    ends where the next stick begins.
+    The slider is slow below half the speed of the drive, in either direction. It has stuck once it
+    was slow for half a period of its mass on the spring, and for as long as the drive takes over a
+    sample: a mass that oscillates about steady sliding is slow for a shorter time, and so is a line
+    without a mass between the jumps of one slip. After a stick, a slip begins when the speed
+    exceeds twice that of the drive. It ends when the next stick begins.
     """
-    tally = record.tally
+    tally = record.tally[0]
     if before.speed * now.speed < 0.0:
-        note_event(record, time_at_speed(before, now, 0.0), REVERSES)
-    if driven == 0.0:
+        record_event(record, time_at_speed(before, now, 0.0), SLIDER_TURNS)
+    if drive_speed == 0.0:
         return
     add_to_tally(tally, now)
-    share = now.speed / driven
+    share = now.speed / drive_speed
     if abs(share) < 0.5:
-        if tally[SLOW] == np.inf:
-            tally[SLOW] = time_at_speed(before, now, math.copysign(0.5 * driven, before.speed))
-        tally[LAST] = now.time
-        if now.time - tally[SLOW] >= record.sticks:
-            tally[STICKS] = 1.0
-            if tally[SLIDES] > 0.0:
-                note_event(record, tally[SLOW], ENDS)
-            tally[SLIDES] = 0.0
+        if tally["slow_since"] == np.inf:
+            slow_speed = math.copysign(0.5 * drive_speed, before.speed)
+            tally["slow_since"] = time_at_speed(before, now, slow_speed)
+        tally["last_slow"] = now.time
+        if now.time - tally["slow_since"] >= record.min_stick_time:
+            tally["has_stuck"] = True
+            if tally["is_slipping"]:
+                record_event(record, tally["slow_since"], SLIP_ENDS)
+            tally["is_slipping"] = False
         return
-    tally[SLOW] = np.inf
-    if share > 2.0 and tally[STICKS] > 0.0:
-        note_event(record, time_at_speed(before, now, 2.0 * driven), BEGINS)
-        tally[STICKS], tally[SLIDES] = 0.0, 1.0
-        if tally[LAST] >= tally[SINCE]:
-            tally[BEGAN] = now.time if tally[SLIPS] == 0.0 else tally[BEGAN]
-            tally[SLIPS], tally[LATEST] = tally[SLIPS] + 1.0, now.time
+    tally["slow_since"] = np.inf
+    if share > 2.0 and tally["has_stuck"]:
+        record_event(record, time_at_speed(before, now, 2.0 * drive_speed), SLIP_BEGINS)
+        tally["has_stuck"], tally["is_slipping"] = False, True
+        if tally["last_slow"] >= tally["window_start"]:
+            if tally["slips"] == 0:
+                tally["first_slip"] = now.time
+            tally["slips"] += 1
+            tally["last_slip"] = now.time
 
 
 @kernel
 def time_at_speed(before, now, speed):
-    """Return when the slider was as fast as ``speed`` between two moments, at one of them else."""
+    """Return when the slider had a speed between two moments, clipped to them."""
     change = now.speed - before.speed
     share = (speed - before.speed) / change if change != 0.0 else 1.0
     return before.time + min(max(share, 0.0), 1.0) * (now.time - before.time)
 
 
 @kernel
-def note_event(record, time, kind):
-    """Note an event, where there is room for it."""
-    k = record.many[1]
+def record_event(record, time, kind):
+    """Record an event if there is room for it."""
+    tally = record.tally[0]
+    k = tally["events"]
     if k < record.events.shape[1]:
         record.events[0, k], record.events[1, k] = time, kind
-        record.many[1] = k + 1
+        tally["events"] = k + 1
 
 
 @kernel
-def keep(record, before, now, driven):
-    """Keep what lies between two moments at the times asked for; linear in between.
+def next_time_is_due(record, time):
+    """Return whether the next moment to record lies at or before a time."""
+    k = record.tally[0]["moments"]
+    return k < record.times.size and record.times[k] <= time
 
-    driven : speed of the drive.
-    """
-    times, kept, count = record.times, record.kept, record.many
-    follow_slips(record, before, now, driven)
-    while count[0] < times.size and times[count[0]] <= now.time:
-        share = 1.0
+
+@kernel
+def record_between(record, before, now, drive_speed):
+    """Record what lies between two moments: requested times, by linear interpolation, and slips."""
+    times, moments, tally = record.times, record.moments, record.tally[0]
+    follow_slips(record, before, now, drive_speed)
+    while next_time_is_due(record, now.time):
+        k, share = tally["moments"], 1.0
         if now.time > before.time:
-            share = (times[count[0]] - before.time) / (now.time - before.time)
+            share = (times[k] - before.time) / (now.time - before.time)
         for row in range(len(now)):
-            kept[row, count[0]] = before[row] + share * (now[row] - before[row])
-        kept[SAMPLES, count[0]] = now.samples  # counted where they are kept alone
-        count[0] += 1
+            moments[row, k] = before[row] + share * (now[row] - before[row])
+        moments[SAMPLES_ROW, k] = now.samples  # counted only where a moment is recorded
+        tally["moments"] = k + 1

@@ -1,4 +1,4 @@
-"""The drive: a spring, a damper and the mass of the slider, and the force that they leave over.
+"""The drive: a spring, a damper and the mass of the slider, and the balance of their forces.
 
 The drive moves as Y(t), the slider as X(t):
 
@@ -17,15 +17,15 @@ from ..compile.jit import kernel
 
 
 class Drive(NamedTuple):
-    """What the slider is pulled through; hashable, for it is part of keys."""
+    """Spring, damper and mass of a slider; hashable, because it is part of keys."""
 
     stiffness: float  # k > 0
     mass: float = 0.0  # M >= 0
     damping: float = 0.0  # c >= 0
 
 
-class Course(NamedTuple):
-    """How the drive moves in one leg: its velocity is linear between times."""
+class DriveLeg(NamedTuple):
+    """Motion of the drive in one leg: its velocity is linear between times."""
 
     time: np.ndarray  # in tau, shape (knots,), increasing
     place: np.ndarray  # Y, in dx, shape (knots,)
@@ -33,62 +33,67 @@ class Course(NamedTuple):
 
 
 class SliderState(NamedTuple):
-    """Where the slider is at the end of a step, and how it came there."""
+    """Motion of the slider at the end of a step."""
 
     time: float  # in tau
     place: float  # X, in dx
     dt: float  # of the step, in tau
     speed: float  # in the step, in dx/tau
-    rate: float  # acceleration, in dx/tau^2
-    rated: float  # time to which that belongs, in tau
-    felt: float  # time at which the friction of the step acts
+    acceleration: float  # in dx/tau^2
+    acceleration_time: float  # time to which the acceleration belongs, in tau
+    friction_time: float  # time at which the friction of the step acts, in tau
     friction: float  # of the step
 
 
-class Pull(NamedTuple):
-    """What is known of a step beside its friction."""
+class ForceBalance(NamedTuple):
+    """Forces and motion in a step whose friction is known."""
 
-    excess: float  # of the drive's force over friction and inertia, at the end of the step
-    force: float  # of the drive, where the friction acts
-    felt: float  # time at which that is, in tau
-    place: float  # X there, in dx
-    rate: float  # acceleration, in dx/tau^2
-    rated: float  # time to which that belongs, in tau
+    excess: float  # force of the drive minus friction and inertia, at the end of the step
+    force: float  # of the drive, at friction_time
+    friction_time: float  # time at which the friction acts, in tau
+    place: float  # X at friction_time, in dx
+    acceleration: float  # in dx/tau^2
+    acceleration_time: float  # time to which the acceleration belongs, in tau
 
 
 @kernel
-def course_at(course, t):
+def drive_at(leg, t):
     """Return (Y, dY/dt) of the drive at a time of its leg."""
-    i = min(max(np.searchsorted(course.time, t, side="right") - 1, 0), course.time.size - 2)
-    since = t - course.time[i]
-    growth = (course.speed[i + 1] - course.speed[i]) / (course.time[i + 1] - course.time[i])
-    speed = course.speed[i] + growth * since
-    return course.place[i] + 0.5 * (course.speed[i] + speed) * since, speed
+    i = min(max(np.searchsorted(leg.time, t, side="right") - 1, 0), leg.time.size - 2)
+    since = t - leg.time[i]
+    growth = (leg.speed[i + 1] - leg.speed[i]) / (leg.time[i + 1] - leg.time[i])
+    speed = leg.speed[i] + growth * since
+    return leg.place[i] + 0.5 * (leg.speed[i] + speed) * since, speed
 
 
 @kernel
-def pull_of(drive, course, motion, moved, dt, lag, friction):
-    """Return the Pull of a step.
+def force_balance(drive, leg, motion, moved, dt, lag, friction):
+    """Return the ForceBalance of a step.
 
-    motion : before it. moved : by it, in dx, in the time dt. lag : of the friction, before the end
-    of the step, as a share of it (rheology/law.py).
+    motion : SliderState before the step. moved : distance of the step, in dx, in the time dt.
+    lag : time from the action of the friction to the end of the step, over dt (rheology/law.py).
 
-    Forces are balanced at the end of a step, where the spring is known, so that a stiff one takes
-    the slider along and nothing rings. Friction is known earlier, at its lag, and followed to the
-    end as it has changed since the step before. So are speed and acceleration: speeds belong to
-    the middles of steps, their difference quotient to the middle between those. With equal steps
-    that is Houbolt's method, of second order, under which no oscillation grows.
+    Forces are balanced at the end of a step, where the stretch of the spring is known: a stiff
+    spring then takes the slider along without ringing. Friction acts earlier, at its lag, and is
+    extrapolated to the end of the step with its change since the step before; speed and
+    acceleration are extrapolated in the same way. A speed belongs to the middle of its step, a
+    difference quotient of speeds to the middle between those. With equal steps this is Houbolt's
+    method, of second order, under which no oscillation grows.
     """
     share, end = 1.0 - lag, motion.time + dt
-    felt, place, speed = motion.time + share * dt, motion.place + share * moved, moved / dt
-    at, driven = course_at(course, end)
-    ahead = lag * dt / (felt - motion.felt) * (friction - motion.friction)
-    rate = (speed - motion.speed) / (0.5 * (dt + motion.dt))
-    rated = motion.time + 0.25 * (dt - motion.dt)
-    change = (rate - motion.rate) / (rated - motion.rated)
-    faster = driven - speed - 0.5 * dt * rate
-    pulled = drive.stiffness * (at - motion.place - moved) + drive.damping * faster
-    inertia = drive.mass * (rate + change * (end - rated))
-    excess = pulled - (friction + ahead) - inertia
-    force = friction + drive.mass * (rate + change * (felt - rated)) + excess
-    return Pull(excess, force, felt, place, rate, rated)
+    friction_time, place = motion.time + share * dt, motion.place + share * moved
+    speed = moved / dt
+    drive_place, drive_speed = drive_at(leg, end)
+    friction_change = lag * dt / (friction_time - motion.friction_time)
+    friction_change = friction_change * (friction - motion.friction)
+    acceleration = (speed - motion.speed) / (0.5 * (dt + motion.dt))
+    acceleration_time = motion.time + 0.25 * (dt - motion.dt)
+    change = acceleration - motion.acceleration
+    change = change / (acceleration_time - motion.acceleration_time)
+    relative_speed = drive_speed - speed - 0.5 * dt * acceleration
+    pulled = drive.stiffness * (drive_place - motion.place - moved) + drive.damping * relative_speed
+    inertia = drive.mass * (acceleration + change * (end - acceleration_time))
+    excess = pulled - (friction + friction_change) - inertia
+    acceleration_then = acceleration + change * (friction_time - acceleration_time)
+    force = friction + drive.mass * acceleration_then + excess
+    return ForceBalance(excess, force, friction_time, place, acceleration, acceleration_time)

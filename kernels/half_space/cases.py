@@ -1,6 +1,6 @@
 """One case on one surface: steady sliding, velocity jumps and relaxations, as for lines.
 
-Only what is asked for is computed.
+Only requested quantities are computed.
 """
 
 import numpy as np
@@ -16,15 +16,16 @@ from .surface import Surface
 
 
 def run_case(
-    surface: Surface, case: Case, asked: Quantities, stiffness: np.ndarray | None = None
+    surface: Surface, case: Case, requested: Quantities, stiffness: np.ndarray | None = None
 ) -> Outcome:
     """Compute one case on one surface; loads Fbar = F_N/(E* L h), speeds of either sign.
 
     contact_fraction : real contact area, corrected for the samples at edges (patches.py).
-    samples_per_contact : mean samples of a patch that is connected by sides. work : samples times
-    passes of the operator. The relaxation curve is mu_2 plus the deviation of the march from its
-    own steady value. refine of a case has no meaning here. stiffness : over the modes, where it is
-    not that of a half-space. Raises ValueError where no steady state is found.
+    samples_per_contact : mean number of samples in a patch that is connected by sides.
+    work : samples times passes of the operator. The relaxation curve is mu_2 plus the difference
+    between the march and its steady value. The field refine of a case is ignored.
+    stiffness : over the modes, if it differs from that of a half-space. Raises ValueError if no
+    steady state is found.
     """
     clock = PhaseClocks()
     space = HalfSpace.under(form_of(case.spectrum, case.scheme), surface, case.load, stiffness)
@@ -33,21 +34,21 @@ def run_case(
     clock.lap_phase(STEADY)
     count = len(case.ratios)
     jumps, rates, mu_2 = np.full((3, count), np.nan)
-    if asked.jump and case.ratios:
+    if requested.jump and case.ratios:
         jumps, used = friction_jumps(space, one, case.speed, case.ratios)
         passes += used
-    if asked.initial_rate and case.ratios:
+    if requested.initial_rate and case.ratios:
         rates, used = initial_rates(space, case.spectrum, one, case.speed, case.ratios)
         passes += used
     clock.lap_phase(JUMP)
     curves = []
     for k, ratio in enumerate(case.ratios):
-        if not (asked.steady or asked.relaxation):
+        if not (requested.steady or requested.relaxation):
             continue
         two = slide_steadily(space, case.spectrum, ratio * case.speed, one.body)
         passes, mu_2[k] = passes + two.passes, two.mu
         clock.lap_phase(STEADY)
-        if asked.relaxation:
+        if requested.relaxation:
             curve, used = _relaxation(space, case, one.body, two, case.kept_steps[k])
             curves.append(two.mu + (curve - two.step_mu))
             passes += used
@@ -67,15 +68,15 @@ def run_case(
 
 
 def _relaxation(
-    space: HalfSpace, case: Case, start: Body, two: SlidingBody, kept: np.ndarray
+    space: HalfSpace, case: Case, start: Body, two: SlidingBody, numbers: np.ndarray
 ) -> tuple[np.ndarray, int]:
-    """Return (mu at the kept steps after the jump to the speed of ``two``, passes)."""
+    """Return (mu at the numbered steps after the jump to the speed of ``two``, passes)."""
     body, passes = start._replace(memory=start.memory.copy()), 0
-    mu, at, tolerance = np.empty(kept.size), 0, step_tolerance(case.spectrum, two.step.law)
-    for number in range(1, int(kept[-1]) + 1):
+    mu, at, tolerance = np.empty(numbers.size), 0, step_tolerance(case.spectrum, two.step.law)
+    for number in range(1, int(numbers[-1]) + 1):
         body, used = take_step(space, body, two.step, tolerance)
         passes += used
-        if number == kept[at]:
+        if number == numbers[at]:
             mu[at] = mean_slope(body.p, two.step.weight)
             at += 1
     return mu, passes

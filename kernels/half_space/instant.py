@@ -1,21 +1,21 @@
-"""Friction at the moment of a velocity jump: displacements stand, rates jump.
+"""Friction at the moment of a velocity jump: displacements are continuous, rates jump.
 
-Behind a dashpot pressures follow the velocity at once. With f the part of A p that is there
-without any rate, and eta the viscosity, on the samples that touch
+With a dashpot pressures follow the velocity at once. With f the part of A p that does not depend
+on rates, and eta the viscosity, on the samples that touch
 
     A p = f - eta du/dt,    du/dt = -(v dz/dx + d'),    p >= 0,
 
-and p = 0 elsewhere: one more contact problem, restricted to the set. Without a dashpot mu is
-continuous and its rate jumps: what a change dv of the velocity adds to the rates of pressures is
-J_g A dp/dt = dv dz/dx + dd', J_g the compliance of the glass, on the samples that touch.
+and p = 0 elsewhere: another contact problem, restricted to these samples. Without a dashpot mu is
+continuous and its rate jumps: a change dv of the velocity changes the rates of pressures by
+J_g A dp/dt = dv dz/dx + dd', J_g the glassy compliance, on the samples that touch.
 """
 
 import numpy as np
 
 from ..model.friction import mean_slope
 from ..rheology.spectrum import Spectrum
-from .body import TOLERANCE, HalfSpace, at_samples, lasting_depth
-from .contact import MOST_PASSES, ElasticContact, press
+from .body import CONTACT_TOLERANCE, HalfSpace, at_samples, lasting_depth
+from .contact import MAX_PASSES, ElasticContact, press
 from .sliding_body import SlidingBody
 
 
@@ -30,16 +30,16 @@ def friction_jumps(
     viscosity, lasting = lasting_depth(space.form, body.memory)
     if viscosity == 0.0:
         return np.zeros(len(ratios)), 0
-    there = at_samples(lasting, body.offset, slope.shape)
+    lasting = at_samples(lasting, body.offset, slope.shape)
     touching = body.p > 0.0
     mu, passes = [], 0
-    found = ElasticContact(body.p, at_samples(body.depth, body.offset, slope.shape), 0.0, 0)
-    for each in (1.0, *ratios):
-        gap = -(there + viscosity * each * speed * slope)
-        start = found._replace(d=float(gap[touching].mean()), passes=0)
-        found = press(gap, space.pressure, space.operator, start, TOLERANCE, touching)
-        passes += found.passes
-        mu.append(mean_slope(found.p, slope))
+    contact = ElasticContact(body.p, at_samples(body.depth, body.offset, slope.shape), 0.0, 0)
+    for ratio in (1.0, *ratios):
+        gap = -(lasting + viscosity * ratio * speed * slope)
+        start = contact._replace(d=float(gap[touching].mean()), passes=0)
+        contact = press(gap, space.pressure, space.operator, start, CONTACT_TOLERANCE, touching)
+        passes += contact.passes
+        mu.append(mean_slope(contact.p, slope))
     return np.array(mu[1:]) - mu[0], passes
 
 
@@ -52,39 +52,42 @@ def initial_rates(
 ) -> tuple[np.ndarray, int]:
     """Return (d mu/dt at t0+ in h/dx per tau, passes) after jumps from ``speed`` to ratios of it.
 
-    one : steady sliding at speed, in which mu is constant. NaN behind a dashpot.
+    one : steady sliding at speed, with constant mu. Rates are NaN with a dashpot.
     """
     p, surface = one.body.p, space.surface
     if spectrum.viscosity > 0.0:
         return np.full(len(ratios), np.nan), 0
     glass = 1.0 / (1.0 + sum(spectrum.moduli))
-    rates, passes = _pushed(space, p > 0.0, surface.slope)
+    rates, passes = _pressures_for(space, p > 0.0, surface.slope)
     n, m = p.shape[1], surface.steps_per_spacing
     waves = np.fft.rfft(surface.slope, axis=1) * 2j * np.pi * m * np.fft.rfftfreq(n)
     if n % 2 == 0:
-        waves[:, -1] = 0.0  # a sine between the samples: its slope at them is zero
-    turning = float(np.sum(p * np.fft.irfft(waves, n, axis=1)))
+        waves[:, -1] = 0.0  # a sine with nodes at the samples has no slope there
+    curving = float(np.sum(p * np.fft.irfft(waves, n, axis=1)))
     stiffening = float(np.sum(rates * surface.slope)) / glass
-    return (np.array(ratios) - 1.0) * speed * (stiffening - turning) / float(p.sum()), passes
+    return (np.array(ratios) - 1.0) * speed * (stiffening - curving) / float(p.sum()), passes
 
 
-def _pushed(space: HalfSpace, touching: np.ndarray, push: np.ndarray) -> tuple[np.ndarray, int]:
-    """Return (pressures of sum zero on a set, passes): A p is push there, but for a constant.
+def _pressures_for(
+    space: HalfSpace, touching: np.ndarray, depth: np.ndarray
+) -> tuple[np.ndarray, int]:
+    """Return (pressures on the touching samples, passes) with A p = depth + constant there.
 
-    Conjugate gradients, to the tolerance of a contact.
+    Their sum is zero. They are found by conjugate gradients, to the tolerance of a contact.
     """
 
-    def on_the_set(values: np.ndarray) -> np.ndarray:
+    def centred_on_contact(values: np.ndarray) -> np.ndarray:
         return np.where(touching, values - values[touching].mean(), 0.0)
 
-    found, left = np.zeros_like(push), on_the_set(push)
-    turn, squares, passes = left, float(np.sum(left * left)), 0
-    enough = TOLERANCE**2 * squares
-    while squares > enough and passes < MOST_PASSES:
-        pushed = on_the_set(space.operator.displaced(turn, np.empty_like(turn)))
+    p, residual = np.zeros_like(depth), centred_on_contact(depth)
+    direction, squares, passes = residual, float(np.sum(residual * residual)), 0
+    limit = CONTACT_TOLERANCE**2 * squares
+    while squares > limit and passes < MAX_PASSES:
+        moved = space.operator.displaced(direction, np.empty_like(direction))
+        moved = centred_on_contact(moved)
         passes += 1
-        step = squares / float(np.sum(turn * pushed))
-        found, left = found + step * turn, left - step * pushed
-        before, squares = squares, float(np.sum(left * left))
-        turn = left + squares / before * turn
-    return found, passes
+        step = squares / float(np.sum(direction * moved))
+        p, residual = p + step * direction, residual - step * moved
+        before, squares = squares, float(np.sum(residual * residual))
+        direction = residual + squares / before * direction
+    return p, passes

@@ -1,7 +1,8 @@
-"""Patches of contact: samples that touch and are neighbours, round the period; and their area.
+"""Contact patches, connected sets of touching samples with periodic neighbours, and their area.
 
-To count the samples that touch is to count too many at edges: by (pi - 1 + ln 2)/24 of a sample for
-every side of one that does not touch its neighbour, in the mean over edges of all directions.
+The number of touching samples overestimates the area at edges: by (pi - 1 + ln 2)/24 of a sample
+for each side between a touching sample and one that does not touch, averaged over the directions of
+edges.
 Source: V. A. Yastrebov, G. Anciaux, J.-F. Molinari, Tribol. Int. 114, 161 (2017),
 doi:10.1016/j.triboint.2017.04.023.
 """
@@ -12,25 +13,25 @@ import numpy as np
 
 from ..compile.jit import kernel
 
-EDGE = (math.pi - 1.0 + math.log(2.0)) / 24.0
+AREA_PER_EDGE = (math.pi - 1.0 + math.log(2.0)) / 24.0
 
 
 def real_contact(p: np.ndarray, sudden: float) -> float:
     """Return the real contact area over L^2.
 
-    p : pressures, shape (rows, n), periodic; in one row only what is sudden is corrected. sudden :
-    share of the leading edges at which pressure jumps, as behind a dashpot: there a sample counts
-    for the whole step in which it is touched, half a sample too many.
+    p : pressures, shape (rows, n), periodic. sudden : share of the leading edges at which pressure
+    jumps, as with a dashpot: a sample counts there for the whole step in which it is touched, half
+    a sample too many. For a single row this is the only correction.
     """
     touching = p > 0.0
     along = float(np.count_nonzero(touching != np.roll(touching, 1, axis=1)))
     across = float(np.count_nonzero(touching != np.roll(touching, 1, axis=0)))
-    edges = EDGE * (along + across) if p.shape[0] > 1 else 0.0
+    edges = AREA_PER_EDGE * (along + across) if p.shape[0] > 1 else 0.0
     return float(np.count_nonzero(touching) - edges - 0.25 * sudden * along) / p.size
 
 
 def samples_per_patch(p: np.ndarray) -> float:
-    """Return how many samples a patch of contact has in the mean; 0 where nothing touches.
+    """Return the mean number of samples in a contact patch; 0 without contact.
 
     p : pressures, shape (rows, n), periodic. A patch is connected by sides, not by corners.
     """
@@ -41,15 +42,13 @@ def samples_per_patch(p: np.ndarray) -> float:
 
 @kernel
 def _count_patches(touching):
-    """Return the number of patches: samples less the links between them, by union of trees."""
+    """Return the number of patches, by union-find."""
     rows, n = touching.shape
     root = np.arange(rows * n)
-    patches = 0
     for y in range(rows):
         for x in range(n):
             if not touching[y, x]:
                 continue
-            patches += 1
             here = y * n + x
             for side in range(2):
                 y1, x1 = ((y + 1) % rows, x) if side == 0 else (y, (x + 1) % n)
@@ -66,7 +65,7 @@ def _count_patches(touching):
 
 @kernel
 def _root(root, i):
-    """Return the sample that stands for the patch of sample i, and shorten the way to it."""
+    """Return the root of the patch of sample i, and shorten the path to it."""
     while root[i] != i:
         root[i] = root[root[i]]
         i = root[i]

@@ -3,9 +3,9 @@
 Source: B. N. J. Persson, J. Chem. Phys. 115, 3840 (2001), doi:10.1063/1.1388626. Conventions: the
 spectrum is two-sided, C(q) with int C d^2q = h^2, so that its integral over a patch of wave vectors
 is sum |h_q|^2; E*(omega) = E/(1 - nu^2) is that of exp(i omega t); phi runs from 0 to 2 pi. The
-area that is lost from one magnification to the next follows from the diffusion of the pressure,
-and of what remains in contact the share S = gamma + (1 - gamma) P^2 is deformed, gamma = 1/2. In
-full contact, P = S = 1, friction is exact.
+contact area falls with the magnification by the diffusion of the pressure, and the share
+S = gamma + (1 - gamma) P^2 of the remaining contact is deformed, gamma = 1/2. In full contact,
+P = S = 1, friction is exact.
 """
 
 import math
@@ -16,21 +16,21 @@ import numpy as np
 from ..rheology.spectrum import Spectrum, complex_modulus
 
 GAMMA = 0.5
-ANGLES = 16  # of a quarter of a turn; the rest is its image
-MOST_RINGS = 512  # of a line of many modes
+QUADRANT_ANGLES = 16  # the other quadrants are images
+MAX_RINGS = 512  # for a line with more modes
 ERF = np.vectorize(math.erf, otypes=[float])
 
 
 class Waves(NamedTuple):
-    """Waves of a surface: their wave numbers in 1/dx, and their share of the mean square height."""
+    """Waves of a surface: wave numbers in 1/dx, and shares of the mean square height."""
 
     q: np.ndarray  # |q|, ascending
-    q_x: np.ndarray  # its part along the direction of sliding, not negative
+    q_x: np.ndarray  # component along the direction of sliding, not negative
     power: np.ndarray  # in h^2
 
 
 def waves_of_map(amplitude: np.ndarray, elements: int) -> Waves:
-    """Return the waves of a map of so many elements a side, amplitude as of ring_amplitudes."""
+    """Return the waves of a map; amplitude : as from ring_amplitudes, elements : per side."""
     rows, columns = amplitude.shape
     k_y = np.fft.fftfreq(rows, 1.0 / rows)[:, None]
     k_x = np.arange(columns)[None, :]
@@ -44,38 +44,38 @@ def waves_of_map(amplitude: np.ndarray, elements: int) -> Waves:
 def waves_of_line(amplitude: np.ndarray, elements: int) -> Waves:
     """Return the waves of the isotropic surface whose equivalent line has these amplitudes.
 
-    C_1D = pi q C_2D (lines/equivalent.py): each ring has the mean square of the line's mode.
+    C_1D = pi q C_2D (lines/equivalent.py): each ring has the mean square of a mode of the line.
     """
     q, power = _rings(2.0 * np.pi / elements * np.arange(1, amplitude.size + 1), 0.5 * amplitude**2)
-    cosines = np.cos(0.5 * np.pi * (np.arange(ANGLES) + 0.5) / ANGLES)
+    cosines = np.cos(0.5 * np.pi * (np.arange(QUADRANT_ANGLES) + 0.5) / QUADRANT_ANGLES)
     along = q[:, None] * cosines
-    each = np.repeat(power / ANGLES, ANGLES)
-    return Waves(np.repeat(q, ANGLES), along.ravel(), each)
+    power = np.repeat(power / QUADRANT_ANGLES, QUADRANT_ANGLES)
+    return Waves(np.repeat(q, QUADRANT_ANGLES), along.ravel(), power)
 
 
 def _rings(q: np.ndarray, power: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Return modes, of many those of a narrow band as one of the same power and slope."""
-    if q.size <= MOST_RINGS:
+    """Return modes, binned if there are many; a bin keeps the power and the slope of its modes."""
+    if q.size <= MAX_RINGS:
         return q, power
-    band = (np.log(q / q[0]) / np.log(q[-1] / q[0]) * (MOST_RINGS - 1)).astype(np.int64)
-    own, slope = np.bincount(band, power), np.bincount(band, power * q * q)
-    there = own > 0.0
-    return np.sqrt(slope[there] / own[there]), own[there]
+    band = (np.log(q / q[0]) / np.log(q[-1] / q[0]) * (MAX_RINGS - 1)).astype(np.int64)
+    total, slope = np.bincount(band, power), np.bincount(band, power * q * q)
+    filled = total > 0.0
+    return np.sqrt(slope[filled] / total[filled]), total[filled]
 
 
 def persson_theory(
     waves: Waves, spectrum: Spectrum, pressure: float, speed: float
 ) -> tuple[float, float]:
-    """Return the coefficient of friction, in h/dx, and the real contact area over the nominal one.
+    """Return (coefficient of friction in h/dx, real contact area over the nominal one).
 
-    pressure : nominal, in E* h/dx, E* the relaxed one. speed : v tau/dx, of either sign.
+    pressure : nominal, in E* h/dx, with the relaxed E*. speed : v tau/dx, of either sign.
 
         G(q) = (1/8) sum_(q' <= q) q'^2 |h_q'|^2 |E*(q'_x v)/sigma_0|^2,   P = erf(1/(2 sqrt G)),
         mu = (1/2) sum q q_x |h_q|^2 Im E*(q_x v)/sigma_0 P S,   S = gamma + (1 - gamma) P^2
     """
     modulus = complex_modulus(spectrum, waves.q_x * abs(speed)) / pressure
     spread = 0.125 * np.cumsum(waves.q**2 * waves.power * np.abs(modulus) ** 2)
-    # All waves of one length are added at once: those of its last one count for each.
+    # Waves of one length are added together: all of them take the sum at the last one.
     last = np.searchsorted(waves.q, waves.q * (1.0 + 1e-12), side="right") - 1
     contact = ERF(0.5 / np.sqrt(np.maximum(spread[last], 1e-300)))
     share = GAMMA + (1.0 - GAMMA) * contact**2

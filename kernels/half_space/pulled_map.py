@@ -7,25 +7,26 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from ..drive.rig import accept, attempt, patch_width
-from ..drive.slider import Start, kept_times, pull_through, steady_speed
+from ..drive.slider import SliderStart, initial_speed, pull_through, recorded_times
+from ..drive.slider_step import follow_leg
 from ..drive.spring import Drive
-from ..drive.step import follow_leg
 from ..model.friction import mean_slope
 from ..rheology.forms import form_of
 from ..rheology.law import law_of
 from ..scene.scene_case import SceneCase
-from .body import STEP_TOLERANCE, Body, HalfSpace, settled_on, tried
+from .body import STEP_TOLERANCE, Body, HalfSpace, body_after, try_step
+from .contact import ElasticContact
 from .patches import samples_per_patch
-from .scenes import Moving, begun_on
+from .scenes import ShiftedSurface, initial_body
 from .surface import Surface
 
 
 class TriedStep(NamedTuple):
-    """A step that was tried."""
+    """A step that was tried and not accepted yet."""
 
     law: Any  # of the elastomer in it
-    w: np.ndarray  # where the body would go without pressure
-    contact: Any  # ElasticContact
+    w: np.ndarray  # displacements of the body without pressure
+    contact: ElasticContact
     offset: int  # of the surface
 
 
@@ -34,34 +35,34 @@ class MapRig:
     """A surface on its half-space."""
 
     space: HalfSpace
-    moving: Moving
-    body: Body  # after the last step
+    shifted: ShiftedSurface
+    body: Body  # after the last accepted step
     passes: int  # of the operator, in all
-    found: TriedStep | None = None
+    tried: TriedStep | None = None
 
 
 @attempt.register(MapRig)
 def _attempt(rig, places, dt):
     law = law_of(rig.space.form, dt)
     whole = math.floor(places.after)
-    z, slope = rig.moving.at(places.after - whole)
+    z, slope = rig.shifted.at(places.after - whole)
     offset = whole % z.shape[1]
-    w, contact = tried(rig.space, rig.body, law, z, offset, STEP_TOLERANCE)
+    w, contact = try_step(rig.space, rig.body, law, z, offset, STEP_TOLERANCE)
     rig.passes += contact.passes
-    rig.found = TriedStep(law, w, contact, offset)
-    before = rig.moving.slope_over(places.before, offset)
+    rig.tried = TriedStep(law, w, contact, offset)
+    before = rig.shifted.slopes_over(places.before, offset)
     weight = slope + law.lag * (before - slope)
-    normal = rig.space.pressure * side_of(rig.space)
+    normal = rig.space.pressure * side_length(rig.space)
     return normal * mean_slope(contact.p, weight), law.lag
 
 
 @accept.register(MapRig)
 def _accept(rig, dt):
-    old, (law, *found) = rig.body.d, rig.found
-    rig.body = settled_on(rig.body, law, *found)
+    old, (law, *step) = rig.body.d, rig.tried
+    rig.body = body_after(rig.body, law, *step)
     d = rig.body.d + law.lag * (old - rig.body.d)
     p = rig.body.p
-    return float(p.mean()) * side_of(rig.space), d, np.count_nonzero(p > 0.0) / p.size
+    return float(p.mean()) * side_length(rig.space), d, np.count_nonzero(p > 0.0) / p.size
 
 
 @patch_width.register(MapRig)
@@ -69,7 +70,7 @@ def _patch_width(rig):
     return samples_per_patch(rig.body.p)
 
 
-def side_of(space: HalfSpace) -> float:
+def side_length(space: HalfSpace) -> float:
     """Return the side of the surface along x, in dx."""
     return space.surface.z.shape[1] / space.surface.steps_per_spacing
 
@@ -79,20 +80,21 @@ def run_pulled_on_half_space(
 ) -> dict[str, np.ndarray]:
     """Pull one map through a scene, as run_pulled a line; forces in E* L h and E* L h^2/dx.
 
-    stiffness : over the modes, where it is not that of a half-space.
+    stiffness : over the modes, if it differs from that of a half-space.
     """
     m = surface.steps_per_spacing
-    times, speed = kept_times(scene, m), steady_speed(scene)
+    times, speed = recorded_times(scene, m), initial_speed(scene)
     form = form_of(scene.spectrum, scene.scheme)
-    space, moving = HalfSpace.under(form, surface, scene.load, stiffness), Moving(surface)
-    body, passes, lag = begun_on(space, scene)
-    before = moving.slope_over(-math.copysign(1.0, speed), body.offset)
+    space = HalfSpace.under(form, surface, scene.load, stiffness)
+    shifted = ShiftedSurface(surface)
+    body, passes, lag = initial_body(space, scene)
+    before = shifted.slopes_over(-math.copysign(1.0, speed), body.offset)
     slope = surface.slope + abs(lag) * (before - surface.slope)
-    normal = space.pressure * side_of(space)
+    normal = space.pressure * side_length(space)
     mu = mean_slope(body.p, slope)
     touching = np.count_nonzero(body.p > 0.0) / body.p.size
-    rig = MapRig(space, moving, body, passes)
+    rig = MapRig(space, shifted, body, passes)
     forces = mu, body.d, normal, mu * normal, touching, samples_per_patch(body.p)
-    start = Start(rig, m, surface.slope, forces)
-    found, _ = pull_through(follow_leg, start, drive, scene, times)
-    return found | {"updates": np.array(float(rig.passes * surface.z.size))}
+    start = SliderStart(rig, m, surface.slope, forces)
+    values, _ = pull_through(follow_leg, start, drive, scene, times)
+    return values | {"updates": np.array(float(rig.passes * surface.z.size))}

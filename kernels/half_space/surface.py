@@ -1,7 +1,7 @@
 """Rough surfaces: one band-limited periodic function, sampled m times per element spacing.
 
 z(x, y) = sum_q h_q exp(i q r), two-sided, q = 2 pi k/L: self-affine with random phases, or the
-trigonometric polynomial through a measured map. Every m samples the same function.
+trigonometric polynomial through a measured map. The function does not depend on m.
 Source: C_2D ~ |q|^(-2(H+1)) is the spectrum whose equivalent line is that of Li et al. (2014),
 doi:10.1038/srep05795 (lines/equivalent.py).
 """
@@ -11,25 +11,25 @@ from typing import NamedTuple
 import numpy as np
 
 NORMALISATIONS = ("modal", "integral")
-LEAST_SAMPLES = 4  # of a measured map along x: below, there is no slope to speak of
+MIN_MAP_COLUMNS = 4  # of a measured map along x: fewer do not determine slopes
 
 
 class Surface(NamedTuple):
-    """A sampled rigid surface; mean height zero unless it was measured otherwise."""
+    """A sampled rigid surface; its mean height is zero unless it was measured otherwise."""
 
     z: np.ndarray  # shape (N m, N m), or (1, N m) of a line contact, in h
     slope: np.ndarray  # dz/dx, the same shape, in h/dx
     steps_per_spacing: int
-    band_limited: bool = False  # whether it is a function without modes above q = pi/dx
+    band_limited: bool = False  # whether all of its modes have q <= pi/dx
 
     @classmethod
     def from_samples(
         cls, z: np.ndarray, slope: np.ndarray, steps_per_spacing: int, band_limited: bool = False
     ) -> "Surface":
-        """Take heights (in h) and slopes (in h/dx) of a periodic map as they are.
+        """Return the surface of a periodic map of heights (in h) and slopes (in h/dx).
 
-        Raises ValueError for maps that are neither square nor of one row, whose sides are no
-        multiples of m, or that hold anything but finite numbers.
+        Raises ValueError if the map is neither square nor a single row, if its sides are not
+        multiples of m, or if it holds values that are not finite.
         """
         if z.ndim != 2 or z.shape != slope.shape or z.shape[0] not in (1, z.shape[1]):
             raise ValueError(f"a map of shape {z.shape}: must be square, or one row, with slopes")
@@ -50,9 +50,9 @@ class Surface(NamedTuple):
         elements: int,
         steps_per_spacing: int,
     ) -> "Surface":
-        """Draw a surface of random phases; they depend on N and the generator alone.
+        """Draw a surface of random phases, which depend on N and the generator only.
 
-        amplitudes : |h_q| as from ring_amplitudes. elements : N.
+        amplitudes : |h_q|, from ring_amplitudes. elements : N.
         """
         phases = generator.uniform(0.0, 2.0 * np.pi, amplitudes.shape)
         modes = amplitudes * np.exp(1j * phases)
@@ -62,16 +62,17 @@ class Surface(NamedTuple):
 
     @classmethod
     def measured(cls, heights: np.ndarray, steps_per_spacing: int) -> "Surface":
-        """Sample the trigonometric polynomial through a periodic map m times as finely.
+        """Return the trigonometric polynomial through a periodic map, sampled m times as finely.
 
         heights : shape (N, N), or (1, N) of a line contact, in h. Raises ValueError as
-        from_samples does, and for fewer than 4 samples along x.
+        from_samples does, and for fewer than MIN_MAP_COLUMNS samples along x.
         """
         flat = np.zeros_like(heights, float)
-        cls.from_samples(np.asarray(heights, float), flat, 1)  # checks it
+        cls.from_samples(np.asarray(heights, float), flat, 1)  # for its checks
         columns = heights.shape[1]
-        if columns < LEAST_SAMPLES:
-            raise ValueError(f"a map of {columns} samples along x: needs {LEAST_SAMPLES} or more")
+        if columns < MIN_MAP_COLUMNS:
+            message = f"a map of {columns} samples along x: needs {MIN_MAP_COLUMNS} or more"
+            raise ValueError(message)
         fields = _sampled(_modes(heights), columns, steps_per_spacing)
         return cls.from_samples(*fields, steps_per_spacing, band_limited=True)
 
@@ -85,27 +86,27 @@ def ring_amplitudes(
 ) -> np.ndarray:
     """Return the amplitudes |h_q| of the modes of a self-affine surface, in h.
 
-    Two-sided: <z^2> = sum |h_q|^2 over all q, of which those with k_x >= 0 are returned, shape
-    (2 M + 1, M + 1) with M = floor(N/2): rows k_y = 0 ... M, -M ... -1, columns k_x = 0 ... M.
-    C_2D ~ |q|^(-2(H+1)) on the ring 1 <= |k| <= cutoff, k = q L/(2 pi); flat below rolloff.
+    The spectrum is two-sided, <z^2> = sum |h_q|^2 over all q. Modes with k_x >= 0 are returned,
+    shape (2 M + 1, M + 1) with M = floor(N/2): rows k_y = 0 ... M, -M ... -1, columns k_x = 0 ...
+    M. C_2D ~ |q|^(-2(H+1)) on the ring 1 <= |k| <= cutoff, k = q L/(2 pi); flat below rolloff.
 
-    rolloff, cutoff : wave numbers in 2 pi/L; zero stands for no roll-off and for floor(N/2).
+    rolloff, cutoff : wave numbers in 2 pi/L; zero means no roll-off, and a cutoff at floor(N/2).
     normalisation : "modal" makes the sum over modes exact, sum |h_q|^2 = 1; "integral" makes the
     integral of the spectrum over the ring 1 instead.
     Raises ValueError as the amplitudes of lines do (lines/self_affine.py).
     """
-    most = elements // 2
-    last = cutoff or most
-    if not (0.0 <= rolloff <= last <= most):
+    highest = elements // 2
+    last = cutoff or highest
+    if not (0.0 <= rolloff <= last <= highest):
         raise ValueError(
-            f"rolloff = {rolloff:g}, cutoff = {cutoff}: must ascend to N/2 = {most} or be zero"
+            f"rolloff = {rolloff:g}, cutoff = {cutoff}: must ascend to N/2 = {highest} or be zero"
         )
-    k = np.hypot(*_numbers(2 * most + 1, most))
+    k = np.hypot(*_wave_indices(2 * highest + 1, highest))
     inside = (k >= 1.0) & (k <= last)
     power = np.zeros_like(k)
     power[inside] = np.maximum(k[inside], rolloff) ** (-2.0 * hurst - 2.0)
     if normalisation == "modal":
-        total = float((_multiplicity(most) * power).sum())
+        total = float((_multiplicity(highest) * power).sum())
     elif normalisation == "integral":
         total = _spectral_integral(hurst, max(rolloff, 1.0), float(last))
     else:
@@ -116,27 +117,27 @@ def ring_amplitudes(
 def rms_slope_of(amplitudes: np.ndarray, elements: int) -> float:
     """Return the rms of the full gradient, (sum |h_q|^2 q^2)^(1/2), in h/dx.
 
-    amplitudes : as from ring_amplitudes. elements : N.
+    amplitudes : from ring_amplitudes. elements : N.
     """
-    most = amplitudes.shape[1] - 1
-    q = 2.0 * np.pi / elements * np.hypot(*_numbers(amplitudes.shape[0], most))
-    return float(np.sqrt(np.sum(_multiplicity(most) * (amplitudes * q) ** 2)))
+    highest = amplitudes.shape[1] - 1
+    q = 2.0 * np.pi / elements * np.hypot(*_wave_indices(amplitudes.shape[0], highest))
+    return float(np.sqrt(np.sum(_multiplicity(highest) * (amplitudes * q) ** 2)))
 
 
 def map_amplitudes(heights: np.ndarray) -> np.ndarray:
-    """Return the amplitudes |h_q| of the modes of a periodic map, as of ring_amplitudes.
+    """Return the amplitudes |h_q| of the modes of a periodic map, in the order of ring_amplitudes.
 
-    heights : shape (N, N), or (1, N) of a line contact; their mean does not count.
+    heights : shape (N, N), or (1, N) of a line contact; their mean is ignored.
     """
-    found = np.abs(_modes(heights))
-    found[0, 0] = 0.0
-    return found
+    amplitudes = np.abs(_modes(heights))
+    amplitudes[0, 0] = 0.0
+    return amplitudes
 
 
 def _modes(heights: np.ndarray) -> np.ndarray:
     """Return the modes of a periodic map, in the order of ring_amplitudes."""
     rows, columns = heights.shape
-    # What the samples tell of a wave of two samples is shared by its two signs.
+    # The two signs of a wave of two samples coincide and share its amplitude.
     spectrum = np.fft.rfft2(heights) / heights.size
     if columns % 2 == 0:
         spectrum[:, -1] *= 0.5
@@ -149,15 +150,15 @@ def _modes(heights: np.ndarray) -> np.ndarray:
     return modes
 
 
-def _numbers(rows: int, most: int) -> tuple[np.ndarray, np.ndarray]:
+def _wave_indices(rows: int, highest: int) -> tuple[np.ndarray, np.ndarray]:
     """Return k_y as a column and k_x as a row, in the order of ring_amplitudes."""
     k_y = np.fft.fftfreq(rows, 1.0 / rows)  # rows is odd: the signs come in pairs
-    return k_y[:, None], np.arange(most + 1.0)[None, :]
+    return k_y[:, None], np.arange(highest + 1.0)[None, :]
 
 
-def _multiplicity(most: int) -> np.ndarray:
-    """Return how many two-sided modes a column stands for: both signs of k_x, where it has any."""
-    return np.where(np.arange(most + 1) == 0, 1.0, 2.0)
+def _multiplicity(highest: int) -> np.ndarray:
+    """Return the number of two-sided modes per mode of a column: 2 for both signs of k_x, or 1."""
+    return np.where(np.arange(highest + 1) == 0, 1.0, 2.0)
 
 
 def _spectral_integral(hurst: float, k_flat: float, k_max: float) -> float:
@@ -173,22 +174,22 @@ def _spectral_integral(hurst: float, k_flat: float, k_max: float) -> float:
 def _sampled(modes: np.ndarray, elements: int, m: int) -> tuple[np.ndarray, np.ndarray]:
     """Return heights and slopes of a function with these modes, in the order of ring_amplitudes.
 
-    Of the modes with k_x = 0 those with k_y > 0 count; the others are their conjugates.
+    Modes with k_x = 0 and k_y < 0 are ignored: they are the conjugates of those with k_y > 0.
     """
-    rows, most = modes.shape[0], modes.shape[1] - 1
+    rows, highest = modes.shape[0], modes.shape[1] - 1
     n = elements * m
-    tall = 1 if rows == 1 else n
-    k_y, k_x = _numbers(rows, most)
+    n_rows = 1 if rows == 1 else n
+    k_y, k_x = _wave_indices(rows, highest)
     heights = modes.copy()
     half = rows // 2
     heights[rows - half :, 0] = np.conj(heights[1 : half + 1, 0])[::-1]
     heights[0, 0] = heights[0, 0].real
-    at = k_y[:, 0].astype(np.int64) % tall
+    row = k_y[:, 0].astype(np.int64) % n_rows
     fields = []
     for values in (heights, 2j * np.pi / elements * k_x * heights):
-        spectrum = np.zeros((tall, n // 2 + 1), complex)
-        np.add.at(spectrum[:, : most + 1], at, values)
-        if 2 * most == n:  # the two signs of this k_x fall on one coefficient
-            spectrum[:, -1] += np.conj(spectrum[-np.arange(tall), -1])
-        fields.append(np.fft.irfft2(spectrum * (tall * n), (tall, n)))
+        spectrum = np.zeros((n_rows, n // 2 + 1), complex)
+        np.add.at(spectrum[:, : highest + 1], row, values)
+        if 2 * highest == n:  # both signs of this k_x share one coefficient
+            spectrum[:, -1] += np.conj(spectrum[-np.arange(n_rows), -1])
+        fields.append(np.fft.irfft2(spectrum * (n_rows * n), (n_rows, n)))
     return fields[0], fields[1]

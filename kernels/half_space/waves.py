@@ -1,4 +1,4 @@
-"""Wave numbers of a sampled square, and the stiffness of a half-space for each of them.
+"""Wave numbers of a sampled square, and the stiffness of a half-space over them.
 
 Arrays over modes are those of a real two-dimensional Fourier transform: shape (rows, n//2 + 1).
 Source: K. L. Johnson, Contact Mechanics (Cambridge, 1985), ch. 13; p(q) = -(|q|/2) E* u(q).
@@ -9,8 +9,8 @@ import numpy as np
 
 def wave_numbers(shape: tuple[int, int], steps_per_spacing: int) -> tuple[np.ndarray, np.ndarray]:
     """Return q_y as a column and q_x >= 0 as a row, in 1/dx, of a map of this shape."""
-    turn = 2.0 * np.pi * steps_per_spacing
-    return turn * np.fft.fftfreq(shape[0])[:, None], turn * np.fft.rfftfreq(shape[1])[None, :]
+    scale = 2.0 * np.pi * steps_per_spacing
+    return scale * np.fft.fftfreq(shape[0])[:, None], scale * np.fft.rfftfreq(shape[1])[None, :]
 
 
 def half_space_stiffness(shape: tuple[int, int], steps_per_spacing: int) -> np.ndarray:
@@ -19,7 +19,7 @@ def half_space_stiffness(shape: tuple[int, int], steps_per_spacing: int) -> np.n
 
 
 def two_sided(shape: tuple[int, int]) -> np.ndarray:
-    """Return how many modes of the whole plane each q_x stands for, shape (n//2 + 1,)."""
+    """Return the number of two-sided modes for each q_x >= 0, shape (n//2 + 1,)."""
     count = np.full(shape[1] // 2 + 1, 2.0)
     count[0] = 1.0
     if shape[1] % 2 == 0:

@@ -12,7 +12,7 @@ from ..lines.line import Line
 from ..motion.legs import Slide
 from ..rheology.forms import form_of
 from ..rheology.retardation import Retardation
-from ..scene import Saved, SceneCase, run_scene
+from ..scene import SavedState, SceneCase, run_scene
 from ..scene.samples import samples_per_contact
 from .case import JUMP, MARCHING, STEADY, Case, Outcome, PhaseClocks, Quantities
 
@@ -90,10 +90,10 @@ def _relaxation(
         load=case.load,
         indentation=None,
         start="steady",
-        asked=("trace",),
-        kept=kept,
+        requested=("trace",),
+        recorded=kept,
         edges=np.empty(0),
         frames=np.empty(0, np.int64),
     )
-    state = Saved(*one.elements, 0.0, 0.0, case.speed)
+    state = SavedState(*one.elements, 0.0, 0.0, case.speed)
     return run_scene(line, scene, state)["trace_mu"]

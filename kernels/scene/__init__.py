@@ -1,21 +1,28 @@
 """Scenes: a line taken through a programme, with any material, control and start.
 
-What is kept on the way is chosen by type: what a scene does not ask for is not compiled.
+Recorders are chosen by type: quantities that a scene does not request are not compiled.
 """
 
 from .energy import ENERGIES
-from .records import MOTION, TRACES
+from .records import MOTION_TRACES, TRACES
 from .run import run_scene
-from .scene_case import ASKED, START, Origin, Saved, SceneCase, scene_steps
+from .scene_case import (
+    SCENE_QUANTITIES,
+    ZERO_ORIGIN,
+    Origin,
+    SavedState,
+    SceneCase,
+    scene_steps,
+)
 
 __all__ = [
-    "ASKED",
     "ENERGIES",
-    "MOTION",
-    "START",
+    "MOTION_TRACES",
+    "SCENE_QUANTITIES",
     "TRACES",
+    "ZERO_ORIGIN",
     "Origin",
-    "Saved",
+    "SavedState",
     "SceneCase",
     "run_scene",
     "scene_steps",

@@ -1,8 +1,8 @@
-"""Friction averaged over cycles of an oscillation, from every step of them.
+"""Mean friction over the cycles of an oscillation, from all of their steps.
 
-The mean is that of the friction force over that of the normal force: under a constant normal force
-the mean of mu over time. It is taken over the later half of the cycles, as the first ones still
-know of the start.
+It is the mean friction force over the mean normal force: under a constant normal force the time
+average of mu. The average runs over the later half of the cycles, because the first ones still
+depend on the start.
 """
 
 from typing import NamedTuple
@@ -14,48 +14,48 @@ from ..motion.legs import Oscillation, Programme, Steps
 from .scene_case import SceneCase
 
 
-class Spell(NamedTuple):
-    """Impulses of normal force and friction over some steps, whether they are kept or not."""
+class AveragingWindow(NamedTuple):
+    """Impulses of normal force and friction over consecutive steps, recorded or not."""
 
-    after: int  # the number of the step before the first of them
+    after: int  # number of the step before the first of them
     last: int
-    sums: np.ndarray  # of both, shape (2,): friction over normal force is in h/dx
+    sums: np.ndarray  # of normal force and friction, shape (2,); their ratio is in h/dx
 
 
 def later_cycles(programme: Programme, steps: Steps) -> tuple[int, int]:
-    """Return the steps at which the later half of the cycles of the last oscillation begins, ends.
+    """Return the first and last step numbers of the later half of the last oscillation's cycles.
 
-    Of an odd number of cycles the one in the middle belongs to them. Steps are counted from 1 on.
-    Raises ValueError where nothing oscillates.
+    The middle one of an odd number of cycles is included. Steps are counted from 1 on, and the
+    first number is that of the step before. Raises ValueError if no leg oscillates.
     """
-    swung = [number for number, leg in enumerate(programme) if isinstance(leg, Oscillation)]
-    if not swung:
-        raise ValueError('asked = "cycle_mean": no leg of the programme oscillates')
-    leg = programme[swung[-1]]
+    oscillations = [number for number, leg in enumerate(programme) if isinstance(leg, Oscillation)]
+    if not oscillations:
+        raise ValueError('requested = "cycle_mean": no leg of the programme oscillates')
+    leg = programme[oscillations[-1]]
     assert isinstance(leg, Oscillation)
-    last = int(np.searchsorted(steps.leg, swung[-1], side="right"))
+    last = int(np.searchsorted(steps.leg, oscillations[-1], side="right"))
     ends = np.append(0.0, np.cumsum(steps.dt))[: last + 1]
     begin = ends[-1] - (leg.cycles + 1) // 2 / leg.frequency
     return int(np.argmin(np.abs(ends - begin))), last
 
 
-def spell_of(scene: SceneCase, steps: Steps) -> Spell | None:
-    """Return the spell over which friction is averaged; None where that is not asked for."""
-    if "cycle_mean" not in scene.asked:
+def averaging_window(scene: SceneCase, steps: Steps) -> AveragingWindow | None:
+    """Return the steps over which friction is averaged, or None if that is not requested."""
+    if "cycle_mean" not in scene.requested:
         return None
-    return Spell(*later_cycles(scene.programme, steps), np.zeros(2))
+    return AveragingWindow(*later_cycles(scene.programme, steps), np.zeros(2))
 
 
-def mean_of(spell: Spell | None) -> dict[str, np.ndarray]:
-    """Return the mean friction over the mean normal force in a spell, by name, in h/dx."""
-    if spell is None:
+def cycle_mean(window: AveragingWindow | None) -> dict[str, np.ndarray]:
+    """Return mean friction over mean normal force in a window, by name, in h/dx."""
+    if window is None:
         return {}
-    normal, friction = spell.sums
+    normal, friction = window.sums
     return {"mu_cycle_mean": np.array(friction / normal if normal > 0.0 else np.nan)}
 
 
 @kernel
-def add_impulses(spell, sums, dt):
-    """Add a step to a spell; sums : of eq. 5 (model/friction.py)."""
-    spell.sums[0] += dt * sums[0]
-    spell.sums[1] += dt * sums[1]
+def add_impulses(window, sums, dt):
+    """Add the impulses of a step; sums : of eq. 5 (model/friction.py)."""
+    window.sums[0] += dt * sums[0]
+    window.sums[1] += dt * sums[1]

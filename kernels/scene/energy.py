@@ -1,15 +1,15 @@
 """Work, stored and dissipated energy of the elements, step by step.
 
 The units of the retardation form (rheology/retardation.py) store y^2 / (2 J) and dissipate
-lambda/J times the square of their rate; the glassy spring stores J_g p^2 / 2. All of it is exact
-for the force that the scheme assumes within a step. Then
+lambda/J times the square of their rate; the glassy spring stores J_g p^2 / 2. These energies are
+exact for the force that the scheme assumes within a step. Then
 
     work = change of stored energy + dissipated energy + closing work,
 
-where the closing work is what the line does over gaps that it closes within a step: a force
-counts for the whole step in which an element is touched. With a dashpot as the only branch the
-balance closes to rounding, and the closing work falls as the step; with a glassy modulus both
-fall as its square.
+where the closing work is the work of the line over gaps that close within a step: a force counts
+for the whole step in which an element is touched. With a dashpot as the only branch the balance
+closes to rounding, and the closing work falls as the step; with a glassy modulus both fall as its
+square.
 Source: R. M. Christensen, Theory of Viscoelasticity, 2nd ed. (Academic Press, 1982), ch. 3.
 """
 
@@ -23,11 +23,11 @@ from ..compile.jit import kernel
 ENERGIES = ("stored_energy", "dissipated_energy", "work", "closing_work")
 
 
-class Ledger(NamedTuple):
-    """Energies at the steps that are kept, and their sums on the way."""
+class EnergyRecord(NamedTuple):
+    """Energies at the recorded steps, and their running sums."""
 
-    kept: np.ndarray  # shape (4, kept), as named by ENERGIES, in 4 G L h^2; all but the first
-    # are sums since the start
+    energies: np.ndarray  # shape (4, recorded), as named by ENERGIES, in 4 G L h^2; all but the
+    # first are sums since the start
     sums: np.ndarray  # dissipated, work, closing work until now, in 4 G dx h^2
 
 
@@ -49,19 +49,19 @@ def stored_energy(form, memory, p):
 
 
 @kernel
-def keep_energies(ledger, k, form, memory, p):
-    """Keep the energies of a step as number k of those that are kept; memory, p : at its end."""
-    ledger.kept[0, k] = stored_energy(form, memory, p)
+def record_energies(record, k, form, memory, p):
+    """Record the energies of a step in column k; memory, p : at its end."""
+    record.energies[0, k] = stored_energy(form, memory, p)
     for entry in range(3):
-        ledger.kept[entry + 1, k] = ledger.sums[entry] / p.size
+        record.energies[entry + 1, k] = record.sums[entry] / p.size
 
 
 @kernel
-def book(form, law, dt, memory, p, new, work, closing, sums):
-    """Add a step, before its memory settles, to the sums of a ledger.
+def add_energies(form, law, dt, memory, p, new, work, closing, sums):
+    """Add the energies of a step, before its memory settles, to running sums.
 
-    p, new : forces of the last step and of this one, shape (n,). work, closing : by how much the
-    line pressed each element further, and by how much of that it closed a gap, in h, shape (n,).
+    p, new : forces of the last step and of this one, shape (n,). work, closing : distance by which
+    the line pressed each element further, and its part that closed a gap, in h, shape (n,).
     """
     share = 0.5 * law.linear
     for i in range(p.size):
@@ -74,20 +74,20 @@ def book(form, law, dt, memory, p, new, work, closing, sums):
 
 @kernel
 def _dissipated(form, law, dt, k, y, p, new):
-    """Return what units k dissipate in a step, lambda/J int (dy/dt)^2 dt, a sum of squares.
+    """Return the energy that units k dissipate in a step, lambda/J int (dy/dt)^2 dt.
 
-    Under a linear force dy/dt = r + q exp(-t / lambda). Its square is that of its mean and its
-    variance, which for x = dt / lambda is q^2 (1 - E)^2 (coth(x/2) / 2 - 1/x) / x.
+    Under a linear force dy/dt = r + q exp(-t / lambda). Its mean square is the square of its mean
+    plus its variance, which for x = dt / lambda is q^2 (1 - E)^2 (coth(x/2) / 2 - 1/x) / x.
     """
     time, compliance = form.times[k], form.compliances[k]
     x = dt / time
-    gone = -math.expm1(-x)
+    decayed = -math.expm1(-x)
     spread = x / 12.0 if x < 1e-3 else 0.5 / math.tanh(0.5 * x) - 1.0 / x
     means = variances = 0.0
     for i in range(y.size):
-        begun = law.linear * p[i] + (1.0 - law.linear) * new[i]
-        moved = -gone * y[i] - law.fresh[k] * new[i] - law.stale[k] * p[i]
-        q = y[i] + compliance * (begun - (new[i] - begun) / x)
+        first = law.linear * p[i] + (1.0 - law.linear) * new[i]
+        moved = -decayed * y[i] - law.fresh[k] * new[i] - law.stale[k] * p[i]
+        q = y[i] + compliance * (first - (new[i] - first) / x)
         means += moved**2
         variances += q**2
-    return (means / x + variances * gone**2 * spread) / compliance
+    return (means / x + variances * decayed**2 * spread) / compliance

@@ -1,17 +1,16 @@
-"""Following a programme with the elements alone that can touch.
+"""March of the elements that can touch, of Prony series, through a programme.
 
-An element is never pulled up, so that none touches where the line lies above a cap that the
-indentation does not reach. Elements are stepped block by block where some of the line is below
-the cap; the memory of all others is divided by its decay (rheology/scaled_units.py) and needs no
-step. Where the indentation passes the cap, more blocks are looked at in the same step. Which
-they are changes no bit.
+An element is never pulled up, so it cannot touch where the line lies above a cap that exceeds the
+indentation. Elements are stepped in blocks where part of the line is below the cap; the memory of
+all others is divided by its decay (rheology/scaled_units.py) and needs no step. If the indentation
+passes the cap, more blocks are added in the same step. The choice of blocks changes no bit.
 
-A step is one pass over the blocks, in which the forces follow from the thresholds of the last step,
-and what they do to the memory, and that in the coming step, gives the new thresholds; and as many
-passes over these as balance the load. At the end of a leg memory counts as it is again, so that a
-programme that is cut between legs goes on to the bit.
+A step is one pass over the blocks, and as many passes over their thresholds as balance the load.
+The first pass computes the forces from the thresholds of the last step, adds them to the memory,
+predicts the memory in the new step and fills the new thresholds. At the end of a leg the memory is
+unscaled, so that a programme that is cut between legs resumes bit for bit.
 
-The plain march (follow.py) is what it is tested against.
+Tests compare it with the march of all elements (march_elements.py).
 """
 
 from typing import Any, NamedTuple
@@ -37,34 +36,35 @@ from ..rheology.scaled_units import (
     unit_scales,
 )
 from .cycles import add_impulses
-from .energy import keep_energies
-from .follow import book_step, first_after, seen_at
-from .records import count_lengths, keep_forces, keep_frame, keep_motion
-from .samples import median_over_load
+from .energy import record_energies
+from .march_elements import add_step_energies, first_after, line_at_step
+from .records import count_lengths, record_forces, record_motion, record_snapshot
+from .samples import median_patch_width
 from .spring_rows import (
-    COLUMNS,
+    SUM_COLUMNS,
     SpringRows,
     add_overlap,
     fold,
-    refilled,
+    forget_evaluation,
     spring_rows_of,
 )
 
-CELL = 16  # samples of which the lowest is known
-SLACK = 16  # samples that the line may move before the blocks are chosen anew
-SPARE = 0.02  # of the indentation, to the cap
+CELL_SAMPLES = 16  # per stored minimum of the line
+MAX_SHIFT_SAMPLES = 16  # shift of the line after which blocks are chosen again
+CAP_MARGIN = 0.02  # from the indentation to the cap, over the indentation
+AFTER_ALL_STEPS = 2**62
 
 
 class ElementBlocks(NamedTuple):
-    """The memory of elements in blocks, of which elements that nothing meets fill up the last."""
+    """Memory of elements in blocks; elements that never touch fill up the last block."""
 
     memory: np.ndarray  # scaled, shape (blocks, K, BLOCK_ELEMENTS)
-    seen: np.ndarray  # shape (blocks,): the last step that the memory knows of
+    seen: np.ndarray  # shape (blocks,): last step included in the memory
     scales: Scales
 
 
 class BlockElements(NamedTuple):
-    """Elements in blocks after a step whose force their memory may not know of yet."""
+    """Elements in blocks after a step whose forces their memory may not include yet."""
 
     blocks: ElementBlocks
     c: np.ndarray  # thresholds in it, shape (blocks, BLOCK_ELEMENTS); infinite where none can touch
@@ -73,39 +73,39 @@ class BlockElements(NamedTuple):
 
 
 class Choice(NamedTuple):
-    """Which blocks are looked at, and for how long."""
+    """Choice of the blocks that can touch, and its range of validity."""
 
-    at: int  # the sample of element 0 where they were chosen, or -1
-    cap: float  # none of the others touches below this indentation, in h
-    chosen: float  # the indentation before the step in which they were chosen
-    number: int  # of them
+    begin: int  # sample over element 0 where they were chosen, or -1
+    cap: float  # elements of other blocks do not touch below this indentation, in h
+    chosen_d: float  # indentation before the step in which they were chosen
+    block_count: int
 
 
 class BlockMarch(NamedTuple):
-    """What a march along a track goes by, and room for what it does."""
+    """Constants and workspace of a march along a track."""
 
     form: Retardation
-    control: Any  # what the indentation follows from (model/balance.py)
+    control: Any  # determines the indentation (model/balance.py)
     track: Track
-    done: int  # steps before it
-    every: bool  # whether all blocks are looked at
-    lowest: np.ndarray  # of all lines, in cells
+    done: int  # steps before the track
+    all_blocks: bool  # whether all blocks are stepped
+    lowest: np.ndarray  # minima of all lines, per cell
     blocks: ElementBlocks
-    rows: SpringRows  # the thresholds of blocks, of which those that are chosen come first
+    rows: SpringRows  # thresholds of blocks; the chosen ones come first
     constants: np.ndarray  # of the law of the last step, as fill_law leaves them
-    room: np.ndarray  # of advance_and_predict
-    depths: np.ndarray  # of _sums
-    carried: np.ndarray  # of median_over_load
+    settling: np.ndarray  # workspace of advance_and_predict
+    depths: np.ndarray  # workspace of _sums
+    load_of_width: np.ndarray  # workspace of median_patch_width
 
 
 class Progress(NamedTuple):
-    """How far a march has come."""
+    """Progress of a march."""
 
     passes: int  # over the thresholds
     old: float  # indentation before the last step, in h
     d: float  # after it
     last: Indenter
-    law: tuple[float, float, float]  # of the last step: what fill_law returns
+    law: tuple[float, float, float]  # of the last step, as fill_law returns it
     choice: Choice
 
 
@@ -142,173 +142,189 @@ def _forces(c, last):
 
 @kernel
 def _memory(blocks, p):
-    """Return the memory as it is, shape (K, n); p : forces of the last step, shape (n,)."""
+    """Return the unscaled memory, shape (K, n); p : forces of the last step, shape (n,)."""
     memory = np.empty((blocks.memory.shape[1], p.size))
     for k in range(memory.shape[0]):
         scale, fresh = blocks.scales.scale[k], blocks.scales.fresh[k]
         for i in range(p.size):
-            memory[k, i] = _known(
+            memory[k, i] = _unscaled(
                 scale, fresh, blocks.memory[i // BLOCK_ELEMENTS, k, i % BLOCK_ELEMENTS], p[i]
             )
     return memory
 
 
 @inlined_kernel
-def _known(scale, fresh, scaled, p):
-    """Return memory as it is, which knows of the force p of the last step."""
+def _unscaled(scale, fresh, scaled, p):
+    """Return unscaled memory that includes the force p of the last step."""
     y = scale * scaled - fresh * p
     return y if abs(y) > MIN_MAGNITUDE else 0.0
 
 
 @kernel
-def follow_blocks(
-    form, control, track, state, done, ends, kept, frames, trace, ledger, lengths, film, spell
+def march_blocks(
+    form,
+    control,
+    track,
+    state,
+    done,
+    ends,
+    recorded,
+    frames,
+    trace,
+    energies,
+    lengths,
+    snapshots,
+    window,
 ):
     """Take BlockElements along a track; return (state, passes).
 
-    form : a Retardation. ends : increasing numbers of the steps at which legs end. The others, and
-    what is kept, are as of ``follow``. The arrays of the state are changed.
+    form : a Retardation. ends : increasing numbers of the steps at which legs end. The other
+    arguments are those of ``march_elements``. The arrays of the state are changed.
     """
     blocks, c, last, d = state
     n, s, rows = track.z.shape[1] // 2, 0, spring_rows_of(c)
-    k, frame, end = first_after(kept, done), first_after(frames, done), first_after(ends, done)
+    k, frame = first_after(recorded, done), first_after(frames, done)
+    end = first_after(ends, done)
     room = np.empty((5, blocks.memory.shape[1])), np.empty(2 * BLOCK_ELEMENTS)
     more_room = np.empty(c.size + c.shape[0] + 1), np.zeros(n)
-    every, lowest, memory = ledger is not None, _lowest(track.z), np.empty((0, n))
-    march = BlockMarch(form, control, track, done, every, lowest, blocks, rows, *room, *more_room)
+    all_blocks, lowest, memory = energies is not None, _lowest(track.z), np.empty((0, n))
+    march = BlockMarch(
+        form, control, track, done, all_blocks, lowest, blocks, rows, *room, *more_room
+    )
     now = Progress(0, d, d, last, (1.0, 0.0, 0.0), Choice(-1, np.inf, d, 0))
     while s < track.dt.size:
-        until = min(_number(kept, k), _number(frames, frame), _number(ends, end)) - done
-        until = min(until, track.dt.size)
-        if ledger is not None or (spell is not None and spell.after < done + until):
+        until = min(_step_number(recorded, k), _step_number(frames, frame)) - done
+        until = min(until, _step_number(ends, end) - done, track.dt.size)
+        if energies is not None or (window is not None and window.after < done + until):
             until = s + 1
-        if ledger is not None:
+        if energies is not None:
             p = _forces(c, last)[:n]
             memory = _memory(blocks, p)
         now = _march(march, now, s, until)
         s, step, last, d = until, done + until, now.last, now.d
-        if film is not None and frame < frames.size and step == frames[frame]:
-            z = seen_at(track.z, track, s, n)
-            _keep_frame(film, frame, blocks, step, _forces(c, last), z, d, last.stiffness)
+        if snapshots is not None and frame < frames.size and step == frames[frame]:
+            z, p_now = line_at_step(track.z, track, s, n), _forces(c, last)
+            _record_snapshot(snapshots, frame, blocks, step, p_now, z, d, last.stiffness)
             frame += 1
-        if ledger is not None:
-            w = seen_at(track.z, track, s, n) - c.reshape(-1)[:n]
+        if energies is not None:
+            w = line_at_step(track.z, track, s, n) - c.reshape(-1)[:n]
             new, law = _forces(c, last)[:n], law_of(form, track.dt[s - 1])
-            book_step(form, law, ledger, track, s - 1, memory, p, new, w, now.old, d)
-        if spell is not None and spell.after < step <= spell.last:
+            add_step_energies(form, law, energies, track, s - 1, memory, p, new, w, now.old, d)
+        if window is not None and window.after < step <= window.last:
             sums, _ = _sums(march, now, s)
-            add_impulses(spell, sums, track.dt[s - 1])
-        if k < kept.size and step == kept[k]:
+            add_impulses(window, sums, track.dt[s - 1])
+        if k < recorded.size and step == recorded[k]:
             if trace is not None:
-                _keep_trace(trace, k, march, now, s)
-            if ledger is not None:
-                keep_energies(ledger, k, form, _memory(blocks, new), new)
+                _record_trace(trace, k, march, now, s)
+            if energies is not None:
+                record_energies(energies, k, form, _memory(blocks, new), new)
             if lengths is not None:
                 count_lengths(lengths, _forces(c, last)[:n])
             k += 1
         if end < ends.size and step == ends[end]:
-            _count_as_it_is(blocks, _forces(c, last), step)
+            _unscale(blocks, _forces(c, last), step)
             end += 1
     return BlockElements(blocks, c, last, d), now.passes
 
 
 @inlined_kernel
-def _number(numbers, k):
-    """Return number k of some, or one above all steps where there is none."""
-    return numbers[k] if k < numbers.size else 2**62
+def _step_number(numbers, k):
+    """Return step number k of an array, or one above all steps at its end."""
+    return numbers[k] if k < numbers.size else AFTER_ALL_STEPS
 
 
 @inlined_kernel
 def _march(march, now, s, until):
-    """Go on from step s of the track to another; return Progress."""
+    """March from step s of the track to another step; return Progress."""
     dt, constants = march.track.dt, march.constants
-    passes, old, d, last, of_law, choice = now
+    passes, old, d, last, law_numbers, choice = now
     for t in range(s, until):
         if t == 0 or dt[t] != dt[t - 1]:
-            of_law = fill_law(march.form, dt[t], constants)
-        law, old = Prony(constants[0], constants[1], constants[2], *of_law), d
+            law_numbers = fill_law(march.form, dt[t], constants)
+        law, old = Prony(constants[0], constants[1], constants[2], *law_numbers), d
         d, used, choice = _step(march, law, t, old, last, choice)
         passes += used
         last = Indenter(d, law.stiffness)
-    return Progress(passes, old, d, last, of_law, choice)
+    return Progress(passes, old, d, last, law_numbers, choice)
 
 
 @inlined_kernel
 def _step(march, law, t, old, last, choice):
-    """Take some blocks over step t from the indentation ``old``; return (d, passes, Choice).
+    """Take the blocks that can touch over step t; return (d, passes, Choice).
 
-    last : Indenter of the last step. Their thresholds fill the rows.
+    old : indentation before it. last : Indenter of the last step. The new thresholds fill the rows.
     """
     track, rows, lowest = march.track, march.rows, march.lowest
     n, begin = track.z.shape[1] // 2, track.begin[t + 1]
     advance_scales(law, march.blocks.scales, march.done + t + 1)
-    at, cap, chosen, count = choice
-    if at < 0 or round_apart(begin, at, n) > SLACK:
-        at, cap = begin, np.inf if march.every else cap_over(old, chosen, lowest)
-        count, chosen = _choose(rows, lowest, at, n, cap, last.level), old
+    chosen_begin, cap, chosen_d, count = choice
+    if chosen_begin < 0 or round_apart(begin, chosen_begin, n) > MAX_SHIFT_SAMPLES:
+        chosen_begin, cap = begin, np.inf if march.all_blocks else cap_over(old, chosen_d, lowest)
+        count, chosen_d = _choose(rows, lowest, chosen_begin, n, cap, last.level), old
     while True:
         d, passes = _balance(march, law, t, old, last, count)
-        if rows.highest[0] <= cap:
-            return d, passes, Choice(at, cap, chosen, count)
-        cap = cap_over(rows.highest[0], old, lowest)  # what was left out would have been looked at
-        count = _choose(rows, lowest, at, n, cap, last.level)
+        highest_d = rows.evaluation[0]["highest_d"]
+        if highest_d <= cap:
+            return d, passes, Choice(chosen_begin, cap, chosen_d, count)
+        cap = cap_over(highest_d, old, lowest)  # other elements could have touched there
+        count = _choose(rows, lowest, chosen_begin, n, cap, last.level)
 
 
 @inlined_kernel
 def _balance(march, law, t, old, last, count):
-    """Return (d, passes) of a step, taken with the first blocks that are chosen alone."""
-    (memory, seen, scales), room, track = march.blocks, march.room, march.track
-    c, some, sums, highest, found = march.rows
-    rows, begin = SpringRows(c, some[:count], sums, highest, found), track.begin[t + 1]
+    """Return (d, passes) of a step of the first ``count`` chosen blocks."""
+    (memory, seen, scales), settling, track = march.blocks, march.settling, march.track
+    c, some, sums, evaluation = march.rows
+    rows, begin = SpringRows(c, some[:count], sums, evaluation), track.begin[t + 1]
     step, z = march.done + t + 1, track.z[track.line[t + 1], begin : begin + track.z.shape[1] // 2]
     rescale_blocks(scales, memory, seen, rows.some, step)
-    refilled(rows)
+    forget_evaluation(rows)
     for b in rows.some:
-        advance_and_predict(scales.due, scales.scale, memory, b, last, c[b], room)
-        here = z[b * BLOCK_ELEMENTS : (b + 1) * BLOCK_ELEMENTS]
-        for i in range(here.size):
-            c[b, i] = here[i] - room[i]
+        advance_and_predict(scales.due, scales.scale, memory, b, last, c[b], settling)
+        heights = z[b * BLOCK_ELEMENTS : (b + 1) * BLOCK_ELEMENTS]
+        for i in range(heights.size):
+            c[b, i] = heights[i] - settling[i]
     mark_forces_applied(scales)
     return balance_rows(march.control, law, rows, old, step)
 
 
 @kernel
 def _lowest(z):
-    """Return the lowest of all lines in each cell of two periods; z : as of a Track."""
-    lowest = np.full((z.shape[1] + CELL - 1) // CELL, np.inf)
+    """Return the minimum over all lines in each cell of two periods; z : as of a Track."""
+    lowest = np.full((z.shape[1] + CELL_SAMPLES - 1) // CELL_SAMPLES, np.inf)
     for line in range(z.shape[0]):
         for j in range(z.shape[1]):
-            lowest[j // CELL] = min(lowest[j // CELL], z[line, j])
+            lowest[j // CELL_SAMPLES] = min(lowest[j // CELL_SAMPLES], z[line, j])
     return lowest
 
 
 @inlined_kernel
 def cap_over(d, before, lowest):
-    """Return a cap above the indentation, and above some of the line.
+    """Return a cap above the indentation d, and above the deepest part of the line.
 
-    before : the indentation of a while ago: it may go on changing as it has.
+    before : an earlier indentation; the margin allows for further changes of the same size.
     """
     deepest = np.inf
     for cell in range(lowest.size):
         deepest = min(deepest, lowest[cell])
-    spare = max(SPARE * abs(d - deepest), 4.0 * abs(d - before))
-    return max(d, deepest) + max(spare, 1e-9)
+    margin = max(CAP_MARGIN * abs(d - deepest), 4.0 * abs(d - before))
+    return max(d, deepest) + max(margin, 1e-9)
 
 
 @inlined_kernel
 def round_apart(one, other, n):
-    """Return how many samples lie between two, round the period."""
+    """Return the distance of two samples in a period of n."""
     apart = abs(one - other)
     return min(apart, n - apart)
 
 
 @inlined_kernel
 def can_touch(lowest, begin, b, n, cap):
-    """Return whether the line is below the cap over block b, while it moves by SLACK."""
-    first = (begin + b * BLOCK_ELEMENTS - SLACK) % n
-    last = min(first + BLOCK_ELEMENTS + 2 * SLACK, 2 * n) - 1
+    """Return whether the line is below the cap over block b, up to the maximum shift."""
+    first = (begin + b * BLOCK_ELEMENTS - MAX_SHIFT_SAMPLES) % n
+    last = min(first + BLOCK_ELEMENTS + 2 * MAX_SHIFT_SAMPLES, 2 * n) - 1
     below = False
-    for cell in range(first // CELL, last // CELL + 1):
+    for cell in range(first // CELL_SAMPLES, last // CELL_SAMPLES + 1):
         below = below or lowest[cell] < cap
     return below
 
@@ -331,79 +347,80 @@ def _choose(rows, lowest, begin, n, cap, level):
 
 
 @kernel
-def _count_as_it_is(blocks, p, step):
-    """Let the memory of all blocks count as it is, and know of the last step; p : its forces."""
+def _unscale(blocks, p, step):
+    """Unscale the memory of all blocks and include the last step; p : its forces."""
     memory, seen, scales = blocks
     rescale_blocks(scales, memory, seen, np.arange(seen.size), step)
     for b in range(seen.size):
-        of_block = p[b * BLOCK_ELEMENTS : (b + 1) * BLOCK_ELEMENTS]
+        block_p = p[b * BLOCK_ELEMENTS : (b + 1) * BLOCK_ELEMENTS]
         for k in range(scales.scale.size):
             scale, fresh = scales.scale[k], scales.fresh[k]
             for i in range(BLOCK_ELEMENTS):
-                memory[b, k, i] = _known(scale, fresh, memory[b, k, i], of_block[i])
+                memory[b, k, i] = _unscaled(scale, fresh, memory[b, k, i], block_p[i])
     for k in range(scales.scale.size):
         scales.scale[k], scales.fresh[k] = 1.0, 0.0
 
 
 @inlined_kernel
-def _keep_trace(trace, k, march, now, s):
-    """Keep what there is to know of the last of s steps."""
+def _record_trace(trace, k, march, now, s):
+    """Record the trace of the last of s steps in row k."""
     lag, track = now.law[1], march.track
-    sums, gathered = _sums(march, now, s)
-    keep_forces(trace, k, lag, sums, track.z.shape[1] // 2, now.old, now.d)
-    trace.samples_per_contact[k] = median_over_load(march.depths[:gathered], march.carried)
-    keep_motion(trace, k, lag, track, s - 1)
+    sums, count = _sums(march, now, s)
+    record_forces(trace, k, lag, sums, track.z.shape[1] // 2, now.old, now.d)
+    width = median_patch_width(march.depths[:count], march.load_of_width)
+    trace.samples_per_contact[k] = width
+    record_motion(trace, k, lag, track, s - 1)
 
 
 @inlined_kernel
 def _sums(march, now, s):
-    """Return the sums of eq. 5 of the last of s steps (model/friction.py), and a number.
+    """Return (sums of eq. 5, number of stored depths) of the last of s steps (model/friction.py).
 
-    By columns, as in add_overlap. So many depths are noted: how deep elements are, row by row of
-    those that touch, and that of a free one where others lie between.
+    Sums are by columns, as in add_overlap. The workspace depths holds the depths of all elements in
+    rows with contact, and one zero for the rows between them, which separates contact patches.
     """
-    track, rows, slope, depths = march.track, march.rows, march.room, march.depths
-    (stiffness, lag, _), n, sums, at, after = now.law, track.z.shape[1] // 2, rows.sums, 0, 0
+    track, rows, slope, depths = march.track, march.rows, march.settling, march.depths
+    (stiffness, lag, _), n, sums = now.law, track.z.shape[1] // 2, rows.sums
+    stored = next_row = 0
     before = track.slope[track.line[s - 1], track.begin[s - 1] :]
-    ahead = track.slope[track.line[s], track.begin[s] :]
-    for i in range(COLUMNS):
+    after = track.slope[track.line[s], track.begin[s] :]
+    for i in range(SUM_COLUMNS):
         sums[0, i] = sums[1, i] = sums[2, i] = 0.0
-    for b in rows.some[: now.choice.number]:
+    for b in rows.some[: now.choice.block_count]:
         touching, size = 0, min(BLOCK_ELEMENTS, n - b * BLOCK_ELEMENTS)
-        if b != after:
-            depths[at] = 0.0
-            at += 1
-        deep = depths[at : at + BLOCK_ELEMENTS]
+        if b != next_row:
+            depths[stored] = 0.0
+            stored += 1
+        row_depths = depths[stored : stored + BLOCK_ELEMENTS]
         for i in range(BLOCK_ELEMENTS):
             depth = now.d - rows.c[b, i]
-            deep[i] = depth if depth > 0.0 else 0.0
+            row_depths[i] = depth if depth > 0.0 else 0.0
             touching += 1 if depth > 0.0 else 0
         if touching == 0:
             continue
         add_overlap(rows, b, now.d)
-        one, two = before[b * BLOCK_ELEMENTS :], ahead[b * BLOCK_ELEMENTS :]
+        slope_before, slope_after = before[b * BLOCK_ELEMENTS :], after[b * BLOCK_ELEMENTS :]
         for i in range(size):
-            slope[i] = two[i] + lag * (one[i] - two[i])
-        for part in range(0, BLOCK_ELEMENTS, COLUMNS):
-            for i in range(COLUMNS):
-                sums[2, i] += deep[part + i] * slope[part + i]
-        at, after = at + size, b + 1
-    if after * BLOCK_ELEMENTS < n:
-        depths[at] = 0.0
-        at += 1
+            slope[i] = slope_after[i] + lag * (slope_before[i] - slope_after[i])
+        for part in range(0, BLOCK_ELEMENTS, SUM_COLUMNS):
+            for i in range(SUM_COLUMNS):
+                sums[2, i] += row_depths[part + i] * slope[part + i]
+        stored, next_row = stored + size, b + 1
+    if next_row * BLOCK_ELEMENTS < n:
+        depths[stored] = 0.0
+        stored += 1
     fold(sums)
-    return (stiffness * sums[0, 0], stiffness * sums[2, 0], sums[1, 0]), at
+    return (stiffness * sums[0, 0], stiffness * sums[2, 0], sums[1, 0]), stored
 
 
 @kernel
-def _keep_frame(film, frame, blocks, step, p, z, d, stiffness):
-    """Keep the line and all elements at the end of a step, whose force no memory knows of yet."""
+def _record_snapshot(snapshots, frame, blocks, step, p, z, d, stiffness):
+    """Record line and elements at the end of a step, whose forces no memory includes yet."""
     rescale_blocks(blocks.scales, blocks.memory, blocks.seen, np.arange(blocks.seen.size), step)
     u = np.empty(p.size)
     for b in range(blocks.seen.size):
-        predict_block(
-            blocks.scales.scale, blocks.memory, b, u[b * BLOCK_ELEMENTS : (b + 1) * BLOCK_ELEMENTS]
-        )
+        block_u = u[b * BLOCK_ELEMENTS : (b + 1) * BLOCK_ELEMENTS]
+        predict_block(blocks.scales.scale, blocks.memory, b, block_u)
     for i in range(z.size):
         u[i] -= p[i] / stiffness
-    keep_frame(film, frame, z, d, u[: z.size])
+    record_snapshot(snapshots, frame, z, d, u[: z.size])

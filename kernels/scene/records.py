@@ -1,4 +1,4 @@
-"""What a march keeps: traces, lengths of contacts, snapshots. None of it is compiled unless asked.
+"""Recorders of a march: traces, lengths of contacts, snapshots; compiled only if requested.
 
 A recorder is a NamedTuple of arrays that a march fills, or None.
 """
@@ -13,7 +13,7 @@ from .samples import samples_per_contact
 
 
 class Trace(NamedTuple):
-    """Values at the steps that are kept, all of shape (kept,).
+    """Values at the recorded steps, all of shape (recorded,).
 
     Forces of a step act at its lag before its end, and so do the indentation, the time and the
     distance given here, which are interpolated. mu is NaN where nothing touches.
@@ -24,24 +24,24 @@ class Trace(NamedTuple):
     normal_force: np.ndarray  # in 4 G L h
     friction_force: np.ndarray  # in 4 G L h^2/dx
     contact_fraction: np.ndarray
-    samples_per_contact: np.ndarray  # of the samples that touch, see samples.py
+    samples_per_contact: np.ndarray  # see samples.py
     time: np.ndarray  # in tau
     distance: np.ndarray  # of the line, in dx
     velocity: np.ndarray  # of the line, in dx/tau
 
 
 TRACES = tuple(f"trace_{name}" for name in Trace._fields)
-MOTION = TRACES[-3:]  # when and where: equal for all lines that are moved alike
+MOTION_TRACES = TRACES[-3:]  # equal for all lines with the same motion
 
 
-class Lengths(NamedTuple):
-    """How many contacts of which length there were at the steps that are kept."""
+class ContactLengths(NamedTuple):
+    """Histogram of the lengths of contacts over the recorded steps."""
 
     edges: np.ndarray  # of the bins, in samples, shape (bins + 1,), increasing
-    counts: np.ndarray  # shape (bins,); a length on an edge counts above it
+    counts: np.ndarray  # shape (bins,); a length on an edge counts in the bin above it
 
 
-class Film(NamedTuple):
+class Snapshots(NamedTuple):
     """The line and the elements at the end of some steps, at the elements of the foundation."""
 
     height: np.ndarray  # of the line over the undeformed foundation, in h, shape (frames, n)
@@ -49,20 +49,20 @@ class Film(NamedTuple):
 
 
 @kernel
-def keep_trace(trace, k, lag, before, now, old, new, p):
-    """Keep values of a step.
+def record_trace(trace, k, lag, before, now, old, new, p):
+    """Record values of a step in row k.
 
-    before, now : slopes before and after it, in h/dx. old, new : indentation, in h. p : forces
-    of its elements. All of shape (n,).
+    before, now : slopes before and after it, in h/dx. old, new : indentation before and after it,
+    in h. p : forces of its elements. Slopes and forces have the shape (n,).
     """
     sums = weighted_sums(-p, None, now + lag * (before - now), 0.0)
-    keep_forces(trace, k, lag, sums, p.size, old, new)
+    record_forces(trace, k, lag, sums, p.size, old, new)
     trace.samples_per_contact[k] = samples_per_contact(p)
 
 
 @inlined_kernel
-def keep_forces(trace, k, lag, sums, n, old, new):
-    """Keep the sums of eq. 5 over n elements (model/friction.py); the others as of keep_trace."""
+def record_forces(trace, k, lag, sums, n, old, new):
+    """Record the sums of eq. 5 over n elements (model/friction.py); the rest as record_trace."""
     normal, tangential, touching = sums
     trace.mu[k] = tangential / normal if normal > 0.0 else np.nan
     trace.indentation[k] = new + lag * (old - new)
@@ -72,8 +72,8 @@ def keep_forces(trace, k, lag, sums, n, old, new):
 
 
 @inlined_kernel
-def keep_motion(trace, k, lag, track, s):
-    """Keep when and where the force of step s of a track acts, and the velocity of the step."""
+def record_motion(trace, k, lag, track, s):
+    """Record when and where the force of step s of a track acts, and the velocity of the step."""
     moved = track.place[s + 1] - track.place[s]
     trace.time[k] = track.time[s + 1] - lag * track.dt[s]
     trace.distance[k] = track.place[s + 1] - lag * moved
@@ -82,34 +82,34 @@ def keep_motion(trace, k, lag, track, s):
 
 @kernel
 def count_lengths(lengths, p):
-    """Count the contacts: runs of elements that are pressed, round the period."""
+    """Count the contacts: runs of pressed elements, across the end of the period too."""
     n = p.size
     free = 0
     while free < n and p[free] > 0.0:
         free += 1
     if free == n:
-        _count(lengths, n)
+        _count_contact(lengths, n)
         return
     run = 0
     for i in range(1, n + 1):
         if p[(free + i) % n] > 0.0:
             run += 1
         elif run > 0:
-            _count(lengths, run)
+            _count_contact(lengths, run)
             run = 0
 
 
 @kernel
-def _count(lengths, length):
-    """Count one contact, if there is a bin for it."""
+def _count_contact(lengths, length):
+    """Count one contact if its length lies in a bin."""
     for b in range(lengths.counts.size):
         if lengths.edges[b] <= length < lengths.edges[b + 1]:
             lengths.counts[b] += 1.0
 
 
 @kernel
-def keep_frame(film, k, z, d, u):
-    """Keep line and displacements, shape (n,), at the end of a step, in h."""
+def record_snapshot(snapshots, k, z, d, u):
+    """Record line and displacements, shape (n,), at the end of a step, in h."""
     for i in range(u.size):
-        film.height[k, i] = z[i] - d
-        film.displacement[k, i] = u[i]
+        snapshots.height[k, i] = z[i] - d
+        snapshots.displacement[k, i] = u[i]

@@ -1,4 +1,4 @@
-"""What a line can be taken through: a material, a programme of motion, a control, a start."""
+"""Description of a scene: a material, a programme of motion, a control, a start."""
 
 import math
 from typing import NamedTuple
@@ -10,7 +10,7 @@ from ..motion.counts import MAX_PROGRAMME_STEPS, count_steps
 from ..motion.legs import Programme, Steps, speed_at_start, steps_of
 from ..rheology.spectrum import Spectrum, min_step
 
-ASKED = (
+SCENE_QUANTITIES = (
     "trace",
     "stick_slip",
     "slip_events",
@@ -20,11 +20,11 @@ ASKED = (
     "snapshots",
     "state",
 )
-STARTS = ("steady", "relaxed", "fresh")
+SCENE_STARTS = ("steady", "relaxed", "fresh")
 
 
 class SceneCase(NamedTuple):
-    """What one line is taken through. Lengths along x in dx, heights in h, times in tau."""
+    """Scene of one line. Lengths along x are in dx, heights in h, times in tau."""
 
     spectrum: Spectrum  # of the elastomer
     scheme: str  # "exponential" or "implicit-euler"
@@ -32,27 +32,27 @@ class SceneCase(NamedTuple):
     load: float  # Fbar = F_N / (4 G L h); NaN where the indentation is prescribed
     indentation: tuple[tuple[float, ...], tuple[float, ...]] | float | None
     # None: constant force. A number: constant, in h over the mean line. (times, values): d(t),
-    # linear in between, to be followed by the steps of the programme and, at rest, its own times.
-    start: str  # of STARTS
-    asked: tuple[str, ...]  # of ASKED
-    kept: np.ndarray  # numbers of the steps at which a trace is kept; 0 is the start
+    # linear in between, followed at the steps of the programme and, at rest, at its own times too.
+    start: str  # one of SCENE_STARTS
+    requested: tuple[str, ...]  # some of SCENE_QUANTITIES
+    recorded: np.ndarray  # numbers of the steps with a trace; 0 is the start
     edges: np.ndarray  # of the bins of contact lengths, shape (bins + 1,), in dx
-    frames: np.ndarray  # numbers of the steps at which a snapshot is taken; 0 is the start
+    frames: np.ndarray  # numbers of the steps with a snapshot; 0 is the start
 
 
 class Origin(NamedTuple):
-    """Where a programme begins: all that its steps depend on beside itself."""
+    """Start of a programme: all that determines its steps apart from the programme."""
 
     position: float = 0.0  # of the line, in samples
     speed: float = 0.0  # of the leg before, in dx/tau
     time: float = 0.0  # in tau
 
 
-START = Origin()
+ZERO_ORIGIN = Origin()
 
 
-class Saved(NamedTuple):
-    """What a programme needs to go on to the bit."""
+class SavedState(NamedTuple):
+    """State from which a programme resumes, bit for bit."""
 
     memory: np.ndarray  # internal variables of the elements, shape (M, n)
     p: np.ndarray  # shape (n,): their forces
@@ -63,32 +63,33 @@ class Saved(NamedTuple):
 
     @property
     def origin(self) -> Origin:
-        """Return where a programme goes on."""
+        """Return the origin of the programme that resumes here."""
         return Origin(self.position, self.speed, self.time)
 
 
-def scene_steps(scene: SceneCase, steps_per_spacing: int, origin: Origin = START) -> Steps:
+def scene_steps(scene: SceneCase, steps_per_spacing: int, origin: Origin = ZERO_ORIGIN) -> Steps:
     """Return all time steps of a scene that begins at ``origin``; steps_per_spacing : m.
 
-    Raises ValueError as steps_of, where there is none, and for more than MAX_PROGRAMME_STEPS.
+    Raises ValueError as steps_of, for a programme without steps, and for more steps than
+    MAX_PROGRAMME_STEPS.
     """
     position, speed, time = origin
     shortest = min_step(scene.spectrum)
-    most = count_steps(scene.programme, steps_per_spacing, position, speed, shortest).sum()
-    if most > MAX_PROGRAMME_STEPS:
+    count = count_steps(scene.programme, steps_per_spacing, position, speed, shortest).sum()
+    if count > MAX_PROGRAMME_STEPS:
         raise ValueError(
-            f"programme: takes up to {most:.3g} steps, more than {MAX_PROGRAMME_STEPS:g}"
+            f"programme: takes up to {count:.3g} steps, more than {MAX_PROGRAMME_STEPS:g}"
         )
     steps = steps_of(scene.programme, steps_per_spacing, position, speed, shortest)
     if not steps.dt.size:
         raise ValueError("programme: its legs take no time")
     if isinstance(scene.indentation, tuple):
-        return _with_times(steps, position, np.asarray(scene.indentation[0], float) - time)
+        return _split_at_rest(steps, position, np.asarray(scene.indentation[0], float) - time)
     return steps
 
 
-def _with_times(steps: Steps, position: float, times: np.ndarray) -> Steps:
-    """Return the steps, those at rest cut at the times given."""
+def _split_at_rest(steps: Steps, position: float, times: np.ndarray) -> Steps:
+    """Return the steps, with those at rest split at the given times."""
     end = np.cumsum(steps.dt)
     resting = steps.position == np.append(position, steps.position[:-1])
     times = times[(times > 0.0) & (times < end[-1])]
@@ -96,14 +97,14 @@ def _with_times(steps: Steps, position: float, times: np.ndarray) -> Steps:
     every = np.union1d(end, times)
     every = every[np.append(True, np.diff(every) > 1e-9 * np.diff(every).max())]
     every[-1] = end[-1]
-    of = np.searchsorted(end, every)
+    step = np.searchsorted(end, every)
     whole = np.isin(every, end) & np.isin(np.append(0.0, every[:-1]), np.append(0.0, end))
-    dt = np.where(whole, steps.dt[of], np.diff(np.append(0.0, every)))
-    return Steps(steps.position[of], dt, steps.leg[of])
+    dt = np.where(whole, steps.dt[step], np.diff(np.append(0.0, every)))
+    return Steps(steps.position[step], dt, steps.leg[step])
 
 
 def indentation_at(scene: SceneCase, times: np.ndarray, datum: float) -> np.ndarray:
-    """Return the prescribed indentation over the deepest point, in h; times in tau; that shape.
+    """Return the prescribed indentation over the deepest point, in h; times in tau; same shape.
 
     datum : height of the deepest point over the mean line, in h.
     """
@@ -113,16 +114,16 @@ def indentation_at(scene: SceneCase, times: np.ndarray, datum: float) -> np.ndar
 
 
 def check_scene(scene: SceneCase, steps: Steps, resumed: bool) -> None:
-    """Raise ValueError for a scene without meaning, or beyond what doubles can resolve."""
-    if scene.start not in STARTS:
-        raise ValueError(f"start = {scene.start!r}: use one of {STARTS}")
-    if unknown := set(scene.asked) - set(ASKED):
-        raise ValueError(f"asked = {sorted(unknown)}: use some of {ASKED}")
-    if "energy" in scene.asked and scene.scheme != "exponential":
-        raise ValueError(f'scheme = {scene.scheme!r}: energy is that of the scheme "exponential"')
-    if "contact_lengths" in scene.asked and not np.all(np.diff(scene.edges) > 0.0):
+    """Raise ValueError for an invalid scene, or one beyond the resolution of doubles."""
+    if scene.start not in SCENE_STARTS:
+        raise ValueError(f"start = {scene.start!r}: use one of {SCENE_STARTS}")
+    if unknown := set(scene.requested) - set(SCENE_QUANTITIES):
+        raise ValueError(f"requested = {sorted(unknown)}: use some of {SCENE_QUANTITIES}")
+    if "energy" in scene.requested and scene.scheme != "exponential":
+        raise ValueError(f'scheme = {scene.scheme!r}: energy needs the scheme "exponential"')
+    if "contact_lengths" in scene.requested and not np.all(np.diff(scene.edges) > 0.0):
         raise ValueError("edges must increase")
-    for name, numbers in (("kept", scene.kept), ("frames", scene.frames)):
+    for name, numbers in (("recorded", scene.recorded), ("frames", scene.frames)):
         inside = numbers.size == 0 or (numbers[0] >= 0 and numbers[-1] <= steps.dt.size)
         if not (inside and np.all(np.diff(numbers) > 0)):
             raise ValueError(f"{name} must hold increasing numbers of steps, 0 to {steps.dt.size}")
@@ -130,7 +131,7 @@ def check_scene(scene: SceneCase, steps: Steps, resumed: bool) -> None:
 
 
 def _check_control(scene: SceneCase, resumed: bool) -> None:
-    """Raise ValueError where load, indentation or first speed have no meaning."""
+    """Raise ValueError for an invalid load, indentation or first speed."""
     if scene.indentation is None:
         check_range("load", scene.load, LOAD_LIMITS)
     elif not math.isnan(scene.load):

@@ -1,7 +1,7 @@
-"""The thresholds of elements in rows of BLOCK_ELEMENTS, of which some are left out.
+"""The thresholds of elements in rows of BLOCK_ELEMENTS, with some rows left out.
 
-Those that are left out are not reached by an indentation below some bound. The load is balanced as
-in model/contact.py.
+The elements of rows that are left out do not touch below some bound of the indentation. The load is
+balanced as in model/contact.py.
 """
 
 from typing import NamedTuple
@@ -12,45 +12,53 @@ from ..compile.jit import inlined_kernel, kernel
 from ..model.contact import excess_at, lowest_threshold
 from ..rheology.scaled_units import BLOCK_ELEMENTS
 
-COLUMNS = BLOCK_ELEMENTS // 4  # of sums
+SUM_COLUMNS = BLOCK_ELEMENTS // 4
+
+# Evaluations of rows: one record, changed in place.
+EVALUATION = np.dtype(
+    [
+        ("highest_d", np.float64),  # highest indentation so far
+        ("d", np.float64),  # last indentation; NaN before the first
+        ("overlap", np.float64),  # sum of depths there
+        ("touching", np.float64),  # number of elements that touch there
+    ]
+)
 
 
 class SpringRows(NamedTuple):
     """Elements in rows, all of the stiffness 1."""
 
-    c: (
-        np.ndarray
-    )  # contact thresholds z_i - w_i, shape (rows, BLOCK_ELEMENTS), in h; infinite: no element
-    some: np.ndarray  # the rows that are not left out, in ascending order
-    sums: np.ndarray  # room, shape (3, COLUMNS)
-    highest: np.ndarray  # shape (1,): the highest indentation at which they were asked
-    found: np.ndarray  # shape (3,): the last one, and the overlap and the number touching there
+    c: np.ndarray  # shape (rows, BLOCK_ELEMENTS): thresholds z_i - w_i, in h; inf: no element
+    some: np.ndarray  # numbers of the rows that are not left out, ascending
+    sums: np.ndarray  # workspace, shape (3, SUM_COLUMNS)
+    evaluation: np.ndarray  # EVALUATION, shape (1,)
 
 
 @kernel
 def spring_rows_of(c):
-    """Return SpringRows of thresholds, with room for the rest."""
-    room = np.empty((3, COLUMNS)), np.empty(1), np.empty(3)
-    return SpringRows(c, np.empty(c.shape[0], np.int64), *room)
+    """Return SpringRows of thresholds, with room for their other arrays."""
+    rows, sums = np.empty(c.shape[0], np.int64), np.empty((3, SUM_COLUMNS))
+    return SpringRows(c, rows, sums, np.empty(1, EVALUATION))
 
 
 @inlined_kernel
-def refilled(rows):
-    """Note that other thresholds fill the rows."""
-    rows.highest[0], rows.found[0] = -np.inf, np.nan
+def forget_evaluation(rows):
+    """Discard the evaluation of rows after their thresholds have changed."""
+    evaluation = rows.evaluation[0]
+    evaluation["highest_d"], evaluation["d"] = -np.inf, np.nan
 
 
 @inlined_kernel
 def add_overlap(rows, row, d):
-    """Add that of a row.
+    """Add depths and the number of touching elements of a row to the column sums.
 
-    By columns, of which the compiler takes several at once; four parts of the row are added in one
-    go: to store the sums takes as long as all else. A row in which nothing touches changes no bit.
+    Columns let the compiler vectorize the loop; four parts of the row are added together because
+    storing the sums takes as long as everything else. A row without contact changes no bit.
     """
     c, sums = rows.c, rows.sums
-    for i in range(COLUMNS):
-        p0, p1 = d - c[row, i], d - c[row, COLUMNS + i]
-        p2, p3 = d - c[row, 2 * COLUMNS + i], d - c[row, 3 * COLUMNS + i]
+    for i in range(SUM_COLUMNS):
+        p0, p1 = d - c[row, i], d - c[row, SUM_COLUMNS + i]
+        p2, p3 = d - c[row, 2 * SUM_COLUMNS + i], d - c[row, 3 * SUM_COLUMNS + i]
         depth = (p0 if p0 > 0.0 else 0.0) + (p1 if p1 > 0.0 else 0.0)
         depth += (p2 if p2 > 0.0 else 0.0) + (p3 if p3 > 0.0 else 0.0)
         count = (1.0 if p0 > 0.0 else 0.0) + (1.0 if p1 > 0.0 else 0.0)
@@ -61,8 +69,8 @@ def add_overlap(rows, row, d):
 
 @inlined_kernel
 def fold(sums):
-    """Add up the columns of every row, in the first of them."""
-    half = COLUMNS // 2
+    """Add up the columns of every row of sums, in the first column."""
+    half = SUM_COLUMNS // 2
     while half > 0:
         for row in range(sums.shape[0]):
             for i in range(half):
@@ -72,16 +80,17 @@ def fold(sums):
 
 @excess_at.register(SpringRows)
 def _excess_of_spring_rows(contact, load, d):
-    sums, found = contact.sums, contact.found
-    if d != found[0]:
-        contact.highest[0] = max(contact.highest[0], d)
-        for i in range(COLUMNS):
+    sums, evaluation = contact.sums, contact.evaluation[0]
+    if d != evaluation["d"]:
+        evaluation["highest_d"] = max(evaluation["highest_d"], d)
+        for i in range(SUM_COLUMNS):
             sums[0, i] = sums[1, i] = 0.0
         for row in contact.some:
             add_overlap(contact, row, d)
         fold(sums)
-        found[0], found[1], found[2] = d, sums[0, 0], sums[1, 0]
-    return found[1] - load, found[2], found[2]
+        evaluation["d"], evaluation["overlap"] = d, sums[0, 0]
+        evaluation["touching"] = sums[1, 0]
+    return evaluation["overlap"] - load, evaluation["touching"], evaluation["touching"]
 
 
 @lowest_threshold.register(SpringRows)

@@ -7,7 +7,7 @@ from elastomer_friction.kernels.lines.line import Line
 from elastomer_friction.kernels.motion.legs import Hold, Oscillation, Ramp, Slide
 from elastomer_friction.kernels.rheology.forms import FORMS_BY_SCHEME
 from elastomer_friction.kernels.rheology.spectrum import Spectrum, complex_modulus
-from tests.kernels.scene.given import MATERIALS, OF_ANY, SOLID, a_line, trace
+from tests.kernels.scene.given import ANY_MOTION, MATERIALS, SOLID, a_line, trace
 from tests.kernels.scene.test_known_answers import Q, response
 from tests.sizes import size
 
@@ -30,8 +30,9 @@ def assert_sound(found, load=0.3):
 @pytest.mark.parametrize("scheme", FORMS_BY_SCHEME)
 def test_thirty_branches_over_fourteen_decades(scheme, start):
     """Some relax within a step and some not in the whole programme."""
-    asked = OF_ANY if scheme == "exponential" else ("trace",)
-    found = trace(a_line(size(40, 12)), PROGRAMME, THIRTY, scheme=scheme, start=start, asked=asked)
+    requested = ANY_MOTION if scheme == "exponential" else ("trace",)
+    options = {"scheme": scheme, "start": start, "requested": requested}
+    found = trace(a_line(size(40, 12)), PROGRAMME, THIRTY, **options)
     assert_sound(found)
 
 
@@ -128,7 +129,7 @@ PROFILES = {
 @pytest.mark.parametrize("name", MATERIALS)
 def test_profiles_with_spikes_and_plateaus(profile, name):
     line = Line.measured(PROFILES[profile], 1)
-    found = trace(line, PROGRAMME, MATERIALS[name], asked=OF_ANY)
+    found = trace(line, PROGRAMME, MATERIALS[name], requested=ANY_MOTION)
     assert_sound(found)
     between = Line.measured(PROFILES[profile], 16).slope  # the line turns at fractions of samples
     assert np.abs(found["trace_mu"]).max() <= 1.02 * np.abs(between).max()

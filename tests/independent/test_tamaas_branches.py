@@ -15,7 +15,7 @@ from elastomer_friction.kernels.motion.legs import Slide
 from elastomer_friction.kernels.rheology.forms import FORMS_BY_SCHEME
 from elastomer_friction.kernels.rheology.law import law_of
 from elastomer_friction.kernels.rheology.spectrum import Spectrum
-from elastomer_friction.kernels.scene import Saved, run_scene
+from elastomer_friction.kernels.scene import SavedState, run_scene
 from tests.kernels.scene.given import a_scene
 from tests.lines import random_line
 
@@ -51,7 +51,7 @@ def by_tamaas(line):
 def test_two_branches_forth_and_back():
     line = Line.from_samples(*random_line(ELEMENTS, 0.7, 1, seed=1), 1)
     nothing = np.zeros(line.z.size)
-    untouched = Saved(np.zeros((3, line.z.size)), nothing, 0.0, 0.0, 0.0, 0.0)
+    untouched = SavedState(np.zeros((3, line.z.size)), nothing, 0.0, 0.0, 0.0, 0.0)
     scene = a_scene(
         (Slide(SPEED, FORTH), Slide(-SPEED, BACK)),
         SPECTRUM,
@@ -59,7 +59,7 @@ def test_two_branches_forth_and_back():
         scheme="implicit-euler",
         load=LOAD,
         start="relaxed",
-        kept=np.arange(1, FORTH + BACK + 1),
+        recorded=np.arange(1, FORTH + BACK + 1),
     )
     mu = run_scene(line, scene, untouched)["trace_mu"]
     np.testing.assert_allclose(by_tamaas(line), mu, rtol=0.0, atol=TOLERANCE * np.ptp(mu))

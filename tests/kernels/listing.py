@@ -38,7 +38,7 @@ def listings() -> dict[str, list[str]]:
     from elastomer_friction.kernels.rheology.prony import PRONY_SCHEME
     from elastomer_friction.kernels.rheology.retardation import retardation
     from elastomer_friction.kernels.rheology.spectrum import KELVIN
-    from elastomer_friction.kernels.scene.follow import follow
+    from elastomer_friction.kernels.scene.march_elements import march_elements
 
     z, kelvin, control = (
         np.array([3.0, 1.0, 0.0, 2.0]),
@@ -53,7 +53,9 @@ def listings() -> dict[str, list[str]]:
     return {
         "steady_sliding": instructions(steady_sliding, kelvin, z, 4.0),
         "march": instructions(march, kelvin, control, z, z, state, np.array([2]), 4.0),
-        "follow": instructions(follow, retardation(KELVIN), control, track, elements, *off),
+        "march_elements": instructions(
+            march_elements, retardation(KELVIN), control, track, elements, *off
+        ),
     }
 
 

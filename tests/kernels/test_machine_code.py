@@ -13,8 +13,8 @@ from elastomer_friction.kernels import ConstantForce
 from elastomer_friction.kernels.motion.legs import Slide, steps_of
 from elastomer_friction.kernels.motion.track import tracks
 from elastomer_friction.kernels.rheology.forms import FORMS_BY_SCHEME
-from elastomer_friction.kernels.scene.begin import relaxed
-from elastomer_friction.kernels.scene.follow import follow
+from elastomer_friction.kernels.scene.initial_state import relaxed_elements
+from elastomer_friction.kernels.scene.march_elements import march_elements
 from elastomer_friction.kernels.scene.records import Trace
 from tests.kernels.listing import instructions
 from tests.kernels.scene.given import SOLID, a_line
@@ -22,7 +22,7 @@ from tests.sizes import PLAIN_PYTHON
 from tests.support.python import printed
 
 ROOT = Path(__file__).resolve().parents[2]
-RECORDERS = ("trace", "ledger", "lengths", "film", "spell")
+RECORDERS = ("trace", "energies", "lengths", "snapshots", "window")
 EFFECTS = (
     "elastomer_friction.kernels.control.indentation",
     "elastomer_friction.kernels.control.printed_eq3",
@@ -53,7 +53,7 @@ def test_effects_that_are_there_but_off_leave_nothing_in_the_machine_code(tmp_pa
 
 
 class WithoutRecorders(ast.NodeTransformer):
-    """Take out of ``follow`` all that has to do with recorders, and the decorator."""
+    """Take out of ``march_elements`` all that has to do with recorders, and the decorator."""
 
     def visit_FunctionDef(self, node):
         node.decorator_list = []
@@ -65,11 +65,11 @@ class WithoutRecorders(ast.NodeTransformer):
 
     def visit_Expr(self, node):
         called = getattr(getattr(node.value, "func", None), "id", "")
-        return None if called == "_keep" else node
+        return None if called == "_record_step" else node
 
 
 def test_recorders_that_are_off_leave_nothing_in_the_machine_code():
-    function = follow.py_func
+    function = march_elements.py_func
     tree = WithoutRecorders().visit(ast.parse(textwrap.dedent(inspect.getsource(function))))
     assert not set(RECORDERS) & {
         n.id for n in ast.walk(tree) if isinstance(n, ast.Name) and isinstance(n.ctx, ast.Load)
@@ -79,10 +79,10 @@ def test_recorders_that_are_off_leave_nothing_in_the_machine_code():
     line = a_line(10)
     form, control = FORMS_BY_SCHEME["exponential"](SOLID), ConstantForce(0.3 * line.z.size)
     (track,) = tracks(line.z, line.slope, 4, steps_of((Slide(1.0, 1.0),), 4), 0.0, 0.0)
-    elements = relaxed(form, line.z, control.load, np.nan)
+    elements = relaxed_elements(form, line.z, control.load, np.nan)
     none = np.arange(0)
     arguments = (form, control, track, elements, 0, none, none, None, None, None, None, None)
-    stripped = len(instructions(names["follow"], *arguments))
+    stripped = len(instructions(names["march_elements"], *arguments))
     assert len(instructions(function, *arguments)) <= 1.02 * stripped
     trace = Trace(*np.empty((len(Trace._fields), 0)))
     assert len(instructions(function, *arguments[:7], trace, *arguments[8:])) > 1.05 * stripped

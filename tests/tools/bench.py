@@ -77,9 +77,9 @@ def scenes() -> dict[str, tuple[Line, SceneCase, str]]:
     line, one = a_line(*OF_SCENES), branches(1)
     kelvin, slide = "general path, Kelvin", "slide, K = 1"
     held = {"load": math.nan, "indentation": 1.0}
-    frames = {"asked": ("trace", "snapshots"), "frames": np.arange(64)}
+    frames = {"requested": ("trace", "snapshots"), "frames": np.arange(64)}
     lengths = {
-        "asked": ("trace", "contact_lengths"),
+        "requested": ("trace", "contact_lengths"),
         "edges": np.array([0.0, 1.0, 2.0, 4.0, 8.0, 1000.0]),
     }
     return {
@@ -93,10 +93,10 @@ def scenes() -> dict[str, tuple[Line, SceneCase, str]]:
         "small oscillation": (line, a_scene((Oscillation(0.0, 0.02, 1.0, 6),), one), slide),
         "ramp": (line, a_scene((Ramp(SPEED, 3.0 * SPEED, 10.0),), one), slide),
         "prescribed indentation": (line, a_scene(SLIDE, one, **held), slide),
-        "energy": (line, a_scene(SLIDE, one, asked=("trace", "energy")), slide),
+        "energy": (line, a_scene(SLIDE, one, requested=("trace", "energy")), slide),
         "contact lengths": (line, a_scene(SLIDE, one, **lengths), slide),
         "64 snapshots": (line, a_scene(SLIDE, one, **frames), slide),
-        "no trace": (line, a_scene(SLIDE, one, asked=()), slide),
+        "no trace": (line, a_scene(SLIDE, one, requested=()), slide),
         "measured line": (Line.measured(line.z[::M], M), a_scene(SLIDE, one), slide),
     }
 

@@ -32,8 +32,8 @@ from elastomer_friction.kernels.control.indentation import PrescribedIndentation
 from elastomer_friction.kernels.motion.track import tracks
 from elastomer_friction.kernels.rheology.forms import form_of
 from elastomer_friction.kernels.rheology.law import Elements
-from elastomer_friction.kernels.scene.begin import begun
-from elastomer_friction.kernels.scene.march_blocks import follow_blocks, in_blocks
+from elastomer_friction.kernels.scene.initial_state import initial_state
+from elastomer_friction.kernels.scene.march_blocks import in_blocks, march_blocks
 from elastomer_friction.kernels.scene.records import Trace
 from elastomer_friction.kernels.scene.run import Recorders
 from elastomer_friction.kernels.scene.scene_case import indentation_at
@@ -74,7 +74,9 @@ def a_scene(programme: Programme, spectrum: Spectrum, **changes: Any) -> SceneCa
     """Return a scene that keeps a trace at 64 moments or fewer, from rest."""
     usual: dict[str, Any] = {"load": LOAD, "start": "relaxed"}
     scene = given.a_scene(programme, spectrum, M, **usual | changes)
-    return scene._replace(kept=np.unique(np.linspace(0, scene.kept[-1], 65).astype(np.int64))[1:])
+    return scene._replace(
+        recorded=np.unique(np.linspace(0, scene.recorded[-1], 65).astype(np.int64))[1:]
+    )
 
 
 class Marches(NamedTuple):
@@ -89,7 +91,7 @@ class Marches(NamedTuple):
         """Prepare them: what all have in common is not measured."""
         steps = scene_steps(scene, M)
         form = form_of(scene.spectrum, scene.scheme)
-        begin = begun(line, scene, form)
+        begin = initial_state(line, scene, form)
         (track,) = tracks(line.z, line.slope, M, steps, begin.position, begin.time)
         control: ConstantForce | PrescribedIndentation = ConstantForce(scene.load * line.z.size)
         given_d = None
@@ -101,7 +103,7 @@ class Marches(NamedTuple):
 
         def by_blocks() -> Trace:
             kept = Recorders(scene, line, steps)
-            follow_blocks(form, control, track, in_blocks(elements, 0), 0, ends, *kept.all())
+            march_blocks(form, control, track, in_blocks(elements, 0), 0, ends, *kept.arguments())
             assert kept.trace
             return kept.trace
 
@@ -109,7 +111,7 @@ class Marches(NamedTuple):
         return cls(
             steps.dt.size,
             by_blocks,
-            lambda: compiled.follow(form, track, load, given_d, elements, scene.kept),
+            lambda: compiled.follow(form, track, load, given_d, elements, scene.recorded),
         )
 
     def taken(self) -> list[float]:

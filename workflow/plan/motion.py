@@ -14,9 +14,9 @@ from ...kernels import (
     Quantities,
     rms_slope,
 )
-from ...kernels.drive import TOLERANCE, Drive, courses
+from ...kernels.drive import FORCE_TOLERANCE, Drive, drive_legs
 from ...kernels.half_space.surface import rms_slope_of
-from ...kernels.scene import ASKED
+from ...kernels.scene import SCENE_QUANTITIES
 from ..ground import UserError
 from ..simulate import LineShape, Problem, Recording, ScaledHistory, max_leg_counts, programme_steps
 from ..study import (
@@ -187,21 +187,21 @@ def _check_pull(problem: Problem, drive: Drive) -> None:
     A line at rest under the load bears no friction, and creeps under any force that is told. What
     rounding adds to a force must lie well below what is left over when forces are balanced.
     """
-    way = list(courses(problem.programme, 0.0))
+    way = list(drive_legs(problem.programme, 0.0))
     stretch = max(np.abs(course.place).max() for course in way)
     most = drive.stiffness * stretch
     most += drive.damping * max(np.abs(course.speed).max() for course in way)
     share = most / (problem.load * problem.surface.slope)
-    if problem.start != "steady" and np.min(share) <= TOLERANCE:
+    if problem.start != "steady" and np.min(share) <= FORCE_TOLERANCE:
         raise UserError(
             f"scene.drive.stiffness: the spring pulls with {np.min(share):.2g} of F_N times the "
-            f"rms slope at most, and forces are balanced to {TOLERANCE:g} of it: the line never "
-            "moves; give a larger stiffness, or a longer way of the drive"
+            f"rms slope at most, and forces are balanced to {FORCE_TOLERANCE:g} of it: the line "
+            "never moves; give a larger stiffness, or a longer way of the drive"
         )
-    if np.max(share) * np.finfo(float).eps > LEAST_ROUNDING * TOLERANCE:
+    if np.max(share) * np.finfo(float).eps > LEAST_ROUNDING * FORCE_TOLERANCE:
         raise UserError(
             f"scene.drive: spring and damper pull with up to {np.max(share):.2g} of F_N times the "
-            f"rms slope, and forces are balanced to {TOLERANCE:g} of it, which is lost in "
+            f"rms slope, and forces are balanced to {FORCE_TOLERANCE:g} of it, which is lost in "
             "rounding; give a smaller stiffness or damping"
         )
 
@@ -235,7 +235,9 @@ def recording_of(study: Study, label: str) -> Recording:
         samples=numerics.curve_samples,
         record=numerics.record,
         every=numerics.trace or 0,
-        requested=tuple(each for each in ASKED if (traced if each == "trace" else each in asked)),
+        requested=tuple(
+            each for each in SCENE_QUANTITIES if (traced if each == "trace" else each in asked)
+        ),
         dense=tuple(name for name in ("loop", "healing") if name in asked),
         refined_blocks=FINER if lawless and numerics.refines and accuracy_estimates(asked) else 0,
     )

@@ -6,7 +6,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ...kernels import START, Origin, Quantities
+from ...kernels import ZERO_ORIGIN, Origin, Quantities
 from ...kernels.compile.garbage import garbage_collection_paused
 from ..ground import UserError
 from ..simulate import REFINEMENT_FACTOR, Batch, Task, max_leg_counts, row_layout, row_width
@@ -130,7 +130,7 @@ def _bytes_per_sample(variant: Variant) -> float:
     return BYTES_PER_SAMPLE
 
 
-def make_plan(study: Study, pace: Pace = TYPICAL, origin: Origin = START) -> Plan:
+def make_plan(study: Study, pace: Pace = TYPICAL, origin: Origin = ZERO_ORIGIN) -> Plan:
     """Return the plan of a study. Raises UserError where a problem would be too large.
 
     pace : how fast the machine is; the size of batches depends on it, no result does.

@@ -5,7 +5,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ...kernels import MOTION, amplitudes
+from ...kernels import MOTION_TRACES, amplitudes
 from ...kernels.half_space.persson import Waves, persson_theory, waves_of_line, waves_of_map
 from ...kernels.half_space.surface import ring_amplitudes
 from ..plan import (
@@ -38,7 +38,7 @@ def completed(
     estimates = estimates | resolution(done, estimates, names, variant.numerics)
     if "trace_samples_per_contact" in estimates:
         estimates |= trace_resolution(done, estimates, variant.numerics, variant.recording.origin)
-    errors = {f"{name}_error" for name in MOTION}
+    errors = {f"{name}_error" for name in MOTION_TRACES}
     same = {name for name in errors if not np.any(estimates.get(name, 0.0) > 0.0)}
     spread = {n: _spread(v, sound, len(tasks)) for n, v in estimates.items() if n not in same}
     spread |= _of_model(tasks, variant.lines.normalisation) if "mu_1" in names else {}

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from ...kernels import START, Origin
+from ...kernels import ZERO_ORIGIN, Origin
 from ...kernels.motion.legs import speed_at_start
 from ..plan import (
     BIAS,
@@ -104,7 +104,7 @@ def trace_resolution(
         worth = steps / FIRST_ORDER if numerics.scheme == "implicit-euler" else steps
         half_space = problem.surface.body == HALF_SPACE
         own[row] = map_error("mu_1", worth, np.nan) if half_space else shape_error(worth)
-        steady = problem.start == "steady" and origin == START and "mu_1" in estimates
+        steady = problem.start == "steady" and origin == ZERO_ORIGIN and "mu_1" in estimates
         if steady and speed_at_start(problem.programme) == problem.ends[0]:
             start[row] = abs(first[row] / estimates["mu_1"][row] - 1.0)
     measured = estimates.get("mu_1_bias", np.nan)  # by halved steps, as no law knows programmes

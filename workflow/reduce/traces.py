@@ -13,7 +13,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from ...kernels import ENERGIES, MOTION, Hold, Oscillation, Programme, Slide
+from ...kernels import ENERGIES, MOTION_TRACES, Hold, Oscillation, Programme, Slide
 from ...kernels.drive import PULLED_TRACES, SLIP_EVENTS, SLIPS
 from ...kernels.motion.legs import leg_duration
 from .blocks import Blocks, Estimates, columns, enter
@@ -91,14 +91,14 @@ def reduce_programmes(estimates: Estimates, blocks: Blocks) -> None:
     """Enter what a programme was asked for."""
     asked, values, legs = blocks.quantities, blocks.values, blocks.legs
     means = {name: replicates(own, 1) for name, own in values.items() if name in ALONG}
-    means |= {name: _motion(values[name]) for name in MOTION if name in values}
+    means |= {name: _motion(values[name]) for name in MOTION_TRACES if name in values}
     if "trace" in asked or "energy" in asked:
-        for name in MOTION:
+        for name in MOTION_TRACES:
             estimates[name] = means[name][:, 0]
             estimates[f"{name}_error"] = standard_error(means[name] - means[name][:, :1], 1)
         estimates["trace_segment"] = np.where(np.isnan(legs), -1, legs).astype(np.int32)
     for name in PULLED_TRACES if "trace" in asked else ():
-        if name not in MOTION and name in means:
+        if name not in MOTION_TRACES and name in means:
             enter(estimates, name, means[name])
         if name in CHANGING:
             enter(estimates, f"{name}_change", _changes(means[name], legs))

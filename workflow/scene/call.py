@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 import xarray as xr
 
-from ...kernels import START, Saved, form_of, memory_size
+from ...kernels import ZERO_ORIGIN, SavedState, form_of, memory_size
 from ...kernels.compile import cache
 from ..ground import UserError
 from ..plan import Plan, Variant, cut, make_batches, make_plan, missing_work
@@ -34,7 +34,7 @@ OF_GRID = ("hurst", "roughness", "spacing")  # keys of random lines that a study
 USUAL = ("steady", "trace")
 SAMPLES = 200  # of a trace
 PRESSING = ("normal_force", "normal_pressure", "prescribed_indentation")
-FIELDS = {name: f"state_{name}" for name in Saved._fields}
+FIELDS = {name: f"state_{name}" for name in SavedState._fields}
 MARK = "scene"  # attribute that tells of which line and material a state is
 
 
@@ -139,7 +139,7 @@ def line_and_material(study: Study) -> str:
     return json.dumps([kept, grid, profile, study.seed, steps], sort_keys=True)
 
 
-def saved_state(state: xr.Dataset, study: Study) -> Saved:
+def saved_state(state: xr.Dataset, study: Study) -> SavedState:
     """Return the state that a dataset holds. Raises UserError for one of another scene."""
     if not isinstance(state, xr.Dataset):
         raise UserError(f'state = {state!r:.60}: must be a dataset of the quantity "state"')
@@ -161,21 +161,21 @@ def saved_state(state: xr.Dataset, study: Study) -> Saved:
     units = memory_size(form_of(study.material.spectrum(), numerics.scheme))
     memory = np.ascontiguousarray(state["state_memory"].values[:units])
     numbers = {name: float(state[FIELDS[name]]) for name in ("d", "position", "time", "speed")}
-    return Saved(memory=memory, p=np.ascontiguousarray(state["state_p"].values), **numbers)
+    return SavedState(memory=memory, p=np.ascontiguousarray(state["state_p"].values), **numbers)
 
 
 PER_TAU = ("relaxation_rate", "relaxation_rate_free", "stretched_rate", "fast_rate", "slow_rate")
 IN_TAU = ("time", "fit_window")
 
 
-def compute(study: Study, resumed: Saved | None = None) -> xr.Dataset:
+def compute(study: Study, resumed: SavedState | None = None) -> xr.Dataset:
     """Return the dataset of a study of one point, without dimensions of the grid, times in s.
 
     resumed : where the programme goes on, on one line; by default it starts as the study says.
     A line on the standard error output says so where kernels are compiled, once on a machine.
     Raises UserError where the plan is refused, ValueError as the kernels do.
     """
-    plan = make_plan(study, origin=resumed.origin if resumed else START)
+    plan = make_plan(study, origin=resumed.origin if resumed else ZERO_ORIGIN)
     (variant,) = plan.variants
     with report_compilation(
         "the kernels of this scene", "5 to 60 s", cache.CACHE_FOLDER, cache.WAITING_EVENT
@@ -186,7 +186,7 @@ def compute(study: Study, resumed: Saved | None = None) -> xr.Dataset:
     return _in_seconds(dataset.isel(single), study)
 
 
-def _estimates(plan: Plan, variant: Variant, resumed: Saved | None) -> Estimates:
+def _estimates(plan: Plan, variant: Variant, resumed: SavedState | None) -> Estimates:
     """Return the estimates of all tasks."""
     tasks, study = variant.tasks, plan.study
     rows = {task.key: row for row, task in enumerate(tasks)}

@@ -8,12 +8,12 @@ import math
 
 import numpy as np
 
-from ...kernels import ENERGIES, TRACES, Quantities, Saved, form_of, memory_size
-from ...kernels.drive import MOST_EVENTS, PULLED_TRACES, SLIP_EVENTS, SLIPS
+from ...kernels import ENERGIES, TRACES, Quantities, SavedState, form_of, memory_size
+from ...kernels.drive import MAX_SLIP_EVENTS, PULLED_TRACES, SLIP_EVENTS, SLIPS
 from .recorded_steps import trace_steps
 from .tasks import Recording, Task
 
-STATE = tuple(f"state_{name}" for name in Saved._fields if name not in ("memory", "p"))
+STATE = tuple(f"state_{name}" for name in SavedState._fields if name not in ("memory", "p"))
 BINS = 40
 EDGES = 2.0 ** (0.5 * np.arange(BINS + 1) - 4.0)  # of contact lengths, in dx
 
@@ -71,7 +71,7 @@ def _programme_shapes(task: Task, scheme: str, recording: Recording) -> dict[str
     shapes: dict[str, dict[str, tuple[int, ...]]] = {
         "trace": dict.fromkeys(PULLED_TRACES if task.problem.drive else TRACES, kept),
         "stick_slip": dict.fromkeys(SLIPS, ()),
-        "slip_events": dict.fromkeys(SLIP_EVENTS, (MOST_EVENTS,)),
+        "slip_events": dict.fromkeys(SLIP_EVENTS, (MAX_SLIP_EVENTS,)),
         "cycle_mean": {"mu_cycle_mean": ()},
         "energy": dict.fromkeys(ENERGIES, kept),
         "contact_lengths": {"contact_length": (BINS,)},

@@ -5,7 +5,7 @@ from typing import Any
 
 import numpy as np
 
-from ...kernels import MOTION, Case, Quantities, SceneCase
+from ...kernels import MOTION_TRACES, Case, Quantities, SceneCase
 from ...kernels.compile.clock import computing_seconds
 from .bodies import body_of
 from .layout import EDGES, Layout
@@ -36,7 +36,7 @@ def add_programme(
             if name not in found:
                 continue
             own, value = values[first : first + math.prod(shape)], np.ravel(found[name])
-            own += (value - own) / lines if name in MOTION else value
+            own += (value - own) / lines if name in MOTION_TRACES else value
         seconds = computing_seconds() - began
     return seconds
 
@@ -44,8 +44,8 @@ def add_programme(
 def scene_of(task: Task, scheme: str, recording: Recording) -> SceneCase:
     """Return the scene of a task for the kernels."""
     problem, steps = task.problem, task.steps_per_spacing
-    asked = recording.requested
-    kept = trace_steps(problem, steps, recording)
+    requested = recording.requested
+    recorded = trace_steps(problem, steps, recording)
     return SceneCase(
         spectrum=problem.spectrum,
         scheme=scheme,
@@ -53,10 +53,10 @@ def scene_of(task: Task, scheme: str, recording: Recording) -> SceneCase:
         load=problem.load if problem.indentation is None else math.nan,
         indentation=problem.indentation,
         start=problem.start,
-        asked=asked,
-        kept=kept,
+        requested=requested,
+        recorded=recorded,
         edges=EDGES,
-        frames=kept if "snapshots" in asked else np.empty(0, np.int64),
+        frames=recorded if "snapshots" in requested else np.empty(0, np.int64),
     )
 
 

@@ -9,7 +9,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from ...kernels import MOTION, Case, Outcome, Quantities
+from ...kernels import MOTION_TRACES, Case, Outcome, Quantities
 from ...kernels.compile.clock import computing_seconds
 from ..system import keep_memory, peak_bytes, this_maker
 from .bodies import BODIES, body_of
@@ -67,7 +67,7 @@ def block_means(batch: Batch) -> BatchResult:
     for row, (width, places) in enumerate(zip(widths, layouts, strict=True)):
         curves[row, :, width:] = np.nan
         for name, (first, shape) in places.items():
-            if name not in MOTION:
+            if name not in MOTION_TRACES:
                 curves[row, :, first : first + math.prod(shape)] /= batch.realizations_per_block
     scalars /= batch.realizations_per_block
     used = computing_seconds() - began

@@ -7,7 +7,7 @@ import numpy as np
 
 from ...kernels import (
     KELVIN,
-    START,
+    ZERO_ORIGIN,
     Hold,
     Origin,
     Oscillation,
@@ -76,7 +76,7 @@ def _march(
 
 
 def programme_steps(
-    problem: Problem, steps_per_spacing: int, origin: Origin = START
+    problem: Problem, steps_per_spacing: int, origin: Origin = ZERO_ORIGIN
 ) -> ProgrammeSteps:
     """Return the steps of the programme of a problem that begins at ``origin``.
 
@@ -86,13 +86,17 @@ def programme_steps(
     return _march(*what, steps_per_spacing, origin)
 
 
-def max_leg_counts(problem: Problem, steps_per_spacing: int, origin: Origin = START) -> np.ndarray:
+def max_leg_counts(
+    problem: Problem, steps_per_spacing: int, origin: Origin = ZERO_ORIGIN
+) -> np.ndarray:
     """Return how many steps each leg of a programme takes at most, by formula, shape (legs,)."""
     shortest = min_step(problem.spectrum)
     return count_steps(problem.programme, steps_per_spacing, *origin[:2], shortest)
 
 
-def leg_counts(problem: Problem, steps_per_spacing: int, origin: Origin = START) -> np.ndarray:
+def leg_counts(
+    problem: Problem, steps_per_spacing: int, origin: Origin = ZERO_ORIGIN
+) -> np.ndarray:
     """Return how many steps each leg of a programme takes, shape (legs,).
 
     Beyond MAX_LISTED_STEPS steps in all they are those of a formula, which makes no array of steps.

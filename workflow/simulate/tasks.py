@@ -7,12 +7,12 @@ import numpy as np
 
 from ...kernels import (
     KELVIN,
-    START,
+    ZERO_ORIGIN,
     Origin,
     Outcome,
     Programme,
     Quantities,
-    Saved,
+    SavedState,
     Seconds,
     Slide,
     Spectrum,
@@ -86,7 +86,7 @@ class Recording(NamedTuple):
     every: int = 0  # keep every so many steps instead; 0: samples
     requested: tuple[str, ...] = ()  # results of a programme (kernels/scene)
     dense: tuple[str, ...] = ()  # "healing", "loop": what needs samples of its own
-    origin: Origin = START  # where a programme begins that is resumed
+    origin: Origin = ZERO_ORIGIN  # where a programme begins that is resumed
     refined_blocks: int = 0  # blocks whose first line is also run with halved steps
 
 
@@ -118,7 +118,7 @@ class Batch:
     # random ones like them, both in h. None: random lines of H alone.
     heights: np.ndarray | None = field(default=None, compare=False)
     modes: np.ndarray | None = field(default=None, compare=False)
-    resumed: Saved | None = field(default=None, compare=False)  # where a programme goes on
+    resumed: SavedState | None = field(default=None, compare=False)  # where a programme goes on
 
 
 class BatchResult(NamedTuple):

@@ -7,7 +7,7 @@ import pytest
 
 from elastomer_friction.kernels import Hold, Sampled, Slide
 from elastomer_friction.kernels.drive import PULLED_TRACES, Drive, pulled_line, run_pulled
-from elastomer_friction.kernels.drive.slider_record import BEGINS, ENDS, REVERSES
+from elastomer_friction.kernels.drive.slider_record import SLIDER_TURNS, SLIP_BEGINS, SLIP_ENDS
 from elastomer_friction.kernels.half_space.pulled_map import run_pulled_on_half_space
 from elastomer_friction.kernels.half_space.surface import Surface
 from elastomer_friction.kernels.lines.line import Line
@@ -127,7 +127,7 @@ def test_it_sticks_and_slips_below_the_critical_stiffness_alone():
     for share in (5.0, 0.3):
         legs = (Slide(speeds[1], 3000.0),)
         asked = ("trace", "stick_slip", "slip_events")
-        found.append(pulled(line, legs, (share * critical,), start="relaxed", asked=asked))
+        found.append(pulled(line, legs, (share * critical,), start="relaxed", requested=asked))
     steady, slipping = found
     assert steady["drive_swing"] < 0.02 * slipping["drive_swing"]
     assert steady["peak_velocity"] < 1.1 * speeds[1] < 2.0 * speeds[1] < slipping["peak_velocity"]
@@ -136,9 +136,9 @@ def test_it_sticks_and_slips_below_the_critical_stiffness_alone():
     swing = float(slipping["drive_swing"]) * LOAD
     loading = swing / (0.3 * critical * scale_of(line) * speeds[1])
     assert 0.2 * loading < float(slipping["slip_period"]) < 4.0 * loading
-    assert ENDS not in steady["slip_event_kind"]  # it comes free once, and goes on
+    assert SLIP_ENDS not in steady["slip_event_kind"]  # it comes free once, and goes on
     time, kind = slipping["slip_event_time"], slipping["slip_event_kind"]
-    begins, ends = (time[kind == each] for each in (BEGINS, ENDS))
+    begins, ends = (time[kind == each] for each in (SLIP_BEGINS, SLIP_ENDS))
     assert (begins[: ends.size] < ends).all()
     assert (ends[: begins.size - 1] < begins[1:]).all()
     late = begins[begins > 0.5 * 3000.0 / speeds[1]]
@@ -157,7 +157,7 @@ def test_stick_and_slip_without_a_mass_converges_at_second_order():
         x = 2.0 * np.pi * np.arange(length * m) / (length * m)
         line = Line.from_samples(np.cos(x), -2.0 * np.pi / length * np.sin(x), m)
         legs, asked = (Slide(speed, 400.0),), ("trace", "stick_slip", "slip_events")
-        found = pulled(line, legs, (stiffness,), m=m, start="relaxed", asked=asked)
+        found = pulled(line, legs, (stiffness,), m=m, start="relaxed", requested=asked)
         way = speed * found["trace_time"]
         way, force = (each[way > 200.0] for each in (way, found["trace_drive_force"]))
         force = force - 0.5 * (force.max() + force.min())
@@ -167,7 +167,7 @@ def test_stick_and_slip_without_a_mass_converges_at_second_order():
         rise = np.mean(np.diff(rises))
         assert speed * float(found["slip_period"]) == pytest.approx(rise, rel=2e-3)
         time, kind = found["slip_event_time"], found["slip_event_kind"]
-        begins, ends = (time[kind == each] for each in (BEGINS, ENDS))
+        begins, ends = (time[kind == each] for each in (SLIP_BEGINS, SLIP_ENDS))
         assert (begins[: ends.size] < ends).all()
         assert (ends[: begins.size - 1] < begins[1:]).all()
         late = begins[speed * begins > 200.0]
@@ -187,9 +187,9 @@ def test_stick_and_slip_without_a_mass_converges_at_second_order():
 
 def test_a_slider_turns_when_its_stiff_drive_does():
     legs = (Sampled((0.0, 2.0, 4.0, 6.0), (1.5, 1.5, -1.5, 1.5)),)
-    found = pulled(a_line(20, m=16), legs, (1e4,), KELVIN, 16, asked=("trace", "slip_events"))
+    found = pulled(a_line(20, m=16), legs, (1e4,), KELVIN, 16, requested=("trace", "slip_events"))
     known = np.isfinite(found["slip_event_time"])
-    assert found["slip_event_kind"][known].tolist() == [REVERSES, REVERSES]
+    assert found["slip_event_kind"][known].tolist() == [SLIDER_TURNS, SLIDER_TURNS]
     assert found["slip_event_time"][known] == pytest.approx([3.0, 5.0], abs=0.05)
 
 
@@ -199,7 +199,7 @@ def test_a_mass_that_rings_about_steady_sliding_does_not_slip(amplitude):
     line, speed, frequency, stiffness = a_line(12, m=16), 2.0, 4.0, 1e3
     swings = Sampled((0.0, 1e-3, 40.0), ((1.0 - amplitude) * speed, speed, speed))
     drive = stiffness, stiffness / frequency**2
-    found = pulled(line, (swings,), drive, SOLID, 16, asked=("trace", "stick_slip"))
+    found = pulled(line, (swings,), drive, SOLID, 16, requested=("trace", "stick_slip"))
     force = 2.0 * amplitude * speed * stiffness / frequency * scale_of(line) / LOAD
     assert 0.6 * force < found["drive_swing"] < 1.05 * force
     assert found["peak_velocity"] > 2.0 * speed

@@ -8,7 +8,7 @@ from elastomer_friction.kernels.half_space.cases import run_case
 from elastomer_friction.kernels.half_space.scenes import run_scene_on_half_space
 from elastomer_friction.kernels.half_space.surface import Surface, ring_amplitudes
 from elastomer_friction.kernels.scene import TRACES, run_scene
-from tests.kernels.scene.given import DAMPED, EVERY, KELVIN, PRONY, SOLID, a_line, a_scene
+from tests.kernels.scene.given import DAMPED, EVERY_LEG, KELVIN, PRONY, SOLID, a_line, a_scene
 
 M = 4
 
@@ -26,7 +26,7 @@ def test_where_all_waves_are_as_stiff_it_is_the_line(spectrum, start):
     line = a_line(12)
     n = line.z.size
     surface = Surface.from_samples((line.z + line.datum)[None], line.slope[None], M)
-    scene = a_scene(EVERY, spectrum, M, start=start, asked=("trace", "cycle_mean"))
+    scene = a_scene(EVERY_LEG, spectrum, M, start=start, requested=("trace", "cycle_mean"))
     expected = run_scene(line, scene)
     equal = np.full((1, n // 2 + 1), M / n)
     found = run_scene_on_half_space(surface, scene, stiffness=equal)
@@ -51,7 +51,7 @@ def test_a_velocity_step_is_that_of_a_case():
 def test_snapshots_carry_the_load_where_the_surface_is():
     surface = rough()
     scene = a_scene(
-        (Slide(0.7, 2.0),), PRONY, M, asked=("trace", "snapshots"), frames=np.array([0, 5])
+        (Slide(0.7, 2.0),), PRONY, M, requested=("trace", "snapshots"), frames=np.array([0, 5])
     )
     found = run_scene_on_half_space(surface, scene)["snapshot_pressure"]
     assert found.shape == (2, *surface.z.shape)
@@ -60,5 +60,5 @@ def test_snapshots_carry_the_load_where_the_surface_is():
 
 
 def test_what_it_does_not_keep_is_refused():
-    with pytest.raises(ValueError, match="a half-space keeps"):
-        run_scene_on_half_space(rough(), a_scene((Slide(0.7, 2.0),), asked=("energy",)))
+    with pytest.raises(ValueError, match="a half-space has only"):
+        run_scene_on_half_space(rough(), a_scene((Slide(0.7, 2.0),), requested=("energy",)))

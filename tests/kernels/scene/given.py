@@ -7,7 +7,7 @@ import numpy as np
 from elastomer_friction.kernels.lines.line import Line
 from elastomer_friction.kernels.motion.legs import Hold, Oscillation, Ramp, Sampled, Slide
 from elastomer_friction.kernels.rheology.spectrum import KELVIN, Spectrum
-from elastomer_friction.kernels.scene import ASKED, SceneCase, run_scene, scene_steps
+from elastomer_friction.kernels.scene import SCENE_QUANTITIES, SceneCase, run_scene, scene_steps
 from tests.lines import random_line
 from tests.sizes import size
 
@@ -16,7 +16,7 @@ PRONY = Spectrum((30.0, 5.0, 2.0), (0.01, 0.05, 0.225), 0.0)
 DAMPED = Spectrum((3.0, 1.0), (0.2, 0.1), 0.3)  # branches and a dashpot
 MATERIALS = {"kelvin": KELVIN, "solid": SOLID, "prony": PRONY, "damped": DAMPED}
 
-EVERY = (  # every kind of leg, with ends between samples
+EVERY_LEG = (  # every kind of leg, with ends between samples
     Slide(0.5, 4.3),
     Hold(2.0),
     Slide(-0.8, 3.0),
@@ -25,7 +25,9 @@ EVERY = (  # every kind of leg, with ends between samples
     Sampled((0.0, 3.0, 5.0, 7.0), (0.7, 0.0, 0.0, -0.4)),
 )
 
-OF_ANY = tuple(name for name in ASKED if name != "cycle_mean")  # to be asked of any motion
+ANY_MOTION = tuple(
+    name for name in SCENE_QUANTITIES if name != "cycle_mean"
+)  # to be asked of any motion
 
 
 def a_line(elements=None, hurst=0.7, m=4, seed=3):
@@ -42,15 +44,15 @@ def a_scene(programme, spectrum=KELVIN, m=4, **changes):
         "load": math.nan if changes.get("indentation") is not None else 0.3,
         "indentation": None,
         "start": "steady",
-        "asked": ("trace",),
-        "kept": np.arange(1),
+        "requested": ("trace",),
+        "recorded": np.arange(1),
         "edges": np.arange(1.0),
         "frames": np.arange(0),
     } | changes
     scene = SceneCase(**values)
-    if "kept" in changes:
+    if "recorded" in changes:
         return scene
-    return scene._replace(kept=np.arange(scene_steps(scene, m).dt.size + 1))
+    return scene._replace(recorded=np.arange(scene_steps(scene, m).dt.size + 1))
 
 
 def trace(line, programme, spectrum=KELVIN, **changes):

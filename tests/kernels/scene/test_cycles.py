@@ -8,7 +8,7 @@ import pytest
 from elastomer_friction.kernels.lines.line import Line
 from elastomer_friction.kernels.motion.legs import Oscillation, Slide
 from elastomer_friction.kernels.rheology.spectrum import complex_modulus
-from elastomer_friction.kernels.scene import ASKED, run_scene, scene_steps
+from elastomer_friction.kernels.scene import SCENE_QUANTITIES, run_scene, scene_steps
 from tests.kernels.scene.given import MATERIALS, PRONY, a_line, a_scene
 from tests.sizes import size
 
@@ -49,7 +49,14 @@ def test_in_full_contact_it_is_the_sum_over_what_the_oscillation_makes_of_a_wave
     steady = mean_in_full_contact(MATERIALS[name], speed, 1e-9, omega)
     expected = mean_in_full_contact(MATERIALS[name], speed, amplitude, omega)
     legs = (Oscillation(speed, amplitude, omega / (2.0 * math.pi), size(16, 2)),)
-    scene = a_scene(legs, MATERIALS[name], m, indentation=DEEP, asked=ASKED, kept=np.arange(1))
+    scene = a_scene(
+        legs,
+        MATERIALS[name],
+        m,
+        indentation=DEEP,
+        requested=SCENE_QUANTITIES,
+        recorded=np.arange(1),
+    )
     found = float(run_scene(line, scene)["mu_cycle_mean"])
     assert found == pytest.approx(expected, rel=size(2e-3, 2e-2))
     if name == "kelvin":  # the loss is proportional to the velocity
@@ -65,7 +72,7 @@ SWINGS = (Oscillation(0.3, 1.0, 0.2, 2), Oscillation(0.1, 2.3, 0.1, 5), Slide(0.
 def test_it_is_the_mean_over_the_later_half_of_the_cycles_of_the_last_oscillation(start):
     """Of five cycles three; whatever steps are kept."""
     line = a_line()
-    scene = a_scene(SWINGS, PRONY, indentation=0.5, start=start, asked=ASKED)
+    scene = a_scene(SWINGS, PRONY, indentation=0.5, start=start, requested=SCENE_QUANTITIES)
     found, ends = run_scene(line, scene), np.cumsum(scene_steps(scene, 4).dt)
     begin, end = 2.0 / 0.2 + 2.0 / 0.1, 2.0 / 0.2 + 5.0 / 0.1
     inside = (ends > begin + 1e-6) & (ends < end + 1e-6)
@@ -75,11 +82,11 @@ def test_it_is_the_mean_over_the_later_half_of_the_cycles_of_the_last_oscillatio
     )
     assert normal > 0.0
     assert found["mu_cycle_mean"] == pytest.approx(force / normal, rel=1e-12)
-    few = run_scene(line, scene._replace(kept=np.array([0, 7])))
+    few = run_scene(line, scene._replace(recorded=np.array([0, 7])))
     assert few["mu_cycle_mean"] == found["mu_cycle_mean"]
     assert math.isnan(run_scene(line, scene._replace(indentation=-9.0))["mu_cycle_mean"])
 
 
 def test_without_an_oscillation_it_is_refused():
     with pytest.raises(ValueError, match="no leg of the programme oscillates"):
-        run_scene(a_line(10), a_scene((Slide(0.7, 1.0),), asked=("cycle_mean",)))
+        run_scene(a_line(10), a_scene((Slide(0.7, 1.0),), requested=("cycle_mean",)))

@@ -9,9 +9,9 @@ from elastomer_friction.kernels.motion.legs import Hold, Oscillation, Ramp, Slid
 from elastomer_friction.kernels.rheology.forms import FORMS_BY_SCHEME
 from elastomer_friction.kernels.rheology.law import law_of
 from elastomer_friction.kernels.rheology.spectrum import KELVIN
-from elastomer_friction.kernels.scene.energy import book, stored_energy
+from elastomer_friction.kernels.scene.energy import add_energies, stored_energy
 from tests.convergence import observed_order
-from tests.kernels.scene.given import EVERY, MATERIALS, SOLID, a_line, trace
+from tests.kernels.scene.given import EVERY_LEG, MATERIALS, SOLID, a_line, trace
 from tests.sizes import size
 
 ALL = ("trace", "energy", "contact_lengths", "snapshots", "state")
@@ -31,7 +31,7 @@ def balance(found):
 
 
 def test_with_a_dashpot_alone_the_balance_closes_to_rounding_by_the_closing_work():
-    found = trace(a_line(), EVERY, KELVIN, start="relaxed", asked=ALL)
+    found = trace(a_line(), EVERY_LEG, KELVIN, start="relaxed", requested=ALL)
     missing, closing, dissipated = balance(found)
     np.testing.assert_allclose(missing, closing, rtol=0, atol=1e-12 * dissipated[-1])
     assert closing[-1] > 1e-4 * dissipated[-1]
@@ -42,7 +42,9 @@ def test_with_branches_beside_a_dashpot_the_balance_closes_with_the_step():
     refinements, errors = np.array([4, 8, 16, 32])[: size(4, 2)], []
     for m in refinements:
         line = a_line(size(20, 8), 1.0, m, 0)
-        found = trace(line, PROGRAMMES["reversal"], MATERIALS["damped"], start="relaxed", asked=ALL)
+        found = trace(
+            line, PROGRAMMES["reversal"], MATERIALS["damped"], start="relaxed", requested=ALL
+        )
         missing, closing, dissipated = balance(found)
         errors.append([(missing[-1] - closing[-1]) / dissipated[-1]])
     assert observed_order(refinements, errors) > 1.2
@@ -52,7 +54,7 @@ def test_with_branches_beside_a_dashpot_the_balance_closes_with_the_step():
 @pytest.mark.parametrize("name", MATERIALS)
 @pytest.mark.parametrize("programme", PROGRAMMES)
 def test_no_step_gains_energy_by_itself(name, programme):
-    found = trace(a_line(), PROGRAMMES[programme], MATERIALS[name], start="relaxed", asked=ALL)
+    found = trace(a_line(), PROGRAMMES[programme], MATERIALS[name], start="relaxed", requested=ALL)
     assert np.all(np.diff(found["dissipated_energy"]) >= 0.0)
     assert np.all(found["stored_energy"] > 0.0)
 
@@ -63,7 +65,9 @@ def missing_work(name, programme, refinements, seeds):
     for k, m in enumerate(refinements):
         for seed in range(seeds):
             line = a_line(size(20, 8), 1.0, m, seed)
-            found = trace(line, PROGRAMMES[programme], MATERIALS[name], start="relaxed", asked=ALL)
+            found = trace(
+                line, PROGRAMMES[programme], MATERIALS[name], start="relaxed", requested=ALL
+            )
             missing, _, dissipated = balance(found)
             errors[k, seed] = missing[-1] / dissipated[-1]
     return errors
@@ -80,7 +84,7 @@ def test_the_balance_closes_at_second_order_with_a_glassy_modulus(programme, nam
 
 
 def test_no_motion_of_a_relaxed_line_costs_no_work():
-    found = trace(a_line(), (Hold(3.0),), SOLID, start="relaxed", asked=ALL)
+    found = trace(a_line(), (Hold(3.0),), SOLID, start="relaxed", requested=ALL)
     for name in ("dissipated_energy", "work", "closing_work"):
         np.testing.assert_allclose(found[name], 0.0, atol=1e-14)
     np.testing.assert_allclose(found["stored_energy"], found["stored_energy"][0], rtol=1e-13)
@@ -95,7 +99,7 @@ def test_a_step_dissipates_the_integral_of_the_rates(name, dt):
     rng = np.random.default_rng(1)
     memory, (p, new) = -rng.random((form.times.size, 3)), rng.random((2, 3))
     sums = np.zeros(3)
-    book(form, law, dt, memory, p, new, np.ones(3), 2.0 * np.ones(3), sums)
+    add_energies(form, law, dt, memory, p, new, np.ones(3), 2.0 * np.ones(3), sums)
     begun = law.linear * p + (1.0 - law.linear) * new
     expected = 0.0
     nodes, weights = np.polynomial.legendre.leggauss(40)

@@ -80,6 +80,6 @@ def test_creep_under_a_load_is_exact(spectrum, duration):
     """All elements carry alike: d = F J(t), whatever the steps."""
     line = Line.from_samples(np.zeros(8), np.zeros(8), 1)
     form = retardation(spectrum)
-    scene = a_scene((Hold(duration),), spectrum, 1, start="fresh", asked=("trace", "state"))
+    scene = a_scene((Hold(duration),), spectrum, 1, start="fresh", requested=("trace", "state"))
     crept = form.glass - np.sum(form.compliances * np.expm1(-duration / form.times))
     assert float(run_scene(line, scene)["state_d"]) == pytest.approx(0.3 * crept, rel=1e-12)

@@ -10,14 +10,14 @@ from numba.core.runtime._nrt_python import memsys_enable_stats
 from elastomer_friction.kernels.motion.legs import Hold, Oscillation, Ramp, Slide
 from elastomer_friction.kernels.rheology.relaxed import RelaxationForm
 from elastomer_friction.kernels.rheology.spectrum import Spectrum
-from elastomer_friction.kernels.scene import ASKED, run, run_scene
-from tests.kernels.scene.given import EVERY, MATERIALS, OF_ANY, a_line, a_scene
+from elastomer_friction.kernels.scene import SCENE_QUANTITIES, run, run_scene
+from tests.kernels.scene.given import ANY_MOTION, EVERY_LEG, MATERIALS, a_line, a_scene
 from tests.sizes import PLAIN_PYTHON, size
 
 WIDE = Spectrum((2.0,) * 7, tuple(np.geomspace(1e-4, 10.0, 7) / 43.3), 0.0)  # fast and slow units
 LIFTED = ((0.0, 4.0, 5.0, 9.0, 12.0), (1.0, 1.0, -2.0, -2.0, 1.4))
 MOTIONS = {
-    "every leg": EVERY,
+    "every leg": EVERY_LEG,
     "slide": (Slide(2.0, size(60.0, 6.0)),),
     "reversal": (Slide(0.5, size(20.0, 4.0)), Slide(-3.0, size(30.0, 4.0))),
     "ages": (Slide(0.5, 5.0), Hold(1e6), Slide(0.5, 5.0)),
@@ -49,7 +49,9 @@ def test_few_blocks_are_the_plain_march(monkeypatch, name, motion):
     """A long line of which little can touch."""
     spectrum = MATERIALS.get(name, WIDE)
     line = a_line(size(400, 40))
-    scene = a_scene(MOTIONS[motion], spectrum, load=0.05, start="relaxed", asked=("trace", "state"))
+    scene = a_scene(
+        MOTIONS[motion], spectrum, load=0.05, start="relaxed", requested=("trace", "state")
+    )
     assert_equal(*both(monkeypatch, line, scene))
 
 
@@ -61,9 +63,14 @@ def test_all_that_is_kept_is_that_of_the_plain_march(monkeypatch, name, start, i
         return
     edges = np.array([0.0, 1.0, 2.0, 4.0, 100.0])
     scene = a_scene(
-        EVERY, MATERIALS[name], start=start, indentation=indentation, asked=ASKED, edges=edges
+        EVERY_LEG,
+        MATERIALS[name],
+        start=start,
+        indentation=indentation,
+        requested=SCENE_QUANTITIES,
+        edges=edges,
     )
-    scene = scene._replace(frames=np.arange(0, scene.kept[-1], 7))
+    scene = scene._replace(frames=np.arange(0, scene.recorded[-1], 7))
     assert_equal(*both(monkeypatch, a_line(), scene))
 
 
@@ -71,9 +78,9 @@ def test_all_that_is_kept_is_that_of_the_plain_march(monkeypatch, name, start, i
 def test_what_is_left_out_changes_no_bit(monkeypatch, motion):
     """Where energies are asked for nothing is left out; in short pieces other blocks are."""
     line = a_line(size(400, 40))
-    scene = a_scene(MOTIONS[motion], WIDE, load=0.05, start="relaxed", asked=("trace", "state"))
+    scene = a_scene(MOTIONS[motion], WIDE, load=0.05, start="relaxed", requested=("trace", "state"))
     few = run_scene(line, scene)
-    every = run_scene(line, scene._replace(asked=OF_ANY))
+    every = run_scene(line, scene._replace(requested=ANY_MOTION))
     monkeypatch.setattr("elastomer_friction.kernels.motion.track.MAX_STAGE_STEPS", 13)
     pieces = run_scene(line, scene)
     for name, values in few.items():
@@ -85,7 +92,7 @@ def test_what_is_left_out_changes_no_bit(monkeypatch, motion):
 def test_memory_is_given_back():
     """Kernels that count no references leave none behind."""
     line = a_line()
-    scene = a_scene(MOTIONS["oscillation"], WIDE, asked=tuple(ASKED))
+    scene = a_scene(MOTIONS["oscillation"], WIDE, requested=tuple(SCENE_QUANTITIES))
     run_scene(line, scene)
     gc.collect()  # what earlier tests left is given back before
     memsys_enable_stats()

@@ -10,23 +10,30 @@ import pytest
 from elastomer_friction.kernels.motion.legs import Hold, Oscillation, Slide, steps_of
 from elastomer_friction.kernels.rheology.forms import FORMS_BY_SCHEME
 from elastomer_friction.kernels.rheology.law import law_of, predict
-from elastomer_friction.kernels.scene import ASKED, MOTION, TRACES, Saved, run_scene, scene_steps
-from elastomer_friction.kernels.scene.begin import fresh, relaxed
+from elastomer_friction.kernels.scene import (
+    MOTION_TRACES,
+    SCENE_QUANTITIES,
+    TRACES,
+    SavedState,
+    run_scene,
+    scene_steps,
+)
+from elastomer_friction.kernels.scene.initial_state import fresh_elements, relaxed_elements
 from elastomer_friction.kernels.scene.records import (
-    Film,
-    Lengths,
+    ContactLengths,
+    Snapshots,
     Trace,
     count_lengths,
-    keep_frame,
-    keep_trace,
+    record_snapshot,
+    record_trace,
 )
 from elastomer_friction.kernels.scene.samples import samples_per_contact
 from elastomer_friction.kernels.scene.scene_case import indentation_at
 from tests.kernels.scene.given import (
+    ANY_MOTION,
     DAMPED,
-    EVERY,
+    EVERY_LEG,
     MATERIALS,
-    OF_ANY,
     PRONY,
     SOLID,
     a_line,
@@ -38,9 +45,9 @@ M = 4
 
 @pytest.mark.parametrize("scheme", FORMS_BY_SCHEME)
 def test_a_trace_is_where_and_when_the_force_of_a_step_acts(scheme):
-    found = run_scene(a_line(), a_scene(EVERY, DAMPED, M, scheme=scheme))
-    time, distance, velocity = (found[name] for name in MOTION)
-    steps = steps_of(EVERY, M)
+    found = run_scene(a_line(), a_scene(EVERY_LEG, DAMPED, M, scheme=scheme))
+    time, distance, velocity = (found[name] for name in MOTION_TRACES)
+    steps = steps_of(EVERY_LEG, M)
     lag = np.array([law_of(FORMS_BY_SCHEME[scheme](DAMPED), dt).lag for dt in steps.dt])
     place = np.append(0.0, steps.position) / M
     np.testing.assert_allclose(time[1:], np.cumsum(steps.dt) - lag * steps.dt)
@@ -52,7 +59,7 @@ def test_a_trace_is_where_and_when_the_force_of_a_step_acts(scheme):
 
 @pytest.mark.parametrize("piece", [1, 7, 50])
 def test_a_path_in_pieces_is_the_whole_to_the_bit(monkeypatch, piece):
-    scene = a_scene(EVERY, DAMPED, M)._replace(asked=ASKED)
+    scene = a_scene(EVERY_LEG, DAMPED, M)._replace(requested=SCENE_QUANTITIES)
     whole = run_scene(a_line(), scene)
     monkeypatch.setattr("elastomer_friction.kernels.motion.track.MAX_STAGE_STEPS", piece)
     parts = run_scene(a_line(), scene)
@@ -61,11 +68,11 @@ def test_a_path_in_pieces_is_the_whole_to_the_bit(monkeypatch, piece):
 
 
 def test_some_kept_steps_are_when_and_where_they_are_among_all():
-    every = a_scene(EVERY, SOLID, M)
-    some = every._replace(kept=np.array([0, 3, 17, 40]))
+    every = a_scene(EVERY_LEG, SOLID, M)
+    some = every._replace(recorded=np.array([0, 3, 17, 40]))
     whole, part = (run_scene(a_line(), scene) for scene in (every, some))
-    for name in MOTION:
-        np.testing.assert_array_equal(part[name], whole[name][some.kept])
+    for name in MOTION_TRACES:
+        np.testing.assert_array_equal(part[name], whole[name][some.recorded])
 
 
 def test_steps_at_rest_end_where_the_indentation_history_has_its_times():
@@ -90,11 +97,11 @@ def test_the_prescribed_indentation_is_over_the_mean_line():
 SLIDE = (Slide(1.0, 1.0),)
 REFUSED = [
     ({"start": "now"}, "start = 'now': use one of"),
-    ({"asked": ("heat",)}, "asked = ['heat']: use some of"),
-    ({"asked": ("energy",), "scheme": "implicit-euler"}, "energy is that of the scheme"),
-    ({"asked": ("contact_lengths",), "edges": np.array([2.0, 1.0])}, "edges must increase"),
-    ({"kept": np.array([0, 5])}, "kept must hold increasing numbers of steps, 0 to 4"),
-    ({"kept": np.array([2, 1])}, "kept must hold increasing numbers of steps"),
+    ({"requested": ("heat",)}, "requested = ['heat']: use some of"),
+    ({"requested": ("energy",), "scheme": "implicit-euler"}, "energy needs the scheme"),
+    ({"requested": ("contact_lengths",), "edges": np.array([2.0, 1.0])}, "edges must increase"),
+    ({"recorded": np.array([0, 5])}, "recorded must hold increasing numbers of steps, 0 to 4"),
+    ({"recorded": np.array([2, 1])}, "recorded must hold increasing numbers of steps"),
     ({"frames": np.array([-1])}, "frames must hold increasing numbers of steps"),
     ({"load": 0.0}, "load = 0: must lie between"),
     ({"load": math.nan}, "load = nan: must lie between"),
@@ -126,7 +133,7 @@ TOTAL = 0.3 * LINE.z.size
 @pytest.mark.parametrize("name", MATERIALS)
 def test_relaxed_elements_stay_where_they_are(scheme, name):
     form = FORMS_BY_SCHEME[scheme](MATERIALS[name])
-    elements = relaxed(form, LINE.z, TOTAL, np.nan)
+    elements = relaxed_elements(form, LINE.z, TOTAL, np.nan)
     np.testing.assert_allclose(elements.p, np.maximum(0.0, elements.d - LINE.z), atol=1e-12)
     assert elements.p.sum() == pytest.approx(TOTAL, rel=1e-12)
     law, w = law_of(form, 0.3), np.empty(LINE.z.size)
@@ -140,7 +147,7 @@ def test_relaxed_elements_stay_where_they_are(scheme, name):
 def test_fresh_elements_are_glassy_and_keep_their_force_for_a_moment(scheme, spectrum):
     form = FORMS_BY_SCHEME[scheme](spectrum)
     stiffness = 1.0 + sum(spectrum.moduli)
-    elements = fresh(form, spectrum, LINE.z, TOTAL, np.nan)
+    elements = fresh_elements(form, spectrum, LINE.z, TOTAL, np.nan)
     np.testing.assert_allclose(
         elements.p, stiffness * np.maximum(0.0, elements.d - LINE.z), rtol=1e-9
     )
@@ -158,7 +165,7 @@ def test_a_trace_is_friction_force_and_contact_at_the_moment_the_force_acts():
     before, now = RNG.normal(size=(2, 40))
     p = np.maximum(0.0, RNG.normal(size=40))
     trace = Trace(*np.zeros((9, 3)))
-    keep_trace(trace, 1, 0.3, before, now, 2.0, 1.0, p)
+    record_trace(trace, 1, 0.3, before, now, 2.0, 1.0, p)
     acting = 0.7 * now + 0.3 * before
     assert trace.mu[1] == pytest.approx(p @ acting / p.sum())
     assert trace.friction_force[1] == pytest.approx(np.mean(p * acting))
@@ -172,7 +179,7 @@ def test_a_trace_is_friction_force_and_contact_at_the_moment_the_force_acts():
 
 def test_friction_is_not_a_number_where_nothing_touches():
     trace = Trace(*np.zeros((9, 1)))
-    keep_trace(trace, 0, 0.3, np.ones(4), np.ones(4), 1.0, 1.0, np.zeros(4))
+    record_trace(trace, 0, 0.3, np.ones(4), np.ones(4), 1.0, 1.0, np.zeros(4))
     assert np.isnan(trace.mu[0])
     assert trace.friction_force[0] == trace.normal_force[0] == trace.contact_fraction[0] == 0.0
 
@@ -184,48 +191,48 @@ def test_lengths_are_those_of_runs_round_the_period(share):
     turned = np.roll(pressed, -free)
     runs = [len(list(run)) for touching, run in itertools.groupby(turned) if touching]
     for shift in (0, 1, 57):
-        lengths = Lengths(np.array([1.0, 2.0, 4.0, 8.0, 300.0]), np.zeros(4))
+        lengths = ContactLengths(np.array([1.0, 2.0, 4.0, 8.0, 300.0]), np.zeros(4))
         count_lengths(lengths, np.roll(pressed, shift).astype(float))
         np.testing.assert_array_equal(lengths.counts, np.histogram(runs, lengths.edges)[0])
 
 
 def test_full_contact_is_one_and_none_is_none():
-    lengths = Lengths(np.array([0.0, 9.5, 20.0]), np.zeros(2))
+    lengths = ContactLengths(np.array([0.0, 9.5, 20.0]), np.zeros(2))
     count_lengths(lengths, np.ones(10))
     count_lengths(lengths, np.zeros(10))
     np.testing.assert_array_equal(lengths.counts, [0.0, 1.0])
 
 
 def test_a_frame_is_the_line_over_the_foundation_and_the_elements():
-    film = Film(*np.zeros((2, 2, 5)))
+    film = Snapshots(*np.zeros((2, 2, 5)))
     z, u = RNG.normal(size=(2, 5))
-    keep_frame(film, 1, z, 0.5, u)
+    record_snapshot(film, 1, z, 0.5, u)
     np.testing.assert_array_equal(film.height, [np.zeros(5), z - 0.5])
     np.testing.assert_array_equal(film.displacement, [np.zeros(5), u])
 
 
-ALL = {"asked": OF_ANY, "edges": np.array([0.0, 1.0, 2.0, 4.0, 100.0])}
+ALL = {"requested": ANY_MOTION, "edges": np.array([0.0, 1.0, 2.0, 4.0, 100.0])}
 
 
 def saved(found):
     """Return the state in which a scene has ended."""
-    values = [found[f"state_{name}"] for name in Saved._fields]
-    return Saved(*values[:2], *(float(value) for value in values[2:]))
+    values = [found[f"state_{name}"] for name in SavedState._fields]
+    return SavedState(*values[:2], *(float(value) for value in values[2:]))
 
 
 @pytest.mark.parametrize("name", MATERIALS)
 @pytest.mark.parametrize("cut", [1, 3, 5])
 def test_a_programme_cut_and_resumed_is_the_same_to_the_bit(name, cut):
-    whole = a_scene(EVERY, MATERIALS[name], M, **ALL)
-    one = a_scene(EVERY[:cut], MATERIALS[name], M, **ALL)
+    whole = a_scene(EVERY_LEG, MATERIALS[name], M, **ALL)
+    one = a_scene(EVERY_LEG[:cut], MATERIALS[name], M, **ALL)
     first = run_scene(LINE, one)
-    two = whole._replace(programme=EVERY[cut:])
-    two = two._replace(kept=np.arange(1, scene_steps(two, M, saved(first).origin).dt.size + 1))
+    two = whole._replace(programme=EVERY_LEG[cut:])
+    two = two._replace(recorded=np.arange(1, scene_steps(two, M, saved(first).origin).dt.size + 1))
     second, found = run_scene(LINE, two, saved(first)), run_scene(LINE, whole)
     for key in TRACES:
         joined = np.append(first[key], second[key])
         np.testing.assert_array_equal(joined, found[key])
-    for key in Saved._fields:
+    for key in SavedState._fields:
         np.testing.assert_array_equal(second[f"state_{key}"], found[f"state_{key}"])
     np.testing.assert_array_equal(
         np.append(first["stored_energy"], second["stored_energy"]), found["stored_energy"]
@@ -233,15 +240,15 @@ def test_a_programme_cut_and_resumed_is_the_same_to_the_bit(name, cut):
 
 
 def test_what_else_is_asked_for_changes_no_bit():
-    alone = run_scene(LINE, a_scene(EVERY, PRONY, M))
-    together = run_scene(LINE, a_scene(EVERY, PRONY, M, **ALL))
+    alone = run_scene(LINE, a_scene(EVERY_LEG, PRONY, M))
+    together = run_scene(LINE, a_scene(EVERY_LEG, PRONY, M, **ALL))
     for name, values in alone.items():
         np.testing.assert_array_equal(together[name], values)
     assert set(alone) == {name for name in together if name.startswith("trace_")} | {"updates"}
 
 
 def test_lengths_and_fractions_of_contact_agree():
-    scene = a_scene(EVERY, PRONY, M, asked=ASKED)
+    scene = a_scene(EVERY_LEG, PRONY, M, requested=SCENE_QUANTITIES)
     samples = np.arange(LINE.z.size + 2) - 0.5
     found = run_scene(LINE, scene._replace(edges=samples / M))
     covered = np.sum(found["contact_length"] * np.arange(LINE.z.size + 1)) / LINE.z.size
@@ -250,8 +257,8 @@ def test_lengths_and_fractions_of_contact_agree():
 
 @pytest.mark.parametrize("start", ["steady", "relaxed"])
 def test_snapshots_show_the_line_pressed_into_the_elements(start):
-    scene = a_scene((Slide(0.5, 3.1),), PRONY, M, start=start, asked=OF_ANY)
-    frames = np.array([0, 1, 5, scene.kept[-1]])
+    scene = a_scene((Slide(0.5, 3.1),), PRONY, M, start=start, requested=ANY_MOTION)
+    frames = np.array([0, 1, 5, scene.recorded[-1]])
     found = run_scene(LINE, scene._replace(frames=frames))
     height, u = found["snapshot_height"], found["snapshot_displacement"]
     assert height.shape == u.shape == (4, LINE.z.size)

@@ -8,7 +8,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from elastomer_friction.kernels import (
-    MOTION,
+    MOTION_TRACES,
     QUARTET,
     SCHEMES,
     Case,
@@ -262,7 +262,7 @@ def test_when_and_where_is_that_of_the_lines_to_the_bit_whatever_their_number():
     phases = draw_phases(line_generator(batch.seed, hurst, elements, 0), elements)
     line = next(iter(Line.quartet(amplitudes(hurst, elements), phases, elements, 1)))
     expected = run_scene(line, scene)
-    for name in MOTION:
+    for name in MOTION_TRACES:
         for block in found[name]:
             np.testing.assert_array_equal(block, expected[name])
 

@@ -1,4 +1,4 @@
-"""How a scene begins: sliding steadily, at rest for ever, or just pressed on."""
+"""Initial states of scenes: steady sliding, a relaxed contact, or a fresh contact."""
 
 import numpy as np
 
@@ -13,10 +13,10 @@ from ..rheology.law import Elements, rest_memory
 from ..rheology.relaxed import RelaxationForm
 from ..rheology.retardation import Retardation
 from ..rheology.spectrum import KELVIN, Spectrum
-from .scene_case import Saved, SceneCase, indentation_at
+from .scene_case import SavedState, SceneCase, indentation_at
 
 
-def begun(line: Line, scene: SceneCase, form: Form) -> Saved:
+def initial_state(line: Line, scene: SceneCase, form: Form) -> SavedState:
     """Return the state of a line before the first step of a scene."""
     z = line.z
     load = scene.load * z.size if scene.indentation is None else None
@@ -25,24 +25,26 @@ def begun(line: Line, scene: SceneCase, form: Form) -> Saved:
     if scene.start == "steady":
         speed = speed_at_start(scene.programme)
         samples = speed * line.steps_per_spacing
-        elements = steady(scene.scheme, scene.spectrum, z, samples, load, d)
+        elements = steady_elements(scene.scheme, scene.spectrum, z, samples, load, d)
     elif scene.start == "relaxed":
-        elements = relaxed(form, z, load, d)
+        elements = relaxed_elements(form, z, load, d)
     else:
-        elements = fresh(form, scene.spectrum, z, load, d)
-    return Saved(*elements, 0.0, 0.0, speed)
+        elements = fresh_elements(form, scene.spectrum, z, load, d)
+    return SavedState(*elements, 0.0, 0.0, speed)
 
 
-def relaxed(form: Form, z: np.ndarray, load: float | None, d: float) -> Elements:
-    """Return elements on which the line has rested for ever.
+def relaxed_elements(form: Form, z: np.ndarray, load: float | None, d: float) -> Elements:
+    """Return elements in equilibrium with a line at rest.
 
     z : line, shape (n,), in h. load : n Fbar, or None where the indentation d (in h) is given.
     """
     return _pressed(form, z, load, d, 1.0)
 
 
-def fresh(form: Form, spectrum: Spectrum, z: np.ndarray, load: float | None, d: float) -> Elements:
-    """Return elements on which the line has just been pressed; arguments as of relaxed.
+def fresh_elements(
+    form: Form, spectrum: Spectrum, z: np.ndarray, load: float | None, d: float
+) -> Elements:
+    """Return elements at the moment at which the line is pressed on; z, load, d : as above.
 
     Raises ValueError for a material with a dashpot: it carries any load at no indentation.
     """
@@ -52,7 +54,7 @@ def fresh(form: Form, spectrum: Spectrum, z: np.ndarray, load: float | None, d: 
 
 
 def glassy_stiffness(spectrum: Spectrum) -> float:
-    """Return the stiffness of what is just pressed on, over the relaxed one.
+    """Return the stiffness under sudden loading, over the relaxed one.
 
     Raises ValueError for a material with a dashpot: it carries any load at no indentation.
     """
@@ -62,7 +64,7 @@ def glassy_stiffness(spectrum: Spectrum) -> float:
 
 
 def charge_branches(form: Form, memory: np.ndarray) -> None:
-    """Let all branches carry their share of what is just pressed on; memory : of rest, changed."""
+    """Load all branches as by sudden pressing; memory : of elements at rest, changed in place."""
     if isinstance(form, Retardation):
         memory[:] = 0.0
     else:
@@ -70,7 +72,7 @@ def charge_branches(form: Form, memory: np.ndarray) -> None:
 
 
 def _pressed(form: Form, z: np.ndarray, load: float | None, d: float, stiffness: float) -> Elements:
-    """Return elements of one stiffness that have crept as much as their displacement tells."""
+    """Return elements of one stiffness, whose memory is that of rest at their displacement."""
     if load is not None:
         d, _ = solve_indentation(z, load / stiffness, z.min() + load / (stiffness * z.size))
     u = np.minimum(z - d, 0.0)
@@ -80,7 +82,7 @@ def _pressed(form: Form, z: np.ndarray, load: float | None, d: float, stiffness:
     return Elements(memory, -stiffness * u, d)
 
 
-def steady(
+def steady_elements(
     scheme: str,
     spectrum: Spectrum,
     z: np.ndarray,
@@ -88,13 +90,13 @@ def steady(
     load: float | None,
     d: float,
 ) -> Elements:
-    """Return elements under steady sliding; z, load, d as of relaxed.
+    """Return elements under steady sliding; z, load, d : as for relaxed_elements.
 
     speed : signed, in samples per tau.
     """
     form = form_of(spectrum, scheme)
     if load is None and d <= z.min():  # nothing touches
-        return relaxed(form, z, None, d)
+        return relaxed_elements(form, z, None, d)
     if spectrum == KELVIN:
         return _steady_kelvin(scheme, z, speed, load, d)
     if load is None:
@@ -105,7 +107,7 @@ def steady(
 def _steady_kelvin(
     scheme: str, z: np.ndarray, speed: float, load: float | None, d: float
 ) -> Elements:
-    """Return the same of Kelvin elements, by the sweep for elements that remember u alone."""
+    """Return Kelvin elements under steady sliding, by the sweep of model/steady.py."""
     law = SCHEMES[scheme](1.0 / abs(speed))
     along = z if speed > 0.0 else np.ascontiguousarray(z[::-1])
     w = np.zeros_like(z)

@@ -1,4 +1,4 @@
-"""A line at any place, as the elements of a foundation at rest see it."""
+"""Heights and slopes of a line at any position over the elements of a foundation at rest."""
 
 from typing import NamedTuple
 
@@ -11,50 +11,50 @@ from ..lines.polynomials import (
     septic_coefficients,
     septic_slope,
 )
-from ..scene.march_blocks import CELL
+from ..scene.march_blocks import CELL_SAMPLES
 
 
 class Places(NamedTuple):
-    """Where a surface is before a step and after it, in samples."""
+    """Positions of a surface before and after a step, in samples."""
 
     before: float
     after: float
 
 
-class PosedLine(NamedTuple):
+class ShiftableLine(NamedTuple):
     """Two periods of a line, interval by interval (lines/polynomials.py)."""
 
     polynomials: np.ndarray  # shape (8, 2 n): coefficients of the heights, in h
-    lowest: np.ndarray  # not above any height in cells of CELL intervals
+    lowest: np.ndarray  # lower bounds of the heights in cells of CELL_SAMPLES intervals
     steps_per_spacing: float
 
 
 @kernel
-def posed(z, slope, m):
-    """Return a line that can be seen at any place; m : samples per spacing, a float."""
+def shiftable_line(z, slope, m):
+    """Return a line that can be evaluated at any position; m : samples per spacing, a float."""
     n, spacing = z.size, 1.0 / m
     bend = sample_derivatives(z, slope, spacing)
     polynomials = np.empty((8, 2 * n))
-    lowest = np.full((2 * n + CELL - 1) // CELL, np.inf)
+    lowest = np.full((2 * n + CELL_SAMPLES - 1) // CELL_SAMPLES, np.inf)
     for j in range(2 * n):
         c = septic_coefficients(z, slope, bend, spacing, j % n)
         b = bernstein_coefficients(c)
         for power in range(8):
             polynomials[power, j] = c[power]
-            lowest[j // CELL] = min(lowest[j // CELL], b[power])
-    return PosedLine(polynomials, lowest, m)
+            lowest[j // CELL_SAMPLES] = min(lowest[j // CELL_SAMPLES], b[power])
+    return ShiftableLine(polynomials, lowest, m)
 
 
 @kernel
-def seen_from(line, place):
-    """Return (j, t): the interval in which element 0 is, and where there; place : in samples."""
+def interval_at(line, place):
+    """Return (j, t): the interval over element 0, and the position in it; place : in samples."""
     whole = np.floor(place)
     return (-int(whole) - 1) % (line.polynomials.shape[1] // 2), place - whole
 
 
 @kernel
 def heights_at(line, j, t, z):
-    """Fill z with the heights at elements in a row, the first of which is in interval j, at t."""
+    """Fill z with heights at consecutive elements: the first at t of interval j."""
     c0, c1, c2, c3, c4, c5, c6, c7 = line.polynomials[:, j : j + z.size]
     if t == 0.0:
         z[:] = c0

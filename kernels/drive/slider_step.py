@@ -1,0 +1,179 @@
+"""The steps of a slider: to the next sample, or a shorter distance in a given time.
+
+A step of sliding ends at a sample, and its time is the unknown: forces are balanced when the slider
+arrives. If that would last much longer than the step before, the slider sticks. Its steps are then
+those of a hold, each longer than the last by a constant factor, and the unknown is how far the
+slider creeps. A slider that accelerates faster than the elastomer responds advances by the shortest
+step that doubles resolve.
+
+These functions are compiled into one kernel for a line, and run as plain Python for a map.
+"""
+
+import math
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from ..compile.jit import jitable, kernel
+from ..motion.path import MIN_PARTIAL_STEP, SNAP_TOLERANCE
+from .rig import accept, attempt, patch_width
+from .secant_search import new_search, next_guess, search_is_exhausted
+from .shiftable_line import Places
+from .slider_record import Moment, SliderRecord, next_time_is_due, record_between
+from .spring import Drive, DriveLeg, ForceBalance, SliderState, drive_at, force_balance
+
+FORCE_TOLERANCE = 1e-5  # of the residual force, relative to load times rms slope
+LOG_TIME_ROUNDING = 1e-13  # smaller differences of the logarithm of a time are rounding
+PLACE_ROUNDING = 1e-12  # in samples
+FIRST_LOG_TIME_STEP = 0.5  # of a search, in the logarithm of a time
+FIRST_CREEP_STEP = 0.1  # of a search, in samples
+MAX_STEP_GROWTH = 1.5  # a step that would last longer than this times the last one is a stick
+MAX_STEPS_TO_SAMPLE = 2.0  # a sample is tried within this times the distance of the last step
+MAX_SPEED_RATIO = 1.4  # expected between a step and the next one
+MIN_STEP_SHARE = 1e-3  # of a step: a shorter remainder of a leg is left to the next leg
+
+# Results that a search passes on to the next one: one record, changed in place.
+SEARCH_MEMORY = np.dtype(
+    [
+        ("time_slope", np.float64),  # of the excess force over the logarithm of a time, or 0
+        ("creep_slope", np.float64),  # of its negative over the place in samples, or 0
+        ("tries", np.int64),  # of steps, in all
+    ]
+)
+
+
+class PulledSlider(NamedTuple):
+    """A rig, its drive and the constants of its steps."""
+
+    rig: Any  # with attempt and accept (rig.py)
+    steps_per_spacing: int
+    drive: Drive
+    min_step_time: float  # in tau
+    force_tolerance: float  # of the residual force
+    hold_growth: float  # ratio of successive step times while the slider sticks
+    record: SliderRecord
+    memory: np.ndarray  # SEARCH_MEMORY, shape (1,)
+
+
+class SliderProgress(NamedTuple):
+    """A slider between two steps."""
+
+    motion: SliderState
+    moment: Moment
+    pace: float  # time of its steps, in tau
+
+
+class BalancedStep(NamedTuple):
+    """The step that was tried last, with balanced forces."""
+
+    dt: float  # NaN where there is none
+    balance: ForceBalance
+    friction: float
+
+
+@jitable
+def follow_leg(pulled: PulledSlider, leg: DriveLeg, progress: SliderProgress) -> SliderProgress:
+    """Follow the drive through a leg; the last step ends with it."""
+    end, m = leg.time[-1], pulled.steps_per_spacing
+    while end - progress.motion.time > MIN_STEP_SHARE * progress.motion.dt:
+        motion, pace, left = progress.motion, progress.pace, end - progress.motion.time
+        place = m * motion.place
+        if abs(place - np.floor(place + 0.5)) <= SNAP_TOLERANCE * max(1.0, abs(place)):
+            place = np.floor(place + 0.5)
+        edges = np.ceil(place - MIN_PARTIAL_STEP) - 1.0, np.floor(place + MIN_PARTIAL_STEP) + 1.0
+        sample = edges[1] if motion.speed > 0.0 else edges[0]
+        moved = (sample - place) / m
+        if abs(moved) <= MAX_STEPS_TO_SAMPLE * abs(motion.speed) * pace:
+            guess = moved / expected_speed(motion, motion.dt)
+            longest = min(MAX_STEP_GROWTH * pace, left)
+            step = slide_step(pulled, Places(place, sample), leg, motion, longest, guess)
+            if not math.isnan(step.dt):
+                progress = accept_step(pulled, leg, progress, moved, step)
+                continue
+        dt = min(pulled.hold_growth * pace, left)
+        progress = creep(pulled, leg, progress, place, edges, dt)
+    return progress
+
+
+@kernel
+def expected_speed(motion, dt):
+    """Return the speed of the next step, extrapolated from the last ones.
+
+    It stays near the last speed: beyond the next place of balanced forces there may be others.
+    """
+    expected, speed = motion.speed + 0.5 * motion.acceleration * (dt + motion.dt), abs(motion.speed)
+    sign = 1.0 if motion.speed > 0.0 else -1.0
+    return sign * min(max(sign * expected, speed / MAX_SPEED_RATIO), speed * MAX_SPEED_RATIO)
+
+
+@jitable
+def slide_step(pulled, places, leg, motion, longest, guess):
+    """Find the time of a step between two places, from a guess; return the BalancedStep.
+
+    Its time is NaN where it would exceed ``longest``. The rig holds the step that was tried last.
+    """
+    moved = (places.after - places.before) / pulled.steps_per_spacing
+    sign, memory = 1.0 if moved > 0.0 else -1.0, pulled.memory[0]
+    search = new_search(memory["time_slope"], FIRST_LOG_TIME_STEP)
+    low, high = math.log(pulled.min_step_time), math.log(max(longest, pulled.min_step_time))
+    x = min(max(math.log(guess), low), high)
+    while True:
+        dt = math.exp(x)
+        friction, lag = attempt(pulled.rig, places, dt)
+        balance = force_balance(pulled.drive, leg, motion, moved, dt, lag, friction)
+        excess = sign * balance.excess
+        memory["tries"] += 1
+        next_x = next_guess(search, x, excess)
+        late = x >= high and (excess < 0.0 or high <= low)
+        balanced = abs(excess) <= pulled.force_tolerance
+        balanced = balanced or search_is_exhausted(search, LOG_TIME_ROUNDING)
+        if late or balanced or (x <= low and excess > 0.0):
+            memory["time_slope"] = search[0]["slope"]
+            return BalancedStep(np.nan if late else dt, balance, friction)
+        x = min(max(next_x, low), high)
+
+
+@jitable
+def creep(pulled, leg, progress, place, edges, dt):
+    """Advance as far as the forces allow in a time dt, or to the next sample in a shorter time."""
+    motion, m, memory = progress.motion, pulled.steps_per_spacing, pulled.memory[0]
+    low, high = edges[0] - place, edges[1] - place
+    search = new_search(memory["creep_slope"], FIRST_CREEP_STEP)
+    x = min(max(m * expected_speed(motion, dt) * dt, low), high)
+    while True:
+        places = Places(place, place + x)
+        friction, lag = attempt(pulled.rig, places, dt)
+        balance = force_balance(pulled.drive, leg, motion, x / m, dt, lag, friction)
+        step = BalancedStep(dt, balance, friction)
+        memory["tries"] += 1
+        next_x = next_guess(search, x, -balance.excess)
+        if (x >= high and balance.excess > 0.0) or (x <= low and balance.excess < 0.0):
+            if dt > pulled.min_step_time:
+                sooner = slide_step(pulled, places, leg, motion, dt, 0.9 * dt)
+                step = step if math.isnan(sooner.dt) else sooner
+            break
+        balanced = abs(balance.excess) <= pulled.force_tolerance
+        if balanced or search_is_exhausted(search, PLACE_ROUNDING):
+            memory["creep_slope"] = search[0]["slope"]
+            break
+        x = min(max(next_x, low), high)
+    return accept_step(pulled, leg, progress, x / m, step)
+
+
+@jitable
+def accept_step(pulled, leg, progress, moved, step):
+    """Accept and record the step that was tried last; return the SliderProgress after it."""
+    motion, balance, dt = progress.motion, step.balance, step.dt
+    normal, d, touching = accept(pulled.rig, dt)
+    mu = step.friction / normal if normal > 0.0 else np.nan
+    samples = progress.moment.samples
+    ends_leg = motion.time + dt > leg.time[-1] - MIN_STEP_SHARE * dt
+    if next_time_is_due(pulled.record, balance.friction_time) or ends_leg:
+        samples = patch_width(pulled.rig)
+    forces = mu, d, normal, step.friction, touching, samples
+    moment = Moment(*forces, balance.friction_time, balance.place, moved / dt, balance.force)
+    record_between(pulled.record, progress.moment, moment, drive_at(leg, moment.time)[1])
+    end, place = motion.time + dt, motion.place + moved
+    known = balance.acceleration, balance.acceleration_time, balance.friction_time
+    motion = SliderState(end, place, dt, moved / dt, *known, step.friction)
+    return SliderProgress(motion, moment, dt)
