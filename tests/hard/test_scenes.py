@@ -36,15 +36,6 @@ def test_thirty_branches_over_fourteen_decades(scheme, start):
     assert_sound(found)
 
 
-def test_branches_of_equal_times_are_one_to_the_bit():
-    line = a_line(12)
-    (g,), (t,) = SOLID.moduli, SOLID.times
-    halves = Spectrum((0.25 * g, 0.75 * g), (t, t), 0.0)
-    one, two = (trace(line, PROGRAMME, spectrum) for spectrum in (SOLID, halves))
-    for name, values in one.items():
-        np.testing.assert_array_equal(two[name], values)
-
-
 @pytest.mark.parametrize("apart", [1e-2, 1e-4])
 def test_a_branch_split_into_two_near_ones_changes_friction_by_the_square(apart):
     line = a_line(12)

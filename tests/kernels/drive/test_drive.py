@@ -232,28 +232,6 @@ def test_its_own_time_is_that_of_the_drive_whatever_the_line():
     np.testing.assert_array_equal(*times)
 
 
-@MATERIALS
-def test_it_goes_as_well_the_other_way(spectrum):
-    line = a_line(20)
-    back = type(line)(line.z[::-1].copy(), -line.slope[::-1], *line[2:])
-    mirrored = tuple(
-        leg
-        if isinstance(leg, Hold)
-        else Slide(-leg.speed, leg.distance)
-        if isinstance(leg, Slide)
-        else Sampled(leg.times, tuple(-v for v in leg.speeds))
-        for leg in THERE_AND_BACK
-    )
-    drive = (2.0, 0.1, 0.05)
-    one, other = (
-        pulled(line, THERE_AND_BACK, drive, spectrum),
-        pulled(back, mirrored, drive, spectrum),
-    )
-    for name, sign in (("mu", -1.0), ("distance", -1.0), ("contact_fraction", 1.0)):
-        expected = sign * one[f"trace_{name}"]
-        np.testing.assert_allclose(other[f"trace_{name}"], expected, atol=5e-3, err_msg=name)
-
-
 def test_both_schemes_go_to_one_limit():
     line = a_line(12, m=32)
     found = [

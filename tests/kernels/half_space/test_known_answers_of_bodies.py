@@ -23,7 +23,7 @@ from elastomer_friction.kernels.quick.case import Case, Quantities
 from elastomer_friction.kernels.rheology.forms import form_of
 from elastomer_friction.kernels.rheology.law import displacement
 from elastomer_friction.kernels.rheology.spectrum import KELVIN, Spectrum, complex_modulus
-from tests.kernels.half_space.test_limits import BRANCHES, STEPS, closed_friction, rough
+from tests.kernels.half_space.test_limits import BRANCHES, closed_friction, rough
 
 STEADY = Quantities(jump=False, relaxation=False)
 
@@ -155,18 +155,6 @@ def displacement_of(spectrum: Spectrum, body, surface: Surface) -> np.ndarray:
     form = form_of(spectrum, "exponential")
     u = displacement(form, body.memory, body.depth)
     return at_samples(u, body.offset, surface.z.shape)
-
-
-def test_friction_follows_heights_and_loads_that_change_together() -> None:
-    surface = rough(16, 4)
-    tall = Surface.from_samples(3.0 * surface.z, 3.0 * surface.slope, 4)
-    case = Case(0.3, 0.7, (1.2,), (STEPS,), "exponential")
-    one = run_case(surface, case, Quantities())
-    other = run_case(tall, case._replace(load=0.9), Quantities())
-    assert other.contact_fraction == one.contact_fraction
-    assert other.mu_1 == pytest.approx(3.0 * one.mu_1)
-    assert other.jump == pytest.approx(3.0 * one.jump, abs=1e-6)
-    assert other.curves[0] == pytest.approx(3.0 * one.curves[0], abs=1e-6)
 
 
 def test_marching_long_branches_keeps_the_state_found_without_it() -> None:

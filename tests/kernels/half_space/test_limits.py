@@ -144,29 +144,6 @@ def test_kelvin_elements_of_the_same_stiffness_are_the_foundation() -> None:
         assert found.jump[0] == pytest.approx(instant[1] - instant[0], abs=1e-6)
 
 
-def test_a_mirrored_surface_slides_the_other_way() -> None:
-    surface = rough(16, 4)
-    mirrored = Surface.from_samples(surface.z[:, ::-1], -surface.slope[:, ::-1], 4)
-    case = Case(0.5, 0.7, (1.2,), (STEPS,), "exponential")
-    one = run_case(surface, case, Quantities())
-    other = run_case(mirrored, case._replace(speed=-0.7), Quantities())
-    assert other.mu_1 == pytest.approx(-one.mu_1, abs=1e-7)
-    assert other.jump == pytest.approx(-one.jump, abs=1e-6)
-    assert other.curves[0] == pytest.approx(-one.curves[0], abs=1e-6)
-
-
-def test_a_shifted_surface_is_the_same() -> None:
-    surface = rough(16, 4)
-    shifted = Surface.from_samples(
-        *(np.roll(field, (5, 9), (0, 1)) for field in (surface.z, surface.slope)), 4
-    )
-    case = Case(0.5, 0.7, (1.2,), (STEPS,), "exponential", BRANCHES)
-    one, other = (run_case(each, case, Quantities()) for each in (surface, shifted))
-    assert other.mu_1 == pytest.approx(one.mu_1, abs=1e-7)
-    assert other.curves[0] == pytest.approx(one.curves[0], abs=1e-6)
-    assert other.samples_per_contact == one.samples_per_contact
-
-
 def test_what_is_not_asked_for_is_not_computed() -> None:
     surface, case = rough(8, 4), Case(0.5, 0.7, (1.2,), (STEPS,), "exponential")
     steady = run_case(surface, case, Quantities(jump=False, relaxation=False))

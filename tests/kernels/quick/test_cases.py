@@ -79,15 +79,6 @@ def test_curve_is_marched_plainly_where_bounds_are_exceeded(monkeypatch):
     np.testing.assert_allclose(outcome.curves, usual.curves, rtol=1e-12)
 
 
-@pytest.mark.parametrize("shift", [1, 17])
-def test_cyclic_shifts_change_nothing(shift):
-    """Phases turned by q times the shift: the same line, samples rounded differently."""
-    one, other = (run_case(line_of(shift=by), CASE, ALL) for by in (0, shift))
-    for name in ("mu_1", "indentation", "contact_fraction", "mu_2", "jump", "curves"):
-        found, expected = getattr(other, name), getattr(one, name)
-        np.testing.assert_allclose(found, expected, rtol=1e-10, atol=1e-10)
-
-
 @pytest.mark.parametrize("scheme", SCHEMES)
 @pytest.mark.parametrize("load", [0.02, 0.5])
 def test_mirror_image_moving_the_other_way_is_the_same(scheme, load):

@@ -42,14 +42,6 @@ def test_without_a_dashpot_friction_rises_from_where_it_was_to_its_new_value():
     assert found.curves[0][-1] == pytest.approx(found.mu_2[0], rel=0.02)
 
 
-def test_the_mirror_image_slides_back():
-    there, back = run_case(LINE, SOLID, ASKED), run_case(MIRROR, SOLID._replace(speed=-2.0), ASKED)
-    assert back.mu_1 == pytest.approx(-there.mu_1, rel=1e-9)
-    assert back.mu_2 == pytest.approx(-there.mu_2, rel=1e-9)
-    assert back.curves[0] == pytest.approx(-there.curves[0], abs=1e-9)
-    assert back.contact_fraction == there.contact_fraction
-
-
 def test_a_slow_weak_branch_changes_nothing_however_fast_it_makes_the_speed():
     """In its time, 1e7 of the others, a step is 1e-11: what it adds up is small, not lost."""
     slow = 1e7

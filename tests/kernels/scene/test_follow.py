@@ -4,7 +4,6 @@ import numpy as np
 import pytest
 
 from elastomer_friction.kernels import SCHEMES, ConstantForce, lagged_slope, march, steady_sliding
-from elastomer_friction.kernels.lines.line import Line
 from elastomer_friction.kernels.motion.legs import Hold, Ramp, Slide
 from elastomer_friction.kernels.rheology.forms import FORMS_BY_SCHEME
 from elastomer_friction.kernels.rheology.spectrum import KELVIN
@@ -36,36 +35,6 @@ def test_kelvin_after_a_jump_is_the_march_to_rounding(scheme, ratio):
     (mu, indentation), marched = after_a_jump(scheme, ratio, size(600, 60))
     np.testing.assert_allclose(mu, marched[0], rtol=0, atol=1e-13)
     np.testing.assert_allclose(indentation, marched[1], rtol=1e-13)
-
-
-@pytest.mark.parametrize("name", MATERIALS)
-@pytest.mark.parametrize("speed", [0.6, -0.6])
-def test_steady_sliding_stays_steady(name, speed):
-    found = trace(a_line(), (Slide(speed, 12.0),), MATERIALS[name])
-    d, mu = found["trace_indentation"], found["trace_mu"]
-    np.testing.assert_allclose(d, d[0], rtol=1e-12)
-    np.testing.assert_allclose(mu, mu[0], rtol=1e-9)
-    assert mu[0] * speed > 0.0
-
-
-@pytest.mark.parametrize("name", ["kelvin", "prony"])
-def test_a_zero_hold_changes_no_bit(name):
-    line, one, two = a_line(), Slide(0.5, 2.3), Slide(0.9, 2.0)
-    without = trace(line, (one, two), MATERIALS[name])
-    with_it = trace(line, (one, Hold(0.0), two), MATERIALS[name])
-    for key, values in without.items():
-        np.testing.assert_array_equal(with_it[key], values)
-
-
-@pytest.mark.parametrize("name", ["kelvin", "prony"])
-def test_the_mirror_image_slides_the_other_way(name):
-    line = a_line()
-    mirrored = Line.from_samples(line.z[::-1], -line.slope[::-1], line.steps_per_spacing)
-    there = (Slide(0.5, 3.3), Hold(1.0), Ramp(0.3, -1.0, 4.0))
-    back = (Slide(-0.5, 3.3), Hold(1.0), Ramp(-0.3, 1.0, 4.0))
-    one, two = trace(line, there, MATERIALS[name]), trace(mirrored, back, MATERIALS[name])
-    np.testing.assert_allclose(two["trace_mu"], -one["trace_mu"], rtol=0, atol=1e-9)
-    np.testing.assert_allclose(two["trace_indentation"], one["trace_indentation"], rtol=1e-9)
 
 
 def gaps_of_schemes(name, refinements, seeds):

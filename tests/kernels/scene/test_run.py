@@ -13,8 +13,6 @@ from elastomer_friction.kernels.rheology.law import law_of, predict
 from elastomer_friction.kernels.scene import (
     MOTION_TRACES,
     SCENE_QUANTITIES,
-    TRACES,
-    SavedState,
     run_scene,
     scene_steps,
 )
@@ -212,31 +210,6 @@ def test_a_frame_is_the_line_over_the_foundation_and_the_elements():
 
 
 ALL = {"requested": ANY_MOTION, "edges": np.array([0.0, 1.0, 2.0, 4.0, 100.0])}
-
-
-def saved(found):
-    """Return the state in which a scene has ended."""
-    values = [found[f"state_{name}"] for name in SavedState._fields]
-    return SavedState(*values[:2], *(float(value) for value in values[2:]))
-
-
-@pytest.mark.parametrize("name", MATERIALS)
-@pytest.mark.parametrize("cut", [1, 3, 5])
-def test_a_programme_cut_and_resumed_is_the_same_to_the_bit(name, cut):
-    whole = a_scene(EVERY_LEG, MATERIALS[name], M, **ALL)
-    one = a_scene(EVERY_LEG[:cut], MATERIALS[name], M, **ALL)
-    first = run_scene(LINE, one)
-    two = whole._replace(programme=EVERY_LEG[cut:])
-    two = two._replace(recorded=np.arange(1, scene_steps(two, M, saved(first).origin).dt.size + 1))
-    second, found = run_scene(LINE, two, saved(first)), run_scene(LINE, whole)
-    for key in TRACES:
-        joined = np.append(first[key], second[key])
-        np.testing.assert_array_equal(joined, found[key])
-    for key in SavedState._fields:
-        np.testing.assert_array_equal(second[f"state_{key}"], found[f"state_{key}"])
-    np.testing.assert_array_equal(
-        np.append(first["stored_energy"], second["stored_energy"]), found["stored_energy"]
-    )
 
 
 def test_what_else_is_asked_for_changes_no_bit():
