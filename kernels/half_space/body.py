@@ -87,10 +87,10 @@ def take_step(
     """Take a body over a step of one sample; return (body, passes). Its memory changes in place."""
     z = space.surface.z
     offset = (body.offset + step.direction) % z.shape[1]
-    return advance(space, body, step.law, z, offset, tolerance)
+    return advance_body(space, body, step.law, z, offset, tolerance)
 
 
-def advance(
+def advance_body(
     space: HalfSpace,
     body: Body,
     law: Any,

@@ -19,7 +19,7 @@ from ..scene.cycles import add_impulses, averaging_window, cycle_mean
 from ..scene.initial_state import charge_branches, glassy_stiffness
 from ..scene.records import TRACES, Trace, record_forces, record_motion
 from ..scene.scene_case import SavedState, SceneCase, check_scene, scene_steps
-from .body import Body, HalfSpace, advance, rest_on, step_tolerance
+from .body import Body, HalfSpace, advance_body, rest_on, step_tolerance
 from .patches import samples_per_patch
 from .sliding_body import slide_steadily
 from .surface import Surface
@@ -92,7 +92,7 @@ def run_scene_on_half_space(
             whole = math.floor(place)
             heights = shifted.at(place - whole)[0]
             tolerance = step_tolerance(scene.spectrum, law)
-            body, used = advance(space, body, law, heights, whole % n, tolerance)
+            body, used = advance_body(space, body, law, heights, whole % n, tolerance)
             passes += used
         is_averaged = window is not None and window.after < step <= window.last
         if is_averaged or step in row_of_step:
