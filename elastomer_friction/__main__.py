@@ -20,9 +20,9 @@ def main() -> int:
     # Looking for garbage takes a sixth of the time of importing, which makes none.
     gc.set_threshold(100_000, 20, 100)
     try:
-        from elastomer_friction.workflow.system import THREADS, forgive_streams
+        from elastomer_friction.workflow.system import THREADS, make_streams_tolerant
 
-        forgive_streams()
+        make_streams_tolerant()
         os.environ.update(THREADS)  # before numpy: what is computed here is what a worker computes
 
         from elastomer_friction.workflow.cli import main as run  # the streams come first

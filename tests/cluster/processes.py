@@ -115,7 +115,7 @@ def wait_while(lacking: Callable[[], object], process: subprocess.Popen, log: Pa
 
 def shards(folder: Path) -> set[str]:
     """Return the names of the shards beside a result."""
-    return {path.name for path in (folder / "store").glob("*.nc")}
+    return {path.name for path in (folder / "store").glob("*.npz")}
 
 
 class Trial:

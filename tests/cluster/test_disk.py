@@ -71,7 +71,7 @@ def test_without_locks_a_run_is_refused_and_with_no_lock_goes_to_its_end(
     run = begun(**rules)
     status, (line,) = run.ended()
     assert status == 2
-    assert line.endswith("go on with --no-lock")
+    assert line.endswith("then add --no-lock")
     run.again("--no-lock", **rules)
     assert_whole(run, undisturbed)
 
@@ -81,7 +81,7 @@ def test_a_file_system_that_flushes_no_folder_is_said_and_serves(
 ):
     run = begun(**disk.environment(f"fsyncdir EINVAL {tmp_path} always"))
     assert_whole(run, undisturbed)
-    assert said(".*flushes no folder.*", run.lines()) == 1
+    assert said(".*cannot flush a folder.*", run.lines()) == 1
 
 
 def test_a_result_waits_for_the_disk_too(disk, begun, tmp_path, undisturbed):
@@ -130,7 +130,7 @@ def test_status_beside_a_starting_run_never_makes_it_fail(tmp_path, capsys):
     command = [sys.executable, "-c", LOOK, str(store)]
     lookers = [subprocess.Popen(command, cwd=ROOT) for _ in range(2)]
     hold = "from pathlib import Path; from elastomer_friction.workflow.system import lock\n"
-    hold += f"lock.GLANCE_SECONDS = {PATIENCE}\n"
+    hold += f"lock.PROBE_SECONDS = {PATIENCE}\n"
     hold += f"for _ in range(300):\n    with lock.hold(Path({str(store)!r})): pass"
     try:
         time.sleep(2.0)

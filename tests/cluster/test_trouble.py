@@ -56,7 +56,7 @@ def assert_refused(run, log):
     """Assert that the last that a run says is the table of what differs."""
     assert run.wait(timeout=PATIENCE) == 2
     table = log.read_text().partition("error: ")[2].splitlines()
-    assert "must run what the driver runs" in table[0]
+    assert "must have the versions of the driver" in table[0]
     assert table[1].split() == ["there", "driver"]
     assert len(table) == 3
     assert "our sources" in table[2]

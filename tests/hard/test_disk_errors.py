@@ -106,7 +106,7 @@ def test_what_waits_for_the_disk_is_stored_when_it_is_back(disk, process, stores
     )
     assert checked(Store(store)) == TRUTH.keys()
     assert not list(store.glob("*.damaged"))
-    assert len(list(store.glob("*.nc"))) == 3
+    assert len(list(store.glob("*.npz"))) == 3
     assert not list(store.glob(".*"))
 
 

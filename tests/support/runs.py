@@ -43,5 +43,5 @@ def run(
 
 def shards(folder: Path) -> dict[str, tuple[int, int]]:
     """Return the finished shards beside a result; a shard written again differs."""
-    files = store_folder(folder / "small.nc").glob("*.nc")
+    files = store_folder(folder / "small.nc").glob("*.npz")
     return {file.name: (file.stat().st_ino, file.stat().st_mtime_ns) for file in files}

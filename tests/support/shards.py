@@ -18,9 +18,9 @@ def held(store):
     index = store.index
     return {
         (key, block)
-        for key, parts in index.rows.items()
+        for key, parts in index.tasks.items()
         for part, _ in parts
-        for known, block in index.found
+        for known, block in index.rows
         if known == part
     }
 
@@ -56,4 +56,4 @@ def contents(folder):
 
 def shard_of(store, batch):
     """Return the file that holds a batch."""
-    return store.folder / f"{store.index.find(records(batch)[0])[0]}.nc"
+    return store.folder / f"{store.index.find(records(batch)[0])[0]}.npz"

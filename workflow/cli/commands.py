@@ -12,7 +12,7 @@ from .. import report, scene
 from ..ground import UserError, printable
 from ..result import check_result, result_file
 from ..run import result_line, status_lines
-from ..store import Verified, holds_a_store, merge_into, store_folder
+from ..store import Verification, holds_a_store, merge_into, store_folder
 from ..study import (
     AnyStudy,
     find_study,
@@ -160,7 +160,7 @@ def _verify(options: argparse.Namespace) -> int:
     folder = options.what
     if not Path(folder).is_dir():
         folder = store_folder(result_file(Path(options.out), read_study(options.what)))
-    found = Verified(_store_in(str(folder)))
+    found = Verification(_store_in(str(folder)))
     print("\n".join(found.lines()))
     return FAILED if found.faults else DONE
 

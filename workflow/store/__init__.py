@@ -1,4 +1,4 @@
-"""Finished block means on the disk: immutable shards, and a journal that says what they hold.
+"""Finished block means on the disk: immutable shards, and a journal of their contents.
 
 One process writes, any number read; a record is found by (key of its task, block).
 """
@@ -10,7 +10,7 @@ from ..ground import public_names
 if TYPE_CHECKING:
     from .merge import merge_into
     from .store import DamagedShard, Store, enter_result, is_as_written, store_folder
-    from .verify import Verified, holds_a_store
+    from .verify import Verification, holds_a_store
     from .write_buffer import WriteBuffer
 
 __all__, __getattr__, __dir__ = public_names(__name__, __file__)

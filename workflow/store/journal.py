@@ -1,8 +1,8 @@
-"""The journal of a store: one line per durable event, each line with its own checksum.
+"""The journal of a store: one line per durable event, each with its own checksum.
 
-It is only ever appended to. A line that a crash or a disk has spoilt is skipped: what it told
-is found again in the shards themselves. A line may tell the format of the journal; where none
-does, it is that of the first version, whose lines this one reads.
+Lines are only appended. A line that a crash or a disk has spoilt is skipped, as the shards hold
+the same information. An entry may give the format of the journal; a journal without one has the
+format of the first version, which this version reads too.
 """
 
 import json
@@ -15,12 +15,12 @@ from ..ground import UserError, open_plain
 from ..system import append_durably, refused
 
 NAME = "journal"
-LONGEST = 2**26  # bytes of a line: a longer one is spoilt
+MAX_LINE_BYTES = 2**26
 FORMAT = "elastomer-friction journal 2"
 
 Entry = dict[str, Any]
 
-TOLD: dict[str, dict[str, type]] = {  # kind of entry -> what is asked of it beside its name
+REQUIRED_FIELDS: dict[str, dict[str, type]] = {  # kind of entry -> its other fields
     "format": {},
     "run": {},
     "part": {"keys": str},
@@ -35,7 +35,8 @@ TOLD: dict[str, dict[str, type]] = {  # kind of entry -> what is asked of it bes
 
 def encoded(entries: list[Entry]) -> bytes:
     """Return entries as lines of the journal, in JSON."""
-    return b"".join(line(json.dumps(each, separators=(",", ":")).encode()) for each in entries)
+    texts = (json.dumps(entry, separators=(",", ":")).encode() for entry in entries)
+    return b"".join(line(text) for text in texts)
 
 
 def line(text: bytes) -> bytes:
@@ -49,7 +50,7 @@ def append(folder: Path, entries: list[Entry]) -> None:
 
 
 def entry_in(line: bytes) -> Entry | None:
-    """Return what a line tells, or None where a crash or a disk has spoilt it."""
+    """Return the entry of a line, or None for a spoilt line."""
     checksum, _, text = line.rstrip(b"\n").partition(b" ")
     if not line.endswith(b"\n") or checksum != b"%08x" % zlib.crc32(text):
         return None
@@ -57,19 +58,21 @@ def entry_in(line: bytes) -> Entry | None:
         entry = json.loads(text)
     except (ValueError, RecursionError):
         return None
-    return entry if isinstance(entry, dict) and _is_sound(entry) else None
+    return entry if isinstance(entry, dict) and _is_valid(entry) else None
 
 
-def _is_sound(entry: Entry) -> bool:
-    """Return whether an entry tells what is asked of its kind, in the right types."""
-    asked = [{kind: str, **more} for kind, more in TOLD.items() if kind in entry]
-    return all(isinstance(entry.get(name), of) for each in asked for name, of in each.items())
+def _is_valid(entry: Entry) -> bool:
+    """Return whether an entry has the fields of its kind, with the right types."""
+    required = [{kind: str, **more} for kind, more in REQUIRED_FIELDS.items() if kind in entry]
+    return all(
+        isinstance(entry.get(name), type_) for fields in required for name, type_ in fields.items()
+    )
 
 
 def lines(folder: Path, offset: int = 0) -> Iterator[bytes]:
-    """Yield the lines of a journal from ``offset`` on, none where there is no journal.
+    """Yield the lines of a journal from ``offset`` on; nothing if the journal is missing.
 
-    Raises UserError where the disk refuses.
+    Raises UserError when the disk refuses.
     """
     path = folder / NAME
     with refused(path, "cannot be read:"):
@@ -79,14 +82,14 @@ def lines(folder: Path, offset: int = 0) -> Iterator[bytes]:
             return
         with file:
             file.seek(offset)
-            while text := file.readline(LONGEST):
+            while text := file.readline(MAX_LINE_BYTES):
                 yield text
 
 
 def entries(folder: Path, offset: int = 0) -> Iterator[tuple[Entry, int]]:
-    """Yield (entry, offset of the line after it) of every sound line from ``offset`` on.
+    """Yield (entry, offset of the next line) of every valid line from ``offset`` on.
 
-    Raises UserError as ``lines``, and for a journal of another version of the format.
+    Raises UserError as ``lines``, and for a journal of another format.
     """
     for text in lines(folder, offset):
         offset += len(text)
@@ -95,14 +98,14 @@ def entries(folder: Path, offset: int = 0) -> Iterator[tuple[Entry, int]]:
             continue
         if entry.get("format", FORMAT) != FORMAT:
             raise UserError(
-                f"{folder / NAME}: is of another version of the format ({entry['format']}, not "
-                f"{FORMAT}) and left as it is; choose another folder with --out"
+                f"{folder / NAME}: has another format ({entry['format']}, not {FORMAT}) and is not "
+                "changed; choose another folder with --out"
             )
         yield entry, offset
 
 
 def size(folder: Path) -> int:
-    """Return the bytes of a journal, 0 where there is none. Raises UserError as ``entries``."""
+    """Return the bytes of a journal, 0 if it is missing. Raises UserError as ``lines``."""
     path = folder / NAME
     with refused(path, "cannot be read:"):
         try:

@@ -1,4 +1,4 @@
-"""Join two stores: what another one holds is taken over, shard by shard, as it is."""
+"""Merge one store into another, shard by shard."""
 
 import contextlib
 from functools import partial
@@ -9,62 +9,69 @@ import numpy as np
 from ..ground import UserError
 from ..system import hold, read_whole, sizes_in, unreadable, write_durably
 from . import journal
-from .shard import Contents, NoShard, decode, digest, shard_sizes
+from .netcdf_shard import NETCDF_SUFFIX, converted
+from .shard import Contents, ForeignFile, decode, digest, shard_path, shard_sizes
 from .store import DamagedShard, Store
 
 
 def merge_into(source: Path, target: Path, *, no_lock: bool = False) -> list[str]:
-    """Take over into the store ``target`` what ``source`` holds; return what to print.
+    """Copy the records of the store ``source`` into the store ``target``; return lines to print.
 
-    The source is left as it is: what is damaged there is named and left out, and so is what failed
-    there, which the next run tries again. Raises UserError for a target in use, and where a disk
-    refuses.
+    The source is not changed. Its damaged shards are named and left out; its failed tasks are left
+    out too, so that the next run tries them again. Raises UserError for a target in use, and when
+    a disk refuses.
     """
     if target.exists() and source.samefile(target):
-        raise UserError(f"{source}: cannot be joined with itself")
+        raise UserError(f"{source}: cannot be merged with itself")
     for _ in journal.entries(source):
-        pass  # a journal of another version is refused
+        pass  # a journal of another format is refused
     with hold(target, without=no_lock):
         into = Store(target)
         into.prepare()
         into.begin("merge")
-        said, taken, records, differing = [], 0, 0, 0
-        paths = {name: source / f"{name}.nc" for name in sorted(shard_sizes(sizes_in(source)))}
-        other = {n: path for n, path in paths.items() if not _is_there(into, n, read_whole(path))}
-        tried = unreadable([*other.values()])
-        for name, path in other.items():
-            content = read_whole(path)
+        lines, shards, records, differing = [], 0, 0, 0
+        sizes = sizes_in(source)
+        old = [source / f"{name}{NETCDF_SUFFIX}" for name in shard_sizes(sizes, NETCDF_SUFFIX)]
+        faults = unreadable(old)
+        paths = sorted([*old, *(shard_path(source, name) for name in shard_sizes(sizes))])
+        for path in paths:
+            name, content = path.stem, read_whole(path)
             try:
-                contents = decode(name, content, tried.get(path, ""))
-            except (NoShard, ValueError) as error:
-                said.append(f"left out    {name}.nc: {error}")
+                if path.suffix == NETCDF_SUFFIX:
+                    content = converted(name, content, faults.get(path, ""))
+                    name = digest(content)
+                if _holds(into, name, content):
+                    continue
+                contents = decode(name, content)
+            except (ForeignFile, ValueError) as error:
+                lines.append(f"left out    {path.name}: {error}")
                 continue
-            shared, unlike = _compared(into, contents)
-            differing += unlike
-            if fresh := len(contents.records) - shared:
-                into.retry(partial(write_durably, into.folder / f"{name}.nc", content))
+            shared, unequal = _compared(into, contents)
+            differing += unequal
+            if new := len(contents.records) - shared:
+                into.retry(partial(write_durably, shard_path(into.folder, name), content))
                 into.enter(name, len(content), contents.batches, contents.makers)
-                taken, records = taken + 1, records + fresh
+                shards, records = shards + 1, records + new
     if differing:
-        said.append(f"differing   {differing} records are in both, but not to the bit")
-    return [*said, f"taken over  {taken} of {len(paths)} shards, {records} records that are new"]
+        lines.append(f"differing   {differing} records are in both stores, with different bits")
+    return [*lines, f"merged      {shards} of {len(paths)} shards, {records} new records"]
 
 
-def _is_there(into: Store, name: str, content: bytes) -> bool:
-    """Return whether a store holds a shard, sound and byte for byte."""
-    there = name in into.index.sizes and content == read_whole(into.folder / f"{name}.nc")
-    return there and digest(content) == name
+def _holds(store: Store, name: str, content: bytes) -> bool:
+    """Return whether a store holds a shard, undamaged and byte for byte."""
+    known = name in store.index.sizes and content == read_whole(shard_path(store.folder, name))
+    return known and digest(content) == name
 
 
-def _compared(into: Store, contents: Contents) -> tuple[int, int]:
-    """Return how many records of a shard a store holds, and how many of these with other bits."""
+def _compared(store: Store, contents: Contents) -> tuple[int, int]:
+    """Return how many records of a shard a store holds, and how many of them with other bits."""
     while True:
-        rows = [row for row, record in enumerate(contents.records) if record in into]
+        rows = [row for row, record in enumerate(contents.records) if record in store]
         theirs = contents.scalars[rows], contents.curves[rows]
-        with contextlib.suppress(DamagedShard):  # what was damaged is no longer there
-            ours = into.read([contents.records[row] for row in rows], contents.curves.shape[1])
-            unlike = [
+        with contextlib.suppress(DamagedShard):  # which the store has dropped: compare the rest
+            ours = store.read([contents.records[row] for row in rows], contents.curves.shape[1])
+            unequal = [
                 (a.view("i8") != b.view("i8")).any(axis=1)
                 for a, b in zip(ours, theirs, strict=True)
             ]
-            return len(rows), int(np.sum(unlike[0] | unlike[1]))
+            return len(rows), int(np.sum(unequal[0] | unequal[1]))

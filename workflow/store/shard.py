@@ -1,40 +1,49 @@
-"""A shard: the block means of many finished batches as the bytes of one netCDF file.
+"""Shards: block means of many finished batches in one .npz file.
 
-It tells by itself what it holds, and what computed it. Bytes are built and read in memory, so that
-HDF5 takes no lock and sees no full disk; the name of a shard is the checksum of its bytes.
+A shard describes its own content and what computed it. Its name is the checksum of its bytes, and
+equal records give equal bytes: members are stored uncompressed with a fixed time stamp. Reading a
+shard takes memory in proportion to the size of its file, whatever its headers claim.
 """
 
 import hashlib
+import io
 import json
 import math
 import re
+import zipfile
+from collections.abc import Mapping
 from itertools import islice
+from pathlib import Path
 from typing import NamedTuple
 
-import netCDF4
 import numpy as np
+from numpy.lib import format as npy
 
 from ..simulate import SCALARS, Batch, BatchResult, Record
 from ..system import Maker
 
-KIND = "elastomer-friction shard "
-FORMAT = KIND + "3"
+FORMAT_NAME = "elastomer-friction shard "
+FORMAT = FORMAT_NAME + "4"
+SUFFIX = ".npz"
 KEY_BYTES = 16
 KEY_LENGTH = 2 * KEY_BYTES  # as text
+MEMBER_DATE = 1980, 1, 1, 0, 0, 0  # the earliest that a zip archive can hold
+NPY_VERSION = 1, 0
 
-ARRAYS = {  # name -> type, dims; "chunk" is a batch: the word of earlier stores
-    "chunk": ("i8", "chunk", "extent"),
-    "key": ("u1", "task", "byte"),
-    "scalars": ("f8", "record", "value"),
-    "curves": ("f8", "record", "sample"),
+ARRAYS: dict[str, tuple[str, tuple[int | None, ...]]] = {  # name -> type, shape; None: any length
+    "format": ("|u1", (None,)),  # text in UTF-8
+    "makers": ("|u1", (None,)),  # JSON in UTF-8
+    "batches": ("<i8", (None, 3)),  # numbers of keys, of the first block, of blocks
+    "keys": ("|u1", (None, KEY_BYTES)),
+    "scalars": ("<f8", (None, len(SCALARS))),
+    "curves": ("<f8", (None, None)),
 }
-SIZES = {"extent": 3, "byte": KEY_BYTES, "value": len(SCALARS)}
 
 Finished = list[tuple[Batch, BatchResult]]
 
 
 class StoredBatch(NamedTuple):
-    """What a shard holds of a batch: records in the order (task, block)."""
+    """Records of one batch in a shard, in the order (task, block)."""
 
     keys: tuple[str, ...]
     first_block: int
@@ -42,17 +51,17 @@ class StoredBatch(NamedTuple):
 
 
 class Contents(NamedTuple):
-    """What a shard holds; records of its batches one after the other."""
+    """Content of a shard: the records of its batches one after the other."""
 
     batches: list[StoredBatch]
-    makers: list[Maker]  # what computed them
-    records: list[Record]  # which each row holds
+    makers: list[Maker]
+    records: list[Record]  # of each row
     scalars: np.ndarray  # shape (records, len(SCALARS))
     curves: np.ndarray  # shape (records, curve_samples); NaN beyond the samples of a record
 
 
-class NoShard(Exception):
-    """A file that is as it was written, but by another program, or another version of this one."""
+class ForeignFile(Exception):
+    """An undamaged file of another program, or of another version of this one."""
 
 
 def digest(content: bytes) -> str:
@@ -61,12 +70,12 @@ def digest(content: bytes) -> str:
 
 
 def stored_batch(batch: Batch) -> StoredBatch:
-    """Return what a shard holds of a batch."""
+    """Return the keys and blocks of a batch as a shard holds them."""
     return StoredBatch(tuple(task.key for task in batch.tasks), batch.first_block, batch.blocks)
 
 
 def encode(finished: Finished) -> bytes:
-    """Return the bytes of a shard holding finished batches."""
+    """Return the bytes of a shard that holds finished batches."""
     curve_samples = max(result.curves.shape[2] for _, result in finished)
     scalars = [result.scalars.reshape(-1, len(SCALARS)) for _, result in finished]
     curves = []
@@ -74,88 +83,125 @@ def encode(finished: Finished) -> bytes:
         rows = result.curves.reshape(-1, result.curves.shape[2])
         missing = curve_samples - rows.shape[1]
         curves.append(np.pad(rows, ((0, 0), (0, missing)), constant_values=np.nan))
-    stored = [stored_batch(batch) for batch, _ in finished]
-    table = np.array([(len(s.keys), s.first_block, s.blocks) for s in stored], dtype=np.int64)
-    keys = bytes.fromhex("".join(key for batch in stored for key in batch.keys))
-    data = netCDF4.Dataset("shard.nc", "w", memory=4096)
-    data.format = FORMAT
-    data.makers = json.dumps(sorted({result.maker for _, result in finished}))
-    arrays: dict[str, np.ndarray] = {
-        "chunk": table,
-        "key": np.frombuffer(keys, np.uint8).reshape(-1, KEY_BYTES),
-        "scalars": np.concatenate(scalars),
-        "curves": np.concatenate(curves),
-    }
-    for name, (kind, *dims) in ARRAYS.items():
-        for dim, size in zip(dims, arrays[name].shape, strict=True):
-            if dim not in data.dimensions:
-                data.createDimension(dim, size)
-        data.createVariable(name, kind, dims, fill_value=False)[:] = arrays[name]
-    return bytes(data.close())
+    batches = [stored_batch(batch) for batch, _ in finished]
+    keys = bytes.fromhex("".join(key for batch in batches for key in batch.keys))
+    return packed(
+        {
+            "makers": text_array(json.dumps(sorted({result.maker for _, result in finished}))),
+            "batches": np.array([(len(b.keys), b.first_block, b.blocks) for b in batches]),
+            "keys": np.frombuffer(keys, np.uint8).reshape(-1, KEY_BYTES),
+            "scalars": np.concatenate(scalars),
+            "curves": np.concatenate(curves),
+        }
+    )
 
 
-def decode(name: str, content: bytes, unreadable: str = "") -> Contents:
-    """Return what a shard of this name holds by its bytes.
+def text_array(text: str) -> np.ndarray:
+    """Return a text as an array of its bytes."""
+    return np.frombuffer(text.encode(), np.uint8)
 
-    unreadable : why they cannot be read, where that was tried before: HDF5 opens them no more.
-    Raises NoShard for what another program or version has written, and ValueError for damage and
-    for what contradicts itself. No more is read than the bytes hold.
+
+def packed(arrays: Mapping[str, np.ndarray]) -> bytes:
+    """Return the bytes of a shard with these arrays, and with its format."""
+    arrays = {"format": text_array(FORMAT), **arrays}
+    buffer = io.BytesIO()
+    with zipfile.ZipFile(buffer, "w") as archive:
+        for name, (kind, _) in ARRAYS.items():
+            member = zipfile.ZipInfo(f"{name}.npy", MEMBER_DATE)
+            with archive.open(member, "w", force_zip64=True) as file:
+                values = arrays[name].astype(kind, order="C", casting="equiv", copy=False)
+                npy.write_array(file, values, NPY_VERSION, allow_pickle=False)
+    return buffer.getvalue()
+
+
+def decode(name: str, content: bytes) -> Contents:
+    """Return the content of a shard of this name from its bytes.
+
+    Raises ForeignFile for a file of another program or version, and ValueError for damage and for
+    contradictions.
     """
-    version = re.search(KIND.encode() + rb"[0-9]+", content)  # HDF5 must not read what is spoilt
+    version = re.search(FORMAT_NAME.encode() + rb"[0-9]+", content)
     if version and version[0] != FORMAT.encode():
-        raise NoShard(f"is of another version of the format ({version[0].decode()}, not {FORMAT})")
+        raise ForeignFile(f"has another format ({version[0].decode()}, not {FORMAT})")
     if digest(content) != name:
         raise ValueError("its content does not match the checksum in its name")
     if not version:
-        raise NoShard("is no shard of this program")
+        raise ForeignFile("is not a shard of this program")
     try:
-        if unreadable:
-            raise OSError(unreadable)
-        with netCDF4.Dataset("shard.nc", memory=content) as data:
-            data.set_auto_maskandscale(False)
-            _check_arrays(data, len(content))
-            makers = [Maker(*map(_text, maker)) for maker in json.loads(data.makers)]
-            table, keys = data["chunk"][:].tolist(), bytes(data["key"][:]).hex()
-            scalars, curves = data["scalars"][:], data["curves"][:]
-        _check_extents(table, len(keys) // KEY_LENGTH, len(scalars))
-    except (OSError, RuntimeError, AttributeError, LookupError, TypeError, ValueError) as error:
-        raise ValueError(f"it is not made as a shard is: {error}") from error
+        arrays = _unpacked(content)
+        makers = [Maker(*map(_text, maker)) for maker in json.loads(bytes(arrays["makers"]))]
+        table, keys = arrays["batches"].tolist(), bytes(arrays["keys"]).hex()
+        scalars, curves = arrays["scalars"], arrays["curves"]
+        _check_counts(table, len(keys) // KEY_LENGTH, len(scalars), len(curves))
+    except Exception as error:  # a forged file can make any of these calls fail in any way
+        reason = " ".join(str(error).split())
+        raise ValueError(f"it is not a valid shard: {reason:.200}") from error
     names = (keys[i : i + KEY_LENGTH] for i in range(0, len(keys), KEY_LENGTH))
     batches = [StoredBatch(tuple(islice(names, tasks)), *blocks) for tasks, *blocks in table]
     records = [(key, b.first_block + i) for b in batches for key in b.keys for i in range(b.blocks)]
     return Contents(batches, makers, records, scalars, curves)
 
 
-def _check_arrays(data: netCDF4.Dataset, size: int) -> None:
-    """Raise ValueError for arrays of other types or shapes than a shard of so many bytes has."""
-    held = 0
-    for name, (kind, *dims) in ARRAYS.items():
-        found = data[name]
-        extents = dict(zip(found.dimensions, found.shape, strict=True))
-        if found.datatype != np.dtype(kind) or extents != {
-            d: SIZES.get(d, extents.get(d)) for d in dims
-        }:
-            raise ValueError(f"{name} is {found.datatype} of {extents}")
-        held += math.prod(map(int, found.shape)) * found.datatype.itemsize
-    if held > size:
-        raise ValueError(f"it tells of {held} bytes, and has {size}")
+def _unpacked(content: bytes) -> dict[str, np.ndarray]:
+    """Return the arrays of a shard, read-only.
+
+    Raises ValueError for other members, types or shapes, and for more data than ``content`` has.
+    """
+    with zipfile.ZipFile(io.BytesIO(content)) as archive:
+        members = archive.infolist()
+        names = [member.filename for member in members]
+        if names != [f"{name}.npy" for name in ARRAYS]:
+            raise ValueError(f"its members are {', '.join(names):.200}")
+        if any(member.compress_type != zipfile.ZIP_STORED for member in members):
+            raise ValueError("it is compressed")
+        if (claimed := sum(member.file_size for member in members)) > len(content):
+            raise ValueError(f"its members claim {claimed} bytes, and it has {len(content)}")
+        return {name: _array(name, archive.read(f"{name}.npy")) for name in ARRAYS}
 
 
-def _check_extents(table: list[list[int]], tasks: int, records: int) -> None:
-    """Raise ValueError where batches do not come to the tasks and records that there are."""
-    least = all(many > 0 and first >= 0 and blocks > 0 for many, first, blocks in table)
-    told = sum(row[0] for row in table), sum(many * blocks for many, _, blocks in table)
-    if not least or told != (tasks, records):
-        raise ValueError(f"it tells of (tasks, records) {told}, and has {(tasks, records)}")
+def _array(name: str, content: bytes) -> np.ndarray:
+    """Return a member of a shard as an array; allocate nothing that its header claims."""
+    file = io.BytesIO(content)
+    if (version := npy.read_magic(file)) != NPY_VERSION:
+        raise ValueError(f"{name} has the npy version {version}")
+    shape, fortran_order, dtype = npy.read_array_header_1_0(file)
+    kind, lengths = ARRAYS[name]
+    fits = len(shape) == len(lengths) and all(
+        length in (None, size) for length, size in zip(lengths, shape, strict=True)
+    )
+    if dtype != np.dtype(kind) or fortran_order or not fits:
+        raise ValueError(f"{name} is {dtype} of shape {shape}")
+    count, size = math.prod(shape), len(content) - file.tell()
+    if count * dtype.itemsize != size:
+        raise ValueError(f"{name} claims the shape {shape}, and has {size} bytes")
+    return np.frombuffer(content, dtype, count, file.tell()).reshape(shape)
+
+
+def _check_counts(table: list[list[int]], tasks: int, *records: int) -> None:
+    """Raise ValueError unless the batches add up to the numbers of keys and of rows."""
+    if any(keys <= 0 or first < 0 or blocks <= 0 for keys, first, blocks in table):
+        raise ValueError("it has a batch without records")
+    sums = sum(row[0] for row in table), sum(keys * blocks for keys, _, blocks in table)
+    for rows in records:
+        if sums != (tasks, rows):
+            raise ValueError(f"its batches have (tasks, records) {sums}, its arrays {tasks, rows}")
 
 
 def _text(value: object) -> str:
     if not isinstance(value, str):
-        raise TypeError(f"{value!r:.40} is no text")
+        raise TypeError(f"{value!r:.40} is not text")
     return value
 
 
-def shard_sizes(sizes: dict[str, int]) -> dict[str, int]:
-    """Return name of a shard -> bytes, of those files in a folder that are named as shards are."""
-    found = ((re.fullmatch(r"([0-9a-f]{32})\.nc", name), size) for name, size in sizes.items())
-    return {match[1]: size for match, size in found if match}
+def shard_sizes(sizes: Mapping[str, int], suffix: str = SUFFIX) -> dict[str, int]:
+    """Return name -> bytes of the shards among the files of a folder, given by name -> bytes."""
+    return {
+        name.removesuffix(suffix): size
+        for name, size in sizes.items()
+        if re.fullmatch(r"[0-9a-f]{32}" + re.escape(suffix), name)
+    }
+
+
+def shard_path(folder: Path, name: str) -> Path:
+    """Return the file of a shard."""
+    return folder / f"{name}{SUFFIX}"

@@ -1,9 +1,10 @@
-"""Durable store of finished batches: immutable shards and a journal that says what they hold.
+"""Durable store of finished batches: immutable shards and a journal of their contents.
 
-A shard is built in memory, written aside, flushed, renamed, its folder flushed; then a line is
-added to the journal. Records are found by (key of the task, block), so that widening a grid,
-another batch size or another study reuses what is there. One process writes, the holder of the
-folder's lock; any number may read. Every read compares keys in the shard with those asked for.
+A shard is built in memory, written aside, flushed and renamed, and its folder is flushed; then a
+line is added to the journal. Records are found by (key of the task, block), so that a wider grid,
+another batch size or another study reuses stored records. One process writes, the holder of the
+folder's lock; any number of processes may read. Every read compares the requested keys with those
+in the shard.
 """
 
 import contextlib
@@ -23,6 +24,7 @@ from ..system import (
     digest_of,
     make_folder,
     read_whole,
+    refused,
     sizes_in,
     unreadable,
     write_durably,
@@ -30,6 +32,7 @@ from ..system import (
 from . import journal, shard
 from .index import indexed
 from .journal import Entry
+from .netcdf_shard import NETCDF_SUFFIX, converted
 
 CACHED_SHARDS = 4
 
@@ -40,9 +43,9 @@ def store_folder(result: Path) -> Path:
 
 
 def enter_result(result: Path) -> None:
-    """Note durably in the store beside a result, made if need be, how a run has written it.
+    """Record the digest of a result file durably in the store beside it, made if need be.
 
-    It is one line, appended in one piece: who measures needs no lock of the folder for it.
+    A single line is appended in one piece, so that a measurement needs no lock of the folder.
     """
     folder = store_folder(result)
     make_folder(folder)
@@ -51,9 +54,9 @@ def enter_result(result: Path) -> None:
 
 
 def is_as_written(result: Path) -> bool | None:
-    """Return whether a result is as a run has written it, by the store beside it.
+    """Return whether a result is unchanged since a run wrote it, by the store beside it.
 
-    None where nothing is known of it: there is no store, or none that can be read or tells of it.
+    None if that is unknown: the store is missing, unreadable, or does not list the result.
     """
     with contextlib.suppress(UserError):
         entries = journal.entries(store_folder(result))
@@ -63,41 +66,43 @@ def is_as_written(result: Path) -> bool | None:
 
 
 class DamagedShard(Exception):
-    """A shard did not hold what the journal says; journal or shard is mended, try again."""
+    """A shard that did not hold the records of the journal; either is mended, so try again."""
 
 
 class Store:
     """The shards of a results folder, indexed from the journal alone."""
 
     def __init__(self, folder: Path, retry: DiskRetry | None = None) -> None:
-        """Index what the journal of ``folder`` tells; change nothing.
+        """Read the journal of ``folder``; change nothing.
 
-        patience : with a disk that refuses for the time being. Raises UserError where it refuses
-        for good, and for a journal of another version of the format.
+        retry : for temporary errors of the disk. Raises UserError for permanent errors, and for a
+        journal of another format.
         """
         self.folder, self.retry = folder, retry or DiskRetry()
         self.index = self.retry(partial(indexed, folder))
-        self.failed = self.index.failed  # key of each task that failed for good -> why
+        self.failed = self.index.failed  # key of each task that failed for good -> reason
         self._contents = lru_cache(CACHED_SHARDS)(lambda name: self._load(name))
 
     def prepare(self) -> None:
-        """Mend what a crash or a disk left behind; only for the holder of the folder's lock.
+        """Repair what a crash or a disk left behind; only for the holder of the folder's lock.
 
-        Shards that are missing or damaged are set aside and named, finished shards that the
-        journal does not know are entered. What is no shard of ours is named and left as it is.
+        Missing or damaged shards are set aside and named. Valid shards that the journal does not
+        list are entered, and netCDF shards of version 0.3.0 are converted. Foreign files are named
+        and not changed.
         """
-        clear_leftovers(self.folder / "*.nc")
+        for suffix in (shard.SUFFIX, NETCDF_SUFFIX):
+            clear_leftovers(self.folder / f"*{suffix}")
         if not self.retry(partial(journal.size, self.folder)):
             self._write([{"format": journal.FORMAT}])
-        found = shard.shard_sizes(self.retry(partial(sizes_in, self.folder)))
-        known = dict(self.index.sizes)
+        self._convert(shard.shard_sizes(self._sizes(), NETCDF_SUFFIX))
+        sizes, known = shard.shard_sizes(self._sizes()), dict(self.index.sizes)
         for name, size in known.items():
-            if name not in found:
-                self._set_aside(name, "missing")
-            elif found[name] != size:
-                self._set_aside(name, f"{found[name]} bytes instead of {size}")
-        self._enter_unknown(
-            [name for name in sorted(found.keys() - known.keys()) if self._path(name).is_file()]
+            if name not in sizes:
+                self._set_aside(self._path(name), "missing")
+            elif sizes[name] != size:
+                self._set_aside(self._path(name), f"{sizes[name]} bytes instead of {size}")
+        self._enter_shards(
+            [name for name in sorted(sizes.keys() - known.keys()) if self._path(name).is_file()]
         )
 
     def __contains__(self, record: Any) -> bool:
@@ -114,90 +119,118 @@ class Store:
         batches = [shard.stored_batch(batch) for batch, _ in finished]
         self.enter(name, len(content), batches, makers, predicted)
 
-    def begin(self, what: str) -> None:
-        """Note durably that a run begins: shards from here on may belong to another study."""
-        self._write([{"run": what}])
+    def begin(self, run: str) -> None:
+        """Record durably that a run begins: later shards may belong to another study."""
+        self._write([{"run": run}])
 
     def wrote(self, result: Path) -> bool:
-        """Return whether a result file is as a run has written it."""
+        """Return whether a result file is unchanged since a run wrote it."""
         with contextlib.suppress(UserError):
             return digest_of(result) in self.index.results
         return False
 
-    def record_failure(self, key: str, why: str) -> None:
-        """Note durably that a task failed for good."""
-        self._write([{"failed": key, "why": why}])
+    def record_failure(self, key: str, reason: str) -> None:
+        """Record durably that a task failed for good."""
+        self._write([{"failed": key, "why": reason}])
 
     def forget_failures(self, keys: set[str]) -> None:
         """Let failed tasks be tried again."""
         self._write([{"retry": key} for key in sorted(keys & self.failed.keys())])
 
     def read(self, records: list[Record], curve_samples: int) -> tuple[np.ndarray, np.ndarray]:
-        """Return scalars (records, 6) and curves (records, curve_samples), filled up with NaN.
+        """Return scalars (records, len(SCALARS)) and curves (records, curve_samples).
 
-        Raises DamagedShard once the shard is set aside, or what the journal says of it is mended.
+        Short curves are filled up with NaN. Raises DamagedShard once the shard is set aside, or
+        its journal entry is mended.
         """
         scalars = np.empty((len(records), len(SCALARS)))
         curves = np.full((len(records), curve_samples), np.nan)
-        wanted: dict[str, list[tuple[int, int]]] = {}
+        requested: dict[str, list[tuple[int, int]]] = {}
         for row, record in enumerate(records):
             name, position = self.index.find(record)
-            wanted.setdefault(name, []).append((row, position))
-        for name, pairs in wanted.items():
+            requested.setdefault(name, []).append((row, position))
+        for name, pairs in requested.items():
             contents = self._contents(name)
             if any(contents.records[at : at + 1] != [records[row]] for row, at in pairs):
-                self._enter_anew(name)
+                self._reindex(name)
                 raise DamagedShard(name)
             rows, positions = np.array(pairs).T
             scalars[rows] = contents.scalars[positions]
-            found = contents.curves[positions, :curve_samples]
-            curves[rows, : found.shape[1]] = found
+            stored = contents.curves[positions, :curve_samples]
+            curves[rows, : stored.shape[1]] = stored
         return scalars, curves
 
     def _path(self, name: str) -> Path:
-        return self.folder / f"{name}.nc"
+        return shard.shard_path(self.folder, name)
 
-    def _load(self, name: str, tried: str = "") -> shard.Contents:
-        """Return what a shard holds. Raises DamagedShard once one that is spoilt is set aside."""
+    def _sizes(self) -> dict[str, int]:
+        return self.retry(partial(sizes_in, self.folder))
+
+    def _load(self, name: str) -> shard.Contents:
+        """Return the content of a shard. Raises DamagedShard once a damaged one is set aside."""
         path = self._path(name)
         try:
-            return shard.decode(name, self.retry(partial(read_whole, path)), tried)
+            return shard.decode(name, self.retry(partial(read_whole, path)))
         except UserError as error:
             if not isinstance(error.__cause__, FileNotFoundError):
-                raise  # the disk refuses to read it: no fault of the shard
-            self._set_aside(name, "missing")
+                raise  # the disk cannot read it: the shard may be undamaged
+            self._set_aside(path, "missing")
         except ValueError as error:
-            self._set_aside(name, str(error))
-        except shard.NoShard as error:
-            print(f"note: {path}: {error}; it is left as it is", file=sys.stderr)
+            self._set_aside(path, str(error))
+        except shard.ForeignFile as error:
+            print(f"note: {path}: {error}; it is not changed", file=sys.stderr)
             self._drop(name)
         raise DamagedShard(name)
 
-    def _enter_anew(self, name: str) -> None:
-        """Enter every shard by what it holds itself, as the journal was wrong about one."""
+    def _reindex(self, name: str) -> None:
+        """Enter every shard again by its content, as the journal was wrong about one."""
         path = self.folder / journal.NAME
-        print(f"warning: {path} is wrong about {name}: every shard is read anew", file=sys.stderr)
-        self._enter_unknown(list(self.index.sizes))
+        print(
+            f"warning: {path}: does not match shard {name}: all shards are read again",
+            file=sys.stderr,
+        )
+        self._enter_shards(list(self.index.sizes))
 
-    def _enter_unknown(self, names: list[str]) -> None:
-        """Enter shards by what they hold themselves, those that are sound.
-
-        Nobody says where they are from: a process of its own reads them first.
-        """
-        tried = self.retry(partial(unreadable, [self._path(name) for name in names]))
+    def _enter_shards(self, names: list[str]) -> None:
+        """Enter all undamaged shards among ``names`` by their content."""
         for name in names:
             with contextlib.suppress(DamagedShard):
-                contents = self._load(name, tried.get(self._path(name), ""))
+                contents = self._load(name)
                 self._drop(name)
                 size = self._path(name).stat().st_size
                 self.enter(name, size, contents.batches, contents.makers)
 
-    def _set_aside(self, name: str, why: str) -> None:
-        path = self._path(name)
-        print(f"warning: {path} is damaged ({why}): set aside", file=sys.stderr)
+    def _convert(self, names: dict[str, int]) -> None:
+        """Replace netCDF shards of version 0.3.0 by the same records in .npz shards."""
+        paths = [self.folder / f"{name}{NETCDF_SUFFIX}" for name in sorted(names)]
+        faults = self.retry(partial(unreadable, paths))
+        count = 0
+        for path in paths:
+            try:
+                content = self.retry(partial(read_whole, path))
+                content = converted(path.stem, content, faults.get(path, ""))
+            except shard.ForeignFile as error:
+                print(f"note: {path}: {error}; it is not changed", file=sys.stderr)
+            except ValueError as error:
+                self._set_aside(path, str(error))
+            else:
+                new = self._path(shard.digest(content))
+                self.retry(partial(write_durably, new, content))
+                self._drop(path.stem)
+                with refused(path, "cannot be removed:"):
+                    path.unlink()
+                count += 1
+        if count:
+            print(
+                f"note: {self.folder}: converted {count} shards of version 0.3.0 to .npz",
+                file=sys.stderr,
+            )
+
+    def _set_aside(self, path: Path, reason: str) -> None:
+        print(f"warning: {path} is damaged ({reason}): set aside", file=sys.stderr)
         with contextlib.suppress(OSError):
             path.replace(path.with_suffix(".damaged"))
-        self._drop(name)
+        self._drop(path.stem)
 
     def _drop(self, name: str) -> None:
         if name in self.index.sizes:
@@ -211,7 +244,7 @@ class Store:
         makers: list[Maker],
         predicted: float = 0.0,
     ) -> None:
-        """Enter a durable shard, of batches of so many predicted seconds, into the journal."""
+        """Enter a durable shard into the journal; ``predicted`` : core-seconds of its batches."""
         self._write(self.index.entries_of(name, size, batches, makers, predicted))
 
     def _write(self, entries: list[Entry]) -> None:

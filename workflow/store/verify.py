@@ -1,56 +1,61 @@
-"""Check a store: every line of its journal, every shard, every key in it. Changes nothing."""
+"""Verify a store: every line of its journal, every shard and every key. Nothing is changed."""
 
 from collections import defaultdict
 from pathlib import Path
 
 from ..ground import UserError
-from ..system import LOCK, digest_of, read_whole, sizes_in, unreadable
+from ..system import LOCK, digest_of, read_whole, sizes_in
 from . import journal
-from .index import Index
-from .shard import Contents, NoShard, decode, shard_sizes
+from .index import Index, Rows
+from .netcdf_shard import NETCDF_SUFFIX
+from .shard import SUFFIX, Contents, ForeignFile, decode, shard_path, shard_sizes
 
 
 def holds_a_store(folder: Path) -> bool:
-    """Return whether there is a store in a folder: a journal, or shards without one."""
-    return (folder / journal.NAME).is_file() or bool(shard_sizes(sizes_in(folder)))
+    """Return whether a folder holds a store: a journal, or shards without one."""
+    sizes = sizes_in(folder)
+    return (folder / journal.NAME).is_file() or any(
+        shard_sizes(sizes, suffix) for suffix in (SUFFIX, NETCDF_SUFFIX)
+    )
 
 
-class Verified:
-    """What was found in a store."""
+class Verification:
+    """State of a store: counts, faults and notes."""
 
     def __init__(self, folder: Path) -> None:
-        """Check the store in ``folder``. Raises UserError where the disk refuses to read it."""
+        """Verify the store in ``folder``. Raises UserError when the disk cannot read it."""
         self.folder, self.index = folder, Index()
-        self.faults: list[str] = []  # what is lost, spoilt or contradicts the rest
-        self.notes: list[str] = []  # what may be as it is, but is worth a line
-        self.lines_of_journal, self.records = 0, 0
-        self.keys: set[str] = set()  # of the problems that sound shards hold
+        self.faults: list[str] = []  # losses, damage and contradictions
+        self.notes: list[str] = []  # possible but unusual states
+        self.journal_lines, self.records = 0, 0
+        self.keys: set[str] = set()  # of the problems in undamaged shards
         self._read_journal()
-        # Of a shard: position of row 0, from row to row, block, keys of rows.
-        self.told: dict[str, list[tuple[int, int, int, list[str]]]] = defaultdict(list)
-        for (part, block), (name, first, step) in self.index.found.items():
-            self.told[name].append((first, step, block, self.index.parts[part]))
+        self.entered: dict[str, list[tuple[str, int, Rows]]] = defaultdict(list)  # by shard
+        for (part, block), rows in self.index.rows.items():
+            self.entered[rows.shard].append((part, block, rows))
         sizes = sizes_in(folder)
-        shards = shard_sizes(sizes)
+        shards, old = shard_sizes(sizes), shard_sizes(sizes, NETCDF_SUFFIX)
         self.shards = len(shards)
-        self.unreadable = unreadable([folder / f"{name}.nc" for name in sorted(shards)])
-        self.sound = sum(self._is_sound(name) for name in sorted(shards))
-        told = sorted({folder.parent / name for name in self.index.results.values()})
-        self.results = [path for path in told if path.is_file()]
+        self.undamaged = sum(self._is_undamaged(name) for name in sorted(shards))
+        listed = sorted({folder.parent / name for name in self.index.results.values()})
+        self.results = [path for path in listed if path.is_file()]
         edited = [path for path in self.results if digest_of(path) not in self.index.results]
         self.faults += [f"{path}: was changed or replaced since a run wrote it" for path in edited]
-        missing = sorted(self.index.sizes.keys() - shards.keys())
-        self.faults += [f"{name}.nc: missing, but told by the journal" for name in missing]
-        ours = {f"{name}.nc" for name in shards} | {journal.NAME, LOCK}
-        self.notes += [f"{name}: no part of the store" for name in sorted(sizes.keys() - ours)]
+        missing = sorted(self.index.sizes.keys() - shards.keys() - old.keys())
+        self.faults += [f"{name}{SUFFIX}: missing, but listed in the journal" for name in missing]
+        if old:
+            self.notes.append(f"{len(old)} netCDF shards: the next run converts those of 0.3.0")
+        known = {f"{name}{SUFFIX}" for name in shards} | {f"{name}{NETCDF_SUFFIX}" for name in old}
+        unknown = sorted(sizes.keys() - known - {journal.NAME, LOCK})
+        self.notes += [f"{name}: not part of the store" for name in unknown]
 
     def lines(self) -> list[str]:
-        """Return what was found, line by line."""
+        """Return the report, line by line."""
         makers = sorted(self.index.makers.values())
         return [
             f"store       {self.folder}",
-            f"journal     {self.lines_of_journal} lines",
-            f"shards      {self.sound} of {self.shards} sound",
+            f"journal     {self.journal_lines} lines",
+            f"shards      {self.undamaged} of {self.shards} sound",
             f"records     {self.records} of {len(self.keys)} problems",
             *(f"computed    with {maker.versions}, on {maker.processor}" for maker in makers),
             f"failed      {len(self.index.failed)} problems",
@@ -62,9 +67,9 @@ class Verified:
 
     def _read_journal(self) -> None:
         for _ in journal.entries(self.folder):
-            pass  # a journal of another version, or none that can be read, is refused
+            pass  # refuses an unreadable journal, and one of another format
         for number, line in enumerate(journal.lines(self.folder), 1):
-            self.lines_of_journal = number
+            self.journal_lines = number
             entry = journal.entry_in(line)
             if entry is None:
                 self.faults.append(f"{journal.NAME}, line {number}: spoilt")
@@ -72,39 +77,39 @@ class Verified:
             try:
                 self.index.replay(entry)
             except (TypeError, ValueError) as error:
-                self.faults.append(f"{journal.NAME}, line {number}: not understood ({error!r})")
-        if not self.lines_of_journal:
-            self.notes.append("there is no journal, or it is empty")
+                self.faults.append(f"{journal.NAME}, line {number}: invalid ({error!r})")
+        if not self.journal_lines:
+            self.notes.append("the journal is missing or empty")
 
-    def _is_sound(self, name: str) -> bool:
-        """Return whether a shard holds what it says and what the journal tells; note what not."""
-        found = f"{name}.nc"
-        path = self.folder / found
+    def _is_undamaged(self, name: str) -> bool:
+        """Return whether a shard is valid and agrees with the journal; note any fault."""
+        path = shard_path(self.folder, name)
         try:
-            contents = decode(name, read_whole(path), self.unreadable.get(path, ""))
+            contents = decode(name, read_whole(path))
         except (UserError, ValueError) as error:
-            self.faults.append(f"{found}: damaged ({error})")
+            self.faults.append(f"{path.name}: damaged ({error})")
             return False
-        except NoShard as error:
-            self.notes.append(f"{found}: {error}")
+        except ForeignFile as error:
+            self.notes.append(f"{path.name}: {error}")
             return False
         self.records += len(contents.records)
         self.keys.update(key for key, _ in contents.records)
-        wrong = self._contradiction(name, contents)
-        if wrong:
-            self.faults.append(f"{found}: {wrong}")
-        return not wrong
+        contradiction = self._contradiction(name, contents)
+        if contradiction:
+            self.faults.append(f"{path.name}: {contradiction}")
+        return not contradiction
 
     def _contradiction(self, name: str, contents: Contents) -> str:
-        """Return in what a shard is not what the journal tells of it, or nothing."""
+        """Return how a shard differs from its entry in the journal, or "" if it does not."""
         if name not in self.index.sizes:
-            self.notes.append(f"{name}.nc: not told by the journal; the next run enters it")
+            self.notes.append(f"{name}{SUFFIX}: not listed in the journal; the next run enters it")
             return ""
-        for first, step, block, keys in self.told[name]:
-            for row, key in enumerate(keys):
-                at = first + row * step
-                if contents.records[at : at + 1] != [(key, block)]:
-                    return f"does not hold block {block} of {key} where the journal tells"
-        if {self.index.makers[maker] for maker in self.index.made[name]} != set(contents.makers):
-            return "was computed with something else than the journal tells"
+        for part, block, (_, first, step) in self.entered[name]:
+            for number, key in enumerate(self.index.parts[part]):
+                row = first + number * step
+                if contents.records[row : row + 1] != [(key, block)]:
+                    return f"does not hold block {block} of {key} where the journal lists it"
+        makers = {self.index.makers[maker] for maker in self.index.makers_of_shard[name]}
+        if makers != set(contents.makers):
+            return "was computed by other makers than the journal lists"
         return ""

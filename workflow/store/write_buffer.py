@@ -1,4 +1,4 @@
-"""Finished batches on their way into the store: many to a shard, none kept back for long."""
+"""Buffer of finished batches before they are stored, many to a shard."""
 
 import time
 from collections.abc import Callable
@@ -8,23 +8,23 @@ from ..simulate import Batch, BatchResult
 from .shard import Finished
 from .store import Store
 
-SHARE_OF_RUN = 1e-3  # of a run's time that a crash of the driver may cost
-LONGEST_SECONDS = 120.0
-MOST_BYTES = 2**24
+MAX_LOST_SHARE = 1e-3  # of a run's time that a crash of the driver may cost
+MAX_WAIT_SECONDS = 120.0
+MAX_BUFFER_BYTES = 2**24
 
 
 class WriteBuffer:
-    """Gathers finished batches and stores them together; stores what is left at the end.
+    """Collects finished batches and stores them together; stores the rest at the end.
 
-    A shard is written every few batch lengths at first, then every thousandth of the time the
-    run has taken: some thousand shards for a run of days, whatever the number of workers.
+    A shard is written every few batch lengths at first, then after every thousandth of the elapsed
+    time of the run: some thousand shards for a run of days, whatever the number of workers.
     """
 
     def __init__(
         self, store: Store, batch_seconds: float, now: Callable[[], float] = time.monotonic
     ) -> None:
-        """``now`` : tells the time (s)."""
-        self.store, self.least, self.now = store, 2.0 * batch_seconds, now
+        """``now`` : the clock (s)."""
+        self.store, self.min_seconds, self.now = store, 2.0 * batch_seconds, now
         self.waiting: Finished = []
         self.bytes = 0
         self.began = self.stored = now()
@@ -37,7 +37,7 @@ class WriteBuffer:
             self.flush()
         except UserError:
             if kind is None or not issubclass(kind, UserError):
-                raise  # or what ends the run anyway says why
+                raise  # otherwise the first error of the run explains its end
 
     def add(self, batch: Batch, result: BatchResult) -> None:
         """Take a finished batch; it is durable after the next flush."""
@@ -46,14 +46,14 @@ class WriteBuffer:
         self.flush_when_due()
 
     def flush_when_due(self) -> None:
-        """Store what waits if it has waited long enough or is much."""
+        """Store the waiting batches if they have waited long enough or are large."""
         now = self.now()
-        due = min(max(self.least, SHARE_OF_RUN * (now - self.began)), LONGEST_SECONDS)
-        if self.bytes >= MOST_BYTES or now - self.stored >= due:
+        due = min(max(self.min_seconds, MAX_LOST_SHARE * (now - self.began)), MAX_WAIT_SECONDS)
+        if self.bytes >= MAX_BUFFER_BYTES or now - self.stored >= due:
             self.flush()
 
     def flush(self) -> None:
-        """Store whatever waits. Raises UserError when the disk refuses it; then it waits on."""
+        """Store the waiting batches. Raises UserError if the disk refuses; then they stay."""
         self.stored = self.now()
         if self.waiting:
             self.store.add(self.waiting)

@@ -1,6 +1,6 @@
-"""Disk, process and terminal: what every stage needs of the machine below it.
+"""Disk, process and terminal, as every stage uses them.
 
-Imports nothing of ours but the ground.
+Imports nothing else of this program but the ground.
 """
 
 from typing import TYPE_CHECKING
@@ -41,7 +41,7 @@ if TYPE_CHECKING:
     )
     from .process import THREADS, Interrupt, keep_memory, peak_bytes
     from .progress import Reporter, core_time, duration
-    from .terminal import forgive_streams, program
+    from .terminal import make_streams_tolerant, program
     from .watch import BEAT_SECONDS, NO_ANSWER, QUIET_SECONDS, Watch, say
 
 __all__, __getattr__, __dir__ = public_names(__name__, __file__)

@@ -1,4 +1,4 @@
-"""What a disk refuses for the time being is tried again, for as long as one has patience."""
+"""Retries of disk operations after errors that may pass, up to a time limit."""
 
 import errno
 import sys
@@ -9,19 +9,19 @@ from typing import TypeVar
 from ..ground import UserError
 from .progress import duration
 
-# A file server that comes back, a table of open files or a disk that somebody clears.
-_NAMES = "EIO ESTALE ETIMEDOUT EAGAIN EMFILE ENFILE ENOSPC EDQUOT"
-PASSING = frozenset(getattr(errno, name) for name in _NAMES.split())
-WAITS = (0.1, 10.0)  # s between two attempts, the first and the longest; doubled each time
-SILENCE_SECONDS = 30.0  # after the first line about it; then twice as long each time
-GRACE_SECONDS = 5.0  # to go on trying once the process is to stop
-STEP_SECONDS = 0.2  # between two looks at whether the process is to stop
+# Of a file server that restarts, too many open files, or a full disk.
+_TEMPORARY = "EIO ESTALE ETIMEDOUT EAGAIN EMFILE ENFILE ENOSPC EDQUOT"
+TEMPORARY_ERRORS = frozenset(getattr(errno, name) for name in _TEMPORARY.split())
+FIRST_WAIT_SECONDS, MAX_WAIT_SECONDS = 0.1, 10.0  # between two attempts; doubled each time
+FIRST_WARNING_SECONDS = 30.0  # after the first warning; doubled each time
+GRACE_SECONDS = 5.0  # of further attempts once the process is to stop
+POLL_SECONDS = 0.2  # between two checks whether the process is to stop
 
 T = TypeVar("T")
 
 
 class DiskRetry:
-    """Tries again what the disk refuses by an error that may pass; says so at once."""
+    """Retries a disk operation after an error that may pass, and warns at once."""
 
     def __init__(
         self,
@@ -29,52 +29,52 @@ class DiskRetry:
         stop: Callable[[], bool] = lambda: False,
         sleep: Callable[[float], None] = time.sleep,
     ) -> None:
-        """``seconds`` to try for; ``stop`` tells that the process is to end soon."""
+        """``seconds`` : time limit. ``stop`` : whether the process is to end soon."""
         self.seconds, self.stop, self.sleep = seconds, stop, sleep
-        self.spent = False  # given up once: what follows is tried a single time
+        self.exhausted = False  # after giving up once, operations are tried a single time
 
     def __call__(self, attempt: Callable[[], T]) -> T:
-        """Return what ``attempt`` does, which raises UserError from what the disk refuses.
+        """Return the result of ``attempt``, which raises UserError when the disk refuses.
 
-        Raises that UserError where the error cannot pass, and once patience is at an end.
+        Raises that UserError if the error is permanent, and after the time limit.
         """
-        began, wait, next_line = time.monotonic(), WAITS[0], 0.0
-        limit = 0.0 if self.spent else self.seconds
+        began, wait, next_warning = time.monotonic(), FIRST_WAIT_SECONDS, 0.0
+        limit = 0.0 if self.exhausted else self.seconds
         while True:
             try:
-                found = attempt()
+                result = attempt()
             except UserError as error:
-                if not (passes(error) and limit):
+                if not (is_temporary(error) and limit):
                     raise
                 waited = time.monotonic() - began
                 if self.stop():
                     limit = min(limit, max(GRACE_SECONDS, waited))
                 if waited >= limit:
-                    self.spent = True
+                    self.exhausted = True
                     raise UserError(f"{error}; given up after {duration(waited)}") from error
-                if waited >= next_line:
+                if waited >= next_warning:
                     line = f"warning: {error}; tried again for {duration(limit)} at most"
                     print(line, file=sys.stderr)
-                    next_line = max(SILENCE_SECONDS, 2.0 * next_line)
+                    next_warning = max(FIRST_WARNING_SECONDS, 2.0 * next_warning)
                 self._pause(min(wait, limit - waited))
-                wait = min(2.0 * wait, WAITS[1])
+                wait = min(2.0 * wait, MAX_WAIT_SECONDS)
             else:
-                self.spent = False
-                return found
+                self.exhausted = False
+                return result
 
     def _pause(self, seconds: float) -> None:
-        """Let time pass, but not long once the process is to stop."""
+        """Wait, but only briefly once the process is to stop."""
         end = time.monotonic() + seconds
         while (left := end - time.monotonic()) > 0.0 and not (self.stop() and left > 1.0):
-            self.sleep(min(left, STEP_SECONDS))
+            self.sleep(min(left, POLL_SECONDS))
 
 
-def passes(error: UserError) -> bool:
-    """Return whether what the disk refused may be granted later.
+def is_temporary(error: UserError) -> bool:
+    """Return whether an error of the disk may pass.
 
-    HDF5 does not say why it could not write (RuntimeError).
+    HDF5 gives no reason why it could not write (RuntimeError).
     """
     cause = error.__cause__
     return isinstance(cause, RuntimeError) or (
-        isinstance(cause, OSError) and cause.errno in PASSING
+        isinstance(cause, OSError) and cause.errno in TEMPORARY_ERRORS
     )

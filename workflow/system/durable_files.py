@@ -1,4 +1,4 @@
-"""Files that survive a crash: written whole or not at all, and flushed to the disk."""
+"""Files that survive a crash: written completely or not at all, and flushed to the disk."""
 
 import contextlib
 import errno
@@ -9,31 +9,31 @@ from pathlib import Path
 
 from ..ground import UserError, open_plain, read_plain
 
-# What fsync says of a folder where the file system does not offer it.
-_REFUSALS = "EINVAL ENOTSUP EOPNOTSUPP ENOSYS EBADF EACCES EPERM EISDIR ENOTTY"
-MOST_BYTES = 2**32  # of a file that is read as a whole: a shard has some 2**24
-NOT_OFFERED = frozenset(getattr(errno, name) for name in _REFUSALS.split())
+# Errors of fsync on a folder if the file system does not support it.
+_UNSUPPORTED = "EINVAL ENOTSUP EOPNOTSUPP ENOSYS EBADF EACCES EPERM EISDIR ENOTTY"
+UNSUPPORTED_ERRORS = frozenset(getattr(errno, name) for name in _UNSUPPORTED.split())
+MAX_FILE_BYTES = 2**32  # a shard has some 2**24
 
 
 @contextlib.contextmanager
-def refused(path: Path, what: str) -> Iterator[None]:
-    """Raise UserError where the disk refuses something; HDF5 says a full disk by RuntimeError.
+def refused(path: Path, failure: str) -> Iterator[None]:
+    """Turn an error of the disk into a UserError; HDF5 reports a full disk by RuntimeError.
 
-    what : what cannot be done with ``path``, as "cannot be written:".
+    failure : the failed operation on ``path``, as "cannot be written:".
     """
     try:
         yield
     except (OSError, RuntimeError) as error:
         reason = getattr(error, "strerror", None) or str(error)
-        raise UserError(f"{path}: {what} {reason}") from error
+        raise UserError(f"{path}: {failure} {reason}") from error
 
 
 @contextlib.contextmanager
 def replacing(path: Path) -> Iterator[Path]:
     """Yield a hidden name beside ``path`` to write to; then flush it, rename it, flush the folder.
 
-    Readers see the old file until the new one is whole. Raises UserError where the disk refuses,
-    once nothing of the new file is left.
+    Readers see the old file until the new one is complete. If the disk refuses, the new file is
+    removed and UserError raised.
     """
     aside = path.with_name(f".{path.name}.{os.getpid()}.tmp")
     with refused(path, "cannot be written:"):
@@ -49,23 +49,23 @@ def replacing(path: Path) -> Iterator[Path]:
 
 
 def write_durably(path: Path, content: bytes) -> None:
-    """Write a file whole or not at all. Raises UserError where the disk refuses."""
+    """Write a file completely or not at all. Raises UserError if the disk refuses."""
     with replacing(path) as aside:
         aside.write_bytes(content)
 
 
 def append_durably(path: Path, content: bytes) -> None:
-    """Append whole lines to a file and flush it; begin on a line of their own.
+    """Append lines to a file, which begin on a new line, and flush it.
 
-    A crash may leave part of ``content`` at the end. Raises UserError where the disk refuses,
-    once what was appended is taken back, as far as the disk lets us.
+    A crash may leave part of ``content`` at the end. If the disk refuses, the file is cut back to
+    its former size, if the disk permits it, and UserError is raised.
     """
     with refused(path, "cannot be written:"), open_plain(path, "ab") as file:
         size = file.seek(0, os.SEEK_END)
         try:
-            left = memoryview(content if _ends_a_line(path, size) else b"\n" + content)
-            while left:  # a disk that is nearly full takes a part at first
-                left = left[file.write(left) :]
+            remaining = memoryview(content if _ends_a_line(path, size) else b"\n" + content)
+            while remaining:  # a nearly full disk takes a part first
+                remaining = remaining[file.write(remaining) :]
             os.fsync(file.fileno())
             flush_folder(path.parent)
         except OSError:
@@ -75,12 +75,12 @@ def append_durably(path: Path, content: bytes) -> None:
 
 
 def read_whole(path: Path) -> bytes:
-    """Return the content of a file of at most MOST_BYTES.
+    """Return the content of a file of at most MAX_FILE_BYTES.
 
-    Raises UserError where the disk refuses it, or has none, and for what is larger or no file.
+    Raises UserError if the disk refuses, and for a missing file, a larger one, or a device.
     """
     with refused(path, "cannot be read:"):
-        return read_plain(path, MOST_BYTES)
+        return read_plain(path, MAX_FILE_BYTES)
 
 
 def digest_of(path: Path) -> str:
@@ -90,11 +90,11 @@ def digest_of(path: Path) -> str:
 
 
 def sizes_in(folder: Path) -> dict[str, int]:
-    """Return name -> bytes of the files in a folder, which need not be there.
+    """Return name -> bytes of the files in a folder; empty if the folder is missing.
 
-    Raises UserError where the disk refuses: no file that is there is left out.
+    Raises UserError if the disk refuses, so that no existing file is left out.
     """
-    found = {}
+    sizes = {}
     with refused(folder, "cannot be read:"):
         try:
             paths = list(folder.iterdir())
@@ -102,12 +102,12 @@ def sizes_in(folder: Path) -> dict[str, int]:
             return {}
         for path in paths:
             with contextlib.suppress(FileNotFoundError):  # removed meanwhile
-                found[path.name] = path.stat().st_size
-    return found
+                sizes[path.name] = path.stat().st_size
+    return sizes
 
 
 def check_place(path: Path) -> None:
-    """Raise UserError where a file could not be written in the end: try beside it, now."""
+    """Raise UserError if a file could not be written later: try with a temporary file now."""
     with refused(path, "cannot be written:"):
         if path.is_symlink() or (path.exists() and not path.is_file()):
             raise OSError(errno.EINVAL, f"it is {'a link' if path.is_symlink() else 'no file'}")
@@ -119,13 +119,13 @@ def check_place(path: Path) -> None:
 
 
 def make_folder(folder: Path) -> None:
-    """Make a folder with its parents. Raises UserError where that is refused."""
+    """Make a folder with its parents. Raises UserError if the disk refuses."""
     with refused(folder, "cannot be made:"):
         folder.mkdir(parents=True, exist_ok=True)
 
 
 def clear_leftovers(path: Path) -> None:
-    """Remove what dead writers of ``path`` (a pattern) left aside; for the holder of the lock."""
+    """Remove temporary files of dead writers of ``path`` (a pattern); for the lock's holder."""
     for aside in path.parent.glob(f".{path.name}.*.tmp"):
         _remove(aside)
 
@@ -136,12 +136,12 @@ def _remove(path: Path) -> None:
 
 
 def flush_folder(folder: Path) -> bool:
-    """Make the names in a folder durable; return False where its file system offers no way."""
+    """Make the names in a folder durable; return False if its file system cannot."""
     descriptor = os.open(folder, os.O_RDONLY)
     try:
         os.fsync(descriptor)
     except OSError as error:
-        if error.errno not in NOT_OFFERED:
+        if error.errno not in UNSUPPORTED_ERRORS:
             raise
         return False
     finally:
@@ -150,7 +150,7 @@ def flush_folder(folder: Path) -> bool:
 
 
 def _ends_a_line(path: Path, size: int) -> bool:
-    """Return whether what is appended begins a line: no crash has cut the last one short."""
+    """Return whether a file ends with a complete line; a crash may have cut the last one."""
     if not size:
         return True
     with path.open("rb") as file:

@@ -1,4 +1,4 @@
-"""One process per folder of results: a lock of the operating system that dies with its holder."""
+"""Lock of a results folder for one process, released by the operating system at its end."""
 
 import contextlib
 import fcntl
@@ -16,26 +16,26 @@ from ..ground import UserError, open_plain
 from .durable_files import flush_folder, refused
 
 LOCK = "lock"
-GLANCE_SECONDS = 2.0
-LONGEST = 4096  # bytes of who has signed
+PROBE_SECONDS = 2.0  # to wait for a process that only looks at the lock
+MAX_SIGNATURE_BYTES = 4096
 
 
 @contextlib.contextmanager
 def hold(folder: Path, *, without: bool = False) -> Iterator[None]:
-    """Hold the lock of a folder, made if need be. Raises UserError naming who has it.
+    """Hold the lock of a folder, made if need be. Raises UserError that names another holder.
 
-    without : go on where the file system has no locks, which is refused otherwise.
+    without : continue on a file system without locks, instead of raising UserError.
     """
     with refused(folder, "cannot be used for results:"):
         folder.mkdir(parents=True, exist_ok=True)
         file = open_plain(folder / LOCK, "ab+")
         flushed = flush_folder(folder)
     with file:
-        _take(file, folder, without)
+        _acquire(file, folder, without)
         if not flushed:
             print(
-                f"note: {folder}: the file system flushes no folder: a power cut may cost the "
-                "newest files, which are computed again",
+                f"note: {folder}: the file system cannot flush a folder: a power cut may lose the "
+                "newest files, which are then computed again",
                 file=sys.stderr,
             )
         _sign(file)
@@ -43,22 +43,22 @@ def hold(folder: Path, *, without: bool = False) -> Iterator[None]:
 
 
 def holder(folder: Path) -> str | None:
-    """Return who holds the lock of a folder, in words, or None."""
+    """Return the holder of the lock of a folder, in words, or None."""
     with contextlib.suppress(OSError), open_plain(folder / LOCK) as file:
         try:
             fcntl.flock(file, fcntl.LOCK_SH | fcntl.LOCK_NB)
         except BlockingIOError:
             return _words(folder)
-        except OSError:  # a file system without locks: is a process of this machine still there?
-            signed = _signed(folder)
+        except OSError:  # no locks: does the signing process still run on this machine?
+            signed = _signature(folder)
             here = signed.get("host") == socket.gethostname()
             return _words(folder) if here and Path(f"/proc/{signed['pid']}").exists() else None
     return None
 
 
-def _take(file: IO[bytes], folder: Path, without: bool) -> None:
-    """Take the lock. Who only looks at it (``holder``) has it for a moment: wait for that."""
-    end = time.monotonic() + GLANCE_SECONDS
+def _acquire(file: IO[bytes], folder: Path, without: bool) -> None:
+    """Acquire the lock; wait for processes that hold it briefly in ``holder``."""
+    end = time.monotonic() + PROBE_SECONDS
     while True:
         try:
             return fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
@@ -71,13 +71,13 @@ def _take(file: IO[bytes], folder: Path, without: bool) -> None:
             if without:
                 return None
             raise UserError(
-                f"{folder}: cannot be locked ({error.strerror}); see to it that no other run uses "
-                "it, then go on with --no-lock"
+                f"{folder}: cannot be locked ({error.strerror}); make sure that no other run "
+                "uses it, then add --no-lock"
             ) from error
 
 
 def _sign(file: IO[bytes]) -> None:
-    """Write into the lock who holds it; a full disk may prevent that, but not the lock."""
+    """Write the holder into the lock file; if the disk is full, the lock holds all the same."""
     with contextlib.suppress(OSError):
         since = datetime.now().astimezone().isoformat(" ", "seconds")
         file.truncate(0)
@@ -85,15 +85,15 @@ def _sign(file: IO[bytes]) -> None:
         os.write(file.fileno(), text.encode())  # no buffer, which would fail again when closed
 
 
-def _signed(folder: Path) -> dict[str, Any]:
-    """Return pid, host and since of who has signed the lock; nothing where that is damaged."""
+def _signature(folder: Path) -> dict[str, Any]:
+    """Return pid, host and since of the holder; empty if the file is damaged."""
     with contextlib.suppress(OSError, ValueError, KeyError, TypeError, RecursionError):
         with open_plain(folder / LOCK) as file:
-            signed = json.loads(file.read(LONGEST))
-        return {name: signed[name] for name in ("pid", "host", "since")}
+            fields = json.loads(file.read(MAX_SIGNATURE_BYTES))
+        return {name: fields[name] for name in ("pid", "host", "since")}
     return {}
 
 
 def _words(folder: Path) -> str:
-    known = "process {pid} on {host} since {since}" if (signed := _signed(folder)) else ""
+    known = "process {pid} on {host} since {since}" if (signed := _signature(folder)) else ""
     return known.format(**signed) or "an unknown process"

@@ -1,8 +1,8 @@
-"""netCDF files of unknown origin, read by a process of its own first, which may die of them.
+"""Sandbox for netCDF files of unknown origin: another process reads them first, and may crash.
 
-The HDF5 library believes what a file says of itself: lengths that were forged make it loop without
-end, ask for all memory or crash, and no exception tells. A file that is read whole here, under a
-limit of CPU time and of the machine's memory, can be read by us as well.
+The HDF5 library trusts the lengths in a file. Forged ones can make it loop, request all memory or
+crash, without an exception. A file that the other process has read completely, within limits of
+CPU time and memory, can be read here as well.
 """
 
 import contextlib
@@ -19,47 +19,48 @@ from ..ground import UserError
 from .durable_files import read_whole, refused
 from .packages import ROOT
 
-SECONDS, BYTES_PER_SECOND = 1.0, 1e7  # of CPU time, for a file and for each variable of it
-ENDS: dict[int, str] = {  # signals by which a file ends its reader
+MIN_READ_SECONDS, READ_BYTES_PER_SECOND = 1.0, 1e7  # CPU time for a file and for each variable
+MAX_READ_SECONDS = 1e4  # as the number of bytes may be forged
+FATAL_SIGNALS: dict[int, str] = {
     signal.SIGPROF: "reading it does not end",
     **dict.fromkeys((signal.SIGSEGV, signal.SIGABRT, signal.SIGBUS), "reading it ends the process"),
 }
-LONGEST = 1e4  # s, of what may be forged
-BEGUN = "begun"
+READY = "ready"
 
 
 def unreadable(paths: list[Path]) -> dict[Path, str]:
-    """Return path -> why, of those netCDF files that cannot be read whole, as far as is known.
+    """Return path -> reason of the netCDF files that cannot be read completely.
 
-    Raises UserError where no process can be started for it, or where one is ended from outside, as
-    for want of memory.
+    Raises UserError if no process can be started, or if one is killed from outside, for instance
+    for lack of memory.
     """
-    found: dict[Path, str] = {}
-    left = list(paths)
-    while left:
-        with refused(left[0], "cannot be tried:"):
-            done = subprocess.run(
+    reasons: dict[Path, str] = {}
+    remaining = list(paths)
+    while remaining:
+        with refused(remaining[0], "cannot be checked:"):
+            process = subprocess.run(
                 [sys.executable, "-m", __name__],
                 cwd=ROOT,
-                input=b"\0".join(os.fsencode(path.absolute()) for path in left),
+                input=b"\0".join(os.fsencode(path.absolute()) for path in remaining),
                 capture_output=True,
-                start_new_session=True,  # Ctrl-C is for us
+                start_new_session=True,  # Ctrl-C is meant for this process
             )
-            begun, *said = done.stdout.decode().split("\n")[:-1] or [""]
-            cause = ENDS.get(-done.returncode)
-            if begun != BEGUN or (done.returncode and not cause):
+            ready, *answers = process.stdout.decode().split("\n")[:-1] or [""]
+            cause = FATAL_SIGNALS.get(-process.returncode)
+            if ready != READY or (process.returncode and not cause):
                 raise RuntimeError(
-                    f"its reader ended with {done.returncode}: {done.stderr[-200:]!r}"
+                    f"its reader ended with {process.returncode}: {process.stderr[-200:]!r}"
                 )
-        found |= {path: why for path, why in zip(left, said, strict=False) if why}
-        left = left[len(said) :]
-        if cause and left:
-            found[left.pop(0)] = cause
-    return found
+        answered = zip(remaining, answers, strict=False)
+        reasons |= {path: reason for path, reason in answered if reason}
+        remaining = remaining[len(answers) :]
+        if cause and remaining:
+            reasons[remaining.pop(0)] = cause
+    return reasons
 
 
-def _why_not(content: bytes) -> str:
-    """Read all of a netCDF file; return why that cannot be done, or nothing."""
+def _read_error(content: bytes) -> str:
+    """Read a netCDF file completely; return the reason if that fails, else ""."""
     import netCDF4
 
     try:
@@ -67,45 +68,46 @@ def _why_not(content: bytes) -> str:
             groups: list[Any] = [file]
             for group in groups:
                 groups += group.groups.values()
-                for each in (group, *group.variables.values()):
-                    for name in each.ncattrs():
-                        each.getncattr(name)
+                for owner in (group, *group.variables.values()):
+                    for name in owner.ncattrs():
+                        owner.getncattr(name)
                 for variable in group.variables.values():
                     variable.set_auto_maskandscale(False)
-                    _allow(8 * math.prod(variable.shape))
+                    _limit_cpu_time(8 * math.prod(variable.shape))
                     variable[...]
     except MemoryError:
-        return "it tells of more than memory holds"
-    except Exception as error:  # whatever it is, the file is named with it
+        return "it claims more data than fits into memory"
+    except Exception as error:  # a forged file can fail in any way
         return " ".join(f"{error}".split()) or type(error).__name__
     return ""
 
 
 def _main() -> None:
-    """Print of every file that standard input names why it cannot be read, or an empty line."""
-    import netCDF4  # noqa: F401 - before memory is short
+    """Print one line for every file named on standard input: the reason, or an empty line."""
+    import netCDF4  # noqa: F401 - before memory is limited
 
     with contextlib.suppress(OSError, ValueError):
         memory = os.sysconf("SC_PAGE_SIZE") * os.sysconf("SC_PHYS_PAGES")
         resource.setrlimit(resource.RLIMIT_AS, (memory, memory))
     with contextlib.suppress(OSError, ValueError):
         resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
-    _say(BEGUN)
+    _answer(READY)
     for name in sys.stdin.buffer.read().split(b"\0"):
-        why = ""
-        with contextlib.suppress(UserError):  # of the disk: its reader will say so
+        reason = ""
+        with contextlib.suppress(UserError):  # of the disk: the caller reports it when it reads
             content = read_whole(Path(os.fsdecode(name)))
-            _allow(len(content))
-            why = _why_not(content)
-        _say(why)
+            _limit_cpu_time(len(content))
+            reason = _read_error(content)
+        _answer(reason)
 
 
-def _allow(size: int) -> None:
-    """Let this process end by SIGPROF if it does not come here again in time, for so many bytes."""
-    signal.setitimer(signal.ITIMER_PROF, SECONDS + min(size / BYTES_PER_SECOND, LONGEST))
+def _limit_cpu_time(size: int) -> None:
+    """End this process by SIGPROF unless it calls this again in the time for ``size`` bytes."""
+    seconds = MIN_READ_SECONDS + min(size / READ_BYTES_PER_SECOND, MAX_READ_SECONDS)
+    signal.setitimer(signal.ITIMER_PROF, seconds)
 
 
-def _say(text: str) -> None:
+def _answer(text: str) -> None:
     sys.stdout.buffer.write(f"{text}\n".encode(errors="replace"))
     sys.stdout.flush()
 

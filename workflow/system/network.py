@@ -5,22 +5,21 @@ import socket
 
 from ..ground import UserError
 
-ADDRESS = 0x8915  # SIOCGIFADDR of Linux
-LONGEST = 15  # letters of a name
+SIOCGIFADDR = 0x8915  # request of Linux for the address of an interface
+MAX_NAME_LENGTH = 15
 
 
 def interface_named(name: str) -> str | None:
-    """Return a network interface that has an address, or None for no name. Raises UserError."""
+    """Return the name if an interface has it and an address, None for "". Raises UserError."""
     if not name:
         return None
     try:
         with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as any_socket:
-            fcntl.ioctl(any_socket, ADDRESS, name.encode()[:LONGEST].ljust(256, b"\0"))
+            fcntl.ioctl(any_socket, SIOCGIFADDR, name.encode()[:MAX_NAME_LENGTH].ljust(256, b"\0"))
     except OSError:  # no such interface, or none with an address
-        known = ", ".join(own for _, own in socket.if_nameindex())
+        known = ", ".join(interface for _, interface in socket.if_nameindex())
         raise UserError(
-            f"cluster.interface = {name!r}: is no network interface of this machine that has an "
-            f"address; there are {known}: give the one by which the nodes reach this machine, or "
-            "leave the key out"
+            f"cluster.interface = {name!r}: is not a network interface with an address; choose the "
+            f"one by which the nodes reach this machine from {known}, or omit the key"
         ) from None
     return name

@@ -1,6 +1,6 @@
-"""What this process runs: versions of packages, and the processor.
+"""Versions of the packages in this process, and its processor.
 
-A worker must run what the driver runs before it does work.
+A worker must have the versions of the driver before it starts to work.
 """
 
 import contextlib
@@ -15,18 +15,18 @@ from typing import NamedTuple
 from ..ground import UserError
 
 ROOT = Path(__file__).resolve().parents[2]  # the folder of kernels, workflow and studies
-FOLDERS = ("kernels", "workflow")  # of our sources
+SOURCE_FOLDERS = ("kernels", "workflow")
 PACKAGES = ("numpy", "numba", "scipy", "dask", "distributed", "xarray", "netCDF4")
-COMPUTING = ("numpy", "numba", "llvmlite")  # on whose versions the bits of records may depend
-DEPENDED_ON = (*COMPUTING, "scipy", "dask", "distributed")  # by what a worker does
+NUMERICAL_PACKAGES = ("numpy", "numba", "llvmlite")  # may change the last bits of records
+WORKER_PACKAGES = (*NUMERICAL_PACKAGES, "scipy", "dask", "distributed")
 
-Versions = dict[str, str]  # what a process runs
+Versions = dict[str, str]  # package -> version
 
 
 class Maker(NamedTuple):
-    """What computed records: two of them may differ in the last bits."""
+    """Versions and processor that computed records; the last bits may depend on them."""
 
-    versions: str  # of python, the C library and the packages that compute
+    versions: str  # of python, the C library and the numerical packages
     processor: str
 
 
@@ -43,29 +43,29 @@ VERSION = version_of("elastomer-friction")
 
 
 def package_versions() -> str:
-    """Return the versions of the packages that take part, in words."""
+    """Return the versions of all packages, in words."""
     return ", ".join(f"{name} {version_of(name)}" for name in PACKAGES)
 
 
 @cache
 def our_sources() -> str:
-    """Return a short hash over all our source files: the same program has the same."""
+    """Return a short hash over all source files of this program."""
     digest = hashlib.sha256()
-    for source in sorted(path for name in FOLDERS for path in (ROOT / name).rglob("*.py")):
+    for source in sorted(path for name in SOURCE_FOLDERS for path in (ROOT / name).rglob("*.py")):
         digest.update(source.relative_to(ROOT).as_posix().encode() + source.read_bytes())
     return digest.hexdigest()[:16]
 
 
 def import_dask() -> None:
-    """Import dask, which reads its settings then. Raises UserError where these are malformed."""
+    """Import dask, which then reads its settings. Raises UserError if they are malformed."""
     try:
         import dask  # noqa: F401
-    except ValueError as error:  # as of its files of settings, in several lines
+    except ValueError as error:  # its message has several lines
         raise UserError(f"the settings of dask: {' '.join(str(error).split())}") from error
 
 
 def processor() -> str:
-    """Return the name of the processor, on whose kind the last bits of results depend."""
+    """Return the name of the processor; the last bits of results depend on its kind."""
     with contextlib.suppress(OSError):
         for line in Path("/proc/cpuinfo").read_text(encoding="utf-8").splitlines():
             if line.startswith("model name"):
@@ -75,26 +75,27 @@ def processor() -> str:
 
 @cache
 def this_maker() -> Maker:
-    """Return what this process computes with."""
+    """Return the maker of records that this process computes."""
     python = f"python {platform.python_version()}"
     library = " ".join(platform.libc_ver()).strip() or "unknown C library"
-    packages = [f"{name} {version_of(name)}" for name in COMPUTING]
+    packages = [f"{name} {version_of(name)}" for name in NUMERICAL_PACKAGES]
     return Maker(", ".join([python, library, *packages]), processor())
 
 
 @cache
 def own_versions() -> Versions:
-    """Return what this process runs; the hash of our own sources is last."""
-    found = {name: version_of(name) for name in DEPENDED_ON}
-    return found | {"python": platform.python_version(), "our sources": our_sources()}
+    """Return the versions in this process; the last is a hash of this program's sources."""
+    versions = {name: version_of(name) for name in WORKER_PACKAGES}
+    return versions | {"python": platform.python_version(), "our sources": our_sources()}
 
 
 def require(expected: Versions) -> None:
-    """Raise UserError with a table where this process, a worker, differs from the driver."""
-    found = own_versions()
-    odd = [name for name, version in expected.items() if found.get(name) != version]
-    if odd:
-        head = "workers must run what the driver runs:"
-        rows = [("", "", "there", "driver")]
-        rows += [(socket.gethostname(), name, str(found.get(name)), expected[name]) for name in odd]
+    """Raise UserError with a table if this process, a worker, differs from the driver."""
+    versions = own_versions()
+    different = [name for name in expected if versions.get(name) != expected[name]]
+    if different:
+        head = "workers must have the versions of the driver:"
+        rows = [("", "", "worker", "driver")]
+        host = socket.gethostname()
+        rows += [(host, name, str(versions.get(name)), expected[name]) for name in different]
         raise UserError(head, *(f"  {row[0]:28s}{row[1]:14s}{row[2]:18s}{row[3]}" for row in rows))

@@ -1,4 +1,4 @@
-"""This process: when it is to stop, how much memory it has had, how libraries in it behave."""
+"""Properties of this process: requests to stop, peak memory, threads and memory of libraries."""
 
 import contextlib
 import ctypes
@@ -12,16 +12,17 @@ from types import FrameType
 
 
 class Interrupt:
-    """Whether the user or the batch system wants this process to stop."""
+    """Request of the user or the batch system to stop this process."""
 
     BOUNCE_SECONDS = 1.0  # one key press or `timeout` may signal process and group
 
     def __init__(self) -> None:
-        self.asked = 0.0
+        self.requested = 0.0
 
     def __enter__(self) -> "Interrupt":
-        hangup = () if signal.getsignal(signal.SIGHUP) == signal.SIG_IGN else (signal.SIGHUP,)
-        numbers = (signal.SIGINT, signal.SIGTERM, *hangup)  # nohup leaves it ignored
+        ignored = signal.getsignal(signal.SIGHUP) == signal.SIG_IGN  # by nohup
+        hangup = () if ignored else (signal.SIGHUP,)
+        numbers = (signal.SIGINT, signal.SIGTERM, *hangup)
         self.previous = {number: signal.signal(number, self._handle) for number in numbers}
         return self
 
@@ -31,20 +32,20 @@ class Interrupt:
 
     def __call__(self) -> bool:
         """Return whether the process is to stop."""
-        return self.asked > 0.0
+        return self.requested > 0.0
 
     def _handle(self, number: int, frame: FrameType | None) -> None:
         now = time.monotonic()
-        if self.asked and now - self.asked > self.BOUNCE_SECONDS:
+        if self.requested and now - self.requested > self.BOUNCE_SECONDS:
             raise KeyboardInterrupt
-        if not self.asked:
-            self.asked = now
+        if not self.requested:
+            self.requested = now
             print("stopping: running batches are finished and stored", file=sys.stderr)
 
 
 def peak_bytes() -> int:
-    """Return the largest resident size of this process so far."""
-    # getrusage also counts what the process was before it was given this program.
+    """Return the peak resident memory of this process so far."""
+    # getrusage includes the time before the process was given this program.
     with contextlib.suppress(OSError):
         for line in Path("/proc/self/status").read_text(encoding="ascii").splitlines():
             if line.startswith("VmHWM:"):
@@ -53,22 +54,22 @@ def peak_bytes() -> int:
     return resource.getrusage(resource.RUSAGE_SELF).ru_maxrss * unit
 
 
-# Libraries must not start threads of their own: cores are shared out, and sums keep their order.
+# Libraries must not start threads: workers share the cores, and sums keep their order.
 THREADS = {f"{library}_NUM_THREADS": "1" for library in ("OMP", "MKL", "OPENBLAS", "NUMBA")}
-# Options of mallopt of the GNU C library, and how many bytes.
-FREE_THAT_STAYS = -1, 2**28
-LARGEST_THAT_STAYS = -3, 2**25
+# Options of mallopt of the GNU C library, with their values in bytes.
+TRIM_THRESHOLD = -1, 2**28
+MMAP_THRESHOLD = -3, 2**25
 
 
 @cache
 def keep_memory() -> bool:
-    """Let this process keep the memory of arrays that it frees; return whether it does.
+    """Keep the memory of freed arrays in this process; return whether the C library can.
 
-    Kernels allocate the same large arrays again and again. Without this setting page faults add a
-    tenth to the time of the kernels, and two fifths in workers as dask sets them up: what is free
-    over 64 KiB is given back. Where the C library has no such setting, everything stays as it is.
+    Kernels allocate the same large arrays repeatedly. Without this setting page faults add a tenth
+    to the time of the kernels, and two fifths in workers, as dask lets them return free memory
+    above 64 KiB.
     """
     mallopt = getattr(ctypes.CDLL(None), "mallopt", None)
     return mallopt is not None and all(
-        mallopt(*option) for option in (FREE_THAT_STAYS, LARGEST_THAT_STAYS)
+        mallopt(*option) for option in (TRIM_THRESHOLD, MMAP_THRESHOLD)
     )

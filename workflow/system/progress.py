@@ -1,4 +1,4 @@
-"""Progress of long work: a bar with ETA in a terminal, plain lines in a log. On stderr."""
+"""Progress of long work on stderr: a bar with the remaining time, or lines in a log."""
 
 import sys
 import time
@@ -8,17 +8,17 @@ from rich.progress import BarColumn, Progress, TextColumn, TimeRemainingColumn
 
 from ..ground import counted
 
-LINE_SECONDS = 30.0
-LINE_SHARE = 0.05
+MAX_LINE_SECONDS = 30.0  # between two lines of a log
+MAX_LINE_SHARE = 0.05
 
 
 class Reporter:
-    """Follows work whose size is known as predicted seconds."""
+    """Progress of work of known predicted time."""
 
-    def __init__(self, what: str, total: float) -> None:
-        """``total`` : predicted core-seconds of all work to come."""
-        self.what, self.total, self.done = what, max(total, 1e-9), 0.0
-        self.crew = ""
+    def __init__(self, title: str, total: float) -> None:
+        """``total`` : predicted core-seconds of all work."""
+        self.title, self.total, self.done = title, max(total, 1e-9), 0.0
+        self.workers = ""
         self.began = self.last_time = time.monotonic()
         self.last_share = 0.0
         self.bar: Progress | None = None
@@ -26,11 +26,11 @@ class Reporter:
             columns = (
                 TextColumn("{task.description}"),
                 BarColumn(),
-                TextColumn("{task.percentage:5.1f} %{task.fields[crew]}  left"),
+                TextColumn("{task.percentage:5.1f} %{task.fields[workers]}  left"),
                 TimeRemainingColumn(),
             )
             self.bar = Progress(*columns, console=Console(stderr=True))
-            self.task = self.bar.add_task(what, total=self.total, crew="")
+            self.task = self.bar.add_task(title, total=self.total, workers="")
 
     def __enter__(self) -> "Reporter":
         if self.bar:
@@ -42,24 +42,24 @@ class Reporter:
             self.bar.stop()
 
     def advance(self, seconds: float) -> None:
-        """Count ``seconds`` of predicted work as done."""
+        """Count predicted ``seconds`` of work as done."""
         self.done += seconds
         self._show()
 
     def beat(self, workers: int, failed: int) -> None:
-        """Note who works; say so from time to time even when nothing is finished."""
-        self.crew = f", {counted(workers, 'worker')}" + (f", {failed} failed" if failed else "")
+        """Record the number of workers; print a line from time to time even without progress."""
+        self.workers = f", {counted(workers, 'worker')}" + (f", {failed} failed" if failed else "")
         self._show()
 
     def _show(self) -> None:
         if self.bar:
-            self.bar.update(self.task, completed=self.done, crew=self.crew)
+            self.bar.update(self.task, completed=self.done, workers=self.workers)
             return
         now, share = time.monotonic(), min(1.0, self.done / self.total)
-        due = now - self.last_time >= LINE_SECONDS or share - self.last_share >= LINE_SHARE
+        due = now - self.last_time >= MAX_LINE_SECONDS or share - self.last_share >= MAX_LINE_SHARE
         if due or (share >= 1.0 > self.last_share):
             left = f", {duration((now - self.began) * (1.0 / share - 1.0))} left" if share else ""
-            print(f"{self.what}: {share:4.0%}{left}{self.crew}", file=sys.stderr)
+            print(f"{self.title}: {share:4.0%}{left}{self.workers}", file=sys.stderr)
             self.last_time, self.last_share = now, share
 
 

@@ -1,4 +1,4 @@
-"""What a process says: a terminal that is gone, or cannot show a letter, ends no run."""
+"""Output of a process: a lost terminal or a missing character never ends a run."""
 
 import contextlib
 import errno
@@ -9,58 +9,58 @@ from pathlib import Path
 from typing import Any, TextIO
 
 
-class _Forgiving(io.TextIOWrapper):
-    """A stream to print to; what cannot be written is lost, and nobody is troubled.
+class _TolerantStream(io.TextIOWrapper):
+    """A text stream that drops output that it cannot write.
 
-    A signal may come while a line is written, and print one itself (RuntimeError).
+    A signal may arrive while a line is written, and print one itself (RuntimeError).
     """
 
     def write(self, text: str, /) -> int:
-        """Write as far as that is possible."""
+        """Write as much as possible."""
         try:
             return super().write(text)
         except (OSError, RuntimeError, ValueError) as error:
-            self._lost(error)
+            self._discard(error)
         return len(text)
 
     def flush(self) -> None:
-        """Flush as far as that is possible."""
+        """Flush as much as possible."""
         try:
             super().flush()
         except (OSError, RuntimeError, ValueError) as error:
-            self._lost(error)
+            self._discard(error)
 
-    def _lost(self, error: Exception) -> None:
-        """Let what is left in the buffer of a pipe that nobody reads go nowhere."""
+    def _discard(self, error: Exception) -> None:
+        """Discard the buffer of a pipe without a reader."""
         if isinstance(error, OSError) and error.errno == errno.EPIPE:
             with contextlib.suppress(OSError):
-                nowhere = os.open(os.devnull, os.O_RDWR)
-                os.dup2(nowhere, self.fileno())
-                os.close(nowhere)
+                null = os.open(os.devnull, os.O_RDWR)
+                os.dup2(null, self.fileno())
+                os.close(null)
 
 
 def program() -> str:
-    """Return how the program was called: by its console command, or as a module of Python."""
+    """Return the command that started the program: its console command or the module."""
     command = Path(sys.argv[0]).name
     return command if command == "elastomer-friction" else "python -m workflow"
 
 
-def forgive_streams() -> None:
-    """Let nothing that is printed in this process end it; for its start.
+def make_streams_tolerant() -> None:
+    """Keep errors of stdout and stderr from ending this process; called at its start.
 
-    Streams that are closed lead nowhere, so that no file gets their numbers; letters that the
-    terminal does not have are shown as numbers.
+    Closed streams are opened on the null device, so that no file gets their numbers. Characters
+    missing in the terminal are shown as numbers.
     """
     while (descriptor := os.open(os.devnull, os.O_RDWR)) <= 2:
         pass
     os.close(descriptor)
-    sys.stdout = _forgiving(sys.stdout)
-    sys.stderr = _forgiving(sys.stderr)
+    sys.stdout = _tolerant(sys.stdout)
+    sys.stderr = _tolerant(sys.stderr)
 
 
-def _forgiving(stream: Any) -> TextIO:
+def _tolerant(stream: Any) -> TextIO:
     if stream is None:
         return Path(os.devnull).open("w", encoding="utf-8")
-    how = {"line_buffering": stream.line_buffering, "write_through": stream.write_through}
+    buffering = {"line_buffering": stream.line_buffering, "write_through": stream.write_through}
     encoding = stream.encoding
-    return _Forgiving(stream.detach(), encoding, "backslashreplace", **how)
+    return _TolerantStream(stream.detach(), encoding, "backslashreplace", **buffering)

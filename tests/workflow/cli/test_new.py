@@ -117,8 +117,8 @@ def test_a_fault_is_printed_and_is_exit_status_three(capsys, results):
 
 def test_stores_are_merged_by_folder(capsys, results, tmp_path):
     said = output(capsys, "merge", "results", "other")
-    assert said == "taken over  3 of 3 shards, 3 records that are new\n"
-    assert len(list((tmp_path / "other" / "store").glob("*.nc"))) == 3
+    assert said == "merged      3 of 3 shards, 3 new records\n"
+    assert len(list((tmp_path / "other" / "store").glob("*.npz"))) == 3
     assert "0 of 3 shards" in output(capsys, "merge", "other/store", "results/store")
 
 

@@ -25,7 +25,7 @@ def test_a_batch_on_a_worker_gives_the_bits_of_the_driver(client):
 
 
 def test_a_worker_that_runs_something_else_computes_nothing():
-    with pytest.raises(UserError, match="must run what the driver runs"):
+    with pytest.raises(UserError, match="must have the versions of the driver"):
         run_batch(BATCH, {"numpy": "0.1"})
 
 

@@ -8,7 +8,11 @@ from elastomer_friction.workflow.ground import UserError
 from elastomer_friction.workflow.run.status import read_status, status_file
 from elastomer_friction.workflow.store import journal
 from elastomer_friction.workflow.store.store import store_folder
-from elastomer_friction.workflow.system.durable_files import MOST_BYTES, read_whole, write_durably
+from elastomer_friction.workflow.system.durable_files import (
+    MAX_FILE_BYTES,
+    read_whole,
+    write_durably,
+)
 from elastomer_friction.workflow.system.lock import LOCK, holder
 from tests.support.commands import refusal
 from tests.support.runs import run
@@ -81,7 +85,7 @@ def test_a_run_refuses_a_pipe_at_once(folder, place):
 
 def test_a_file_is_read_as_a_whole_up_to_a_stated_size_and_no_device(folder):
     with (folder / "vast").open("wb") as file:
-        file.truncate(MOST_BYTES + 1)  # of a size that takes no room
-    for path, why in ((folder / "vast", MOST_BYTES), (os.devnull, "it is no file")):
+        file.truncate(MAX_FILE_BYTES + 1)  # of a size that takes no room
+    for path, why in ((folder / "vast", MAX_FILE_BYTES), (os.devnull, "it is no file")):
         with pytest.raises(UserError, match=f"cannot be read: .*{why}"):
             read_whole(path)

@@ -68,7 +68,7 @@ def test_points_that_hit_the_cap_are_named(reached):
 def test_other_batches_and_a_store_that_holds_more_or_less_give_the_same_bytes(reached, tmp_path):
     fine = (f"numerics.accuracy={WANTED / 1.3}", *SETTINGS[1:])
     folder = shutil.copytree(reached.path.parent, tmp_path / "copy")
-    needed = sorted((folder / "store").glob("*.nc"))
+    needed = sorted((folder / "store").glob("*.npz"))
     run(folder, *fine)
     for victim in needed[::2]:
         victim.unlink()  # a crash of the disk

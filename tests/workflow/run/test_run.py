@@ -135,7 +135,7 @@ def test_records_of_a_damaged_shard_alone_are_computed_again(finished, cut, tmp_
 
 
 def test_a_folder_in_use_is_refused(tmp_path, monkeypatch):
-    monkeypatch.setattr("elastomer_friction.workflow.system.lock.GLANCE_SECONDS", 0.1)
+    monkeypatch.setattr("elastomer_friction.workflow.system.lock.PROBE_SECONDS", 0.1)
     with hold(tmp_path / "store"), pytest.raises(UserError, match="in use by process"):
         run(tmp_path)
     assert not (tmp_path / "small.nc").exists()

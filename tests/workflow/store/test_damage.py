@@ -1,4 +1,4 @@
-"""Damaged shards are set aside, and all others are read; lost lines of the journal come back."""
+"""Damaged shards are set aside, the others are read, and lost journal lines are restored."""
 
 import contextlib
 
@@ -7,7 +7,7 @@ import pytest
 from elastomer_friction.workflow.ground import UserError
 from elastomer_friction.workflow.store import journal, shard
 from elastomer_friction.workflow.store.store import DamagedShard, Store
-from elastomer_friction.workflow.store.verify import Verified
+from elastomer_friction.workflow.store.verify import Verification
 from tests.support.faults import DAMAGE, flipped
 from tests.support.shards import (
     SAMPLES,
@@ -31,10 +31,10 @@ def one_bit(content):
 SPOILT = {**DAMAGE, "a flipped bit": one_bit}
 
 
-def seen(folder, batch):
-    """Return the store of a folder once whatever is wrong with a batch has shown."""
+def opened(folder, batch):
+    """Return the store of a folder after any damage to a batch has been found."""
     store = reopened(folder)
-    if records(batch)[0] in store:  # what kept its length shows when it is read
+    if records(batch)[0] in store:  # damage that keeps the length is found by reading
         with contextlib.suppress(DamagedShard):
             store.read(records(batch), SAMPLES)
     return store
@@ -48,7 +48,7 @@ def test_damaged_shard_is_set_aside_the_others_are_read_and_it_can_be_computed_a
     damaged = shard_of(store, WORK[0])
     content = SPOILT[name](damaged.read_bytes())
     damaged.write_bytes(content)
-    again = seen(tmp_path, WORK[0])
+    again = opened(tmp_path, WORK[0])
     assert held(again) == held(Store(tmp_path)) == {*records(WORK[1]), *records(WORK[2])}
     assert_holds(again, WORK[1], results[1])
     assert_holds(again, WORK[2], results[2])
@@ -81,15 +81,15 @@ def test_a_shard_that_vanishes_while_the_store_is_open_can_be_computed_again(tmp
     assert "is damaged (missing)" in capsys.readouterr().err
     for again in (store, Store(tmp_path)):
         assert held(again) == set(records(WORK[1]))
-        assert len(again.index.sizes) == len(again.index.made) == 1
-    assert Verified(tmp_path).faults == []
+        assert len(again.index.sizes) == len(again.index.makers_of_shard) == 1
+    assert Verification(tmp_path).faults == []
 
 
 def test_a_shard_that_the_disk_refuses_to_read_is_left_where_it_is(tmp_path):
     store, _ = filled(tmp_path, WORK[:1])
     path = shard_of(store, WORK[0])
     path.unlink()
-    path.mkdir()  # EISDIR, to whoever reads
+    path.mkdir()  # reading it fails with EISDIR
     with pytest.raises(UserError, match="cannot be read"):
         store.read(records(WORK[0]), SAMPLES)
     assert path.is_dir()
@@ -97,7 +97,7 @@ def test_a_shard_that_the_disk_refuses_to_read_is_left_where_it_is(tmp_path):
 
 
 @pytest.mark.parametrize("journaled", [True, False])
-@pytest.mark.parametrize("renamed", [True, False])  # another version may name its shards otherwise
+@pytest.mark.parametrize("renamed", [True, False])  # other versions may use other names
 def test_shard_of_another_format_is_named_and_left_as_it_is(
     tmp_path, capsys, monkeypatch, journaled, renamed
 ):
@@ -110,21 +110,21 @@ def test_shard_of_another_format_is_named_and_left_as_it_is(
     content = path.read_bytes()
     if renamed or not journaled:
         (tmp_path / journal.NAME).unlink()
-    assert held(seen(tmp_path, WORK[0])) == set()
+    assert held(opened(tmp_path, WORK[0])) == set()
     assert path.read_bytes() == content
     assert not list(tmp_path.glob("*.damaged"))
-    said = f"note: {path}: is of another version of the format (elastomer-friction shard 99, not "
-    assert said in capsys.readouterr().err
+    note = f"note: {path}: has another format (elastomer-friction shard 99, not "
+    assert note in capsys.readouterr().err
 
 
 def test_a_sound_file_of_another_program_is_left_as_it_is(tmp_path, capsys):
     content = DAMAGE["of another program"](b"")
-    path = tmp_path / f"{shard.digest(content)}.nc"
-    for file in (path, tmp_path / "notes.nc"):
+    path = tmp_path / f"{shard.digest(content)}.npz"
+    for file in (path, tmp_path / "notes.npz"):
         file.write_bytes(content)
     assert held(reopened(tmp_path)) == set()
-    assert path.read_bytes() == (tmp_path / "notes.nc").read_bytes() == content
-    assert "is no shard of this program" in capsys.readouterr().err
+    assert path.read_bytes() == (tmp_path / "notes.npz").read_bytes() == content
+    assert "is not a shard of this program" in capsys.readouterr().err
 
 
 def test_a_journal_of_another_format_is_refused_and_left_as_it_is(tmp_path):
@@ -134,8 +134,8 @@ def test_a_journal_of_another_format_is_refused_and_left_as_it_is(tmp_path):
     with pytest.raises(UserError) as error:
         Store(tmp_path)
     assert str(error.value).startswith(
-        f"{tmp_path / journal.NAME}: is of another version of the format (elastomer-friction "
-        "journal 99, not elastomer-friction journal 2) and left as it is"
+        f"{tmp_path / journal.NAME}: has another format (elastomer-friction journal 99, not "
+        "elastomer-friction journal 2) and is not changed"
     )
     assert contents(tmp_path) == before
 
@@ -149,6 +149,7 @@ def test_mending_a_sound_store_changes_nothing(tmp_path):
 
 def test_leftovers_of_a_dead_writer_are_removed(tmp_path):
     filled(tmp_path, WORK[:1])
-    (tmp_path / ".0123.nc.4711.tmp").touch()
+    for suffix in (".npz", ".nc"):
+        (tmp_path / f".0123{suffix}.4711.tmp").touch()
     reopened(tmp_path)
     assert list(tmp_path.glob(".*")) == []

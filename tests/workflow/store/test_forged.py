@@ -1,106 +1,152 @@
-"""Shards and journals that contradict themselves, with the right checksums: none is believed."""
+"""Shards and journals that contradict themselves, with the right checksums: all are refused."""
 
+import io
 import json
+import tracemalloc
+import zipfile
 
-import netCDF4
 import numpy as np
 import pytest
 
+from elastomer_friction.workflow.simulate.tasks import SCALARS
 from elastomer_friction.workflow.store import journal
 from elastomer_friction.workflow.store.merge import merge_into
-from elastomer_friction.workflow.store.shard import ARRAYS, FORMAT, decode, digest
-from elastomer_friction.workflow.store.verify import Verified
-from tests.support.faults import endless
+from elastomer_friction.workflow.store.shard import FORMAT, decode, digest, text_array
+from elastomer_friction.workflow.store.verify import Verification
 from tests.support.shards import BATCH, WORK, assert_holds, filled, held, records, reopened
 from tests.support.small import MAKER, random_result
 
+WIDTH = len(SCALARS)
 SOUND = {
-    "chunk": np.array([[1, 0, 2]]),
-    "key": np.ones((1, 16), np.uint8),
-    "scalars": np.ones((2, 6)),
+    "format": text_array(FORMAT),
+    "makers": text_array(json.dumps([MAKER])),
+    "batches": np.array([[1, 0, 2]]),
+    "keys": np.ones((1, 16), np.uint8),
+    "scalars": np.ones((2, WIDTH)),
     "curves": np.ones((2, 5)),
 }
 
 
-def forged(folder, makers=(MAKER,), **arrays):
-    """Return the bytes of a shard with some arrays in place of sound ones; None leaves one out.
-
-    A tuple is the shape of numbers that nobody writes, which take no room.
-    """
-    with netCDF4.Dataset(folder / "forged", "w") as data:
-        data.format, data.makers = FORMAT, json.dumps(makers)
-        for name, values in (SOUND | arrays).items():
-            if values is None:
-                continue
-            shape = getattr(values, "shape", values)
-            dims = [*ARRAYS[name][1:], "more"][: len(shape)]
-            for i, size in enumerate(shape):
-                if len(data.dimensions.get(dims[i], range(size))) != size:
-                    dims[i] = f"{dims[i]}_of_{name}"
-                if dims[i] not in data.dimensions:
-                    data.createDimension(dims[i], size)
-            kind = str(getattr(values, "dtype", "f8"))
-            variable = data.createVariable(name, str if kind == "object" else kind, dims)
-            if shape is not values:
-                variable[:] = values
-    return (folder / "forged").read_bytes()
+def npy(values):
+    """Return an array in the npy format; of a tuple, which is a shape, the header alone."""
+    file = io.BytesIO()
+    if isinstance(values, tuple):
+        header = {"descr": "<f8", "fortran_order": False, "shape": values}
+        np.lib.format.write_array_header_1_0(file, header)
+    else:
+        np.lib.format.write_array(file, values, allow_pickle=True)
+    return file.getvalue()
 
 
-def chunks(*rows):
-    """Return what tells batches."""
-    return {"chunk": np.array(rows)}
+def forged(compressed=(), **members):
+    """Return the bytes of a shard with other members; None leaves one out."""
+    file = io.BytesIO()
+    with zipfile.ZipFile(file, "w") as archive:
+        for name, values in (SOUND | members).items():
+            if values is not None:
+                content = values if isinstance(values, bytes) else npy(values)
+                kind = zipfile.ZIP_DEFLATED if name in compressed else zipfile.ZIP_STORED
+                archive.writestr(f"{name}.npy", content, kind)
+    return file.getvalue()
+
+
+def batches(*rows):
+    """Return the table of batches."""
+    return {"batches": np.array(rows)}
+
+
+def makers(value):
+    """Return the makers as they are stored."""
+    return {"makers": text_array(json.dumps(value))}
 
 
 VAST = 10**12
+TRUNCATED = npy(SOUND["curves"])[:-8]
 FORGED = {
-    "more records told than held": chunks([1, 0, 3]),
-    "fewer records told than held": chunks([1, 0, 1]),
-    "records without end": chunks([1, 0, VAST]),
-    "more tasks than keys": chunks([2, 0, 1]),
-    "tasks and blocks less than none": chunks([-1, 0, -2], [2, 0, 0]),
-    "a block before the first": chunks([1, -1, 2]),
-    "a batch of nothing": chunks([1, 0, 2], [0, 0, 5]),
-    "no batch": {"chunk": np.zeros((0, 3), int)},
-    "batches of two numbers": chunks([1, 0]),
-    "batches that are no whole numbers": chunks([1.0, 0.0, 2.0]),
-    "keys of another length": {"key": np.ones((1, 32), np.uint8)},
-    "more scalars": {"scalars": np.ones((2, 7))},
-    "more curves than scalars": {"curves": np.ones((3, 5))},
-    "curves in single precision": {"curves": np.ones((2, 5), np.float32)},
-    "curves over three dims": {"curves": np.ones((2, 5, 1))},
-    "curves that are words": {"curves": np.full((2, 5), "a", object)},
-    "no curves": {"curves": None},
-    "more than its bytes hold": {"scalars": (VAST, 6), "curves": (VAST, 5), **chunks([1, 0, VAST])},
-    "makers that are numbers": {"makers": [[1, 2]]},
-    "makers of three words": {"makers": [["a", "b", "c"]]},
+    "fewer rows than the batches have": forged(**batches([1, 0, 3])),
+    "more rows than the batches have": forged(**batches([1, 0, 1])),
+    "vast batches": forged(**batches([1, 0, VAST])),
+    "more tasks than keys": forged(**batches([2, 0, 1])),
+    "negative numbers of tasks and blocks": forged(**batches([-1, 0, -2], [2, 0, 0])),
+    "a negative block": forged(**batches([1, -1, 2])),
+    "a batch without tasks": forged(**batches([1, 0, 2], [0, 0, 5])),
+    "no batch": forged(batches=np.zeros((0, 3), int)),
+    "batches of two numbers": forged(**batches([1, 0])),
+    "batches of floats": forged(**batches([1.0, 0.0, 2.0])),
+    "keys of another length": forged(keys=np.ones((1, 32), np.uint8)),
+    "more scalars": forged(scalars=np.ones((2, WIDTH + 1))),
+    "more curves than scalars": forged(curves=np.ones((3, 5))),
+    "curves in single precision": forged(curves=np.ones((2, 5), np.float32)),
+    "curves in Fortran order": forged(curves=np.asfortranarray(np.ones((2, 5)))),
+    "curves of three dimensions": forged(curves=np.ones((2, 5, 1))),
+    "curves of one dimension": forged(curves=np.ones(2)),
+    "curves of big-endian numbers": forged(curves=np.ones((2, 5), ">f8")),
+    "curves that are objects": forged(curves=np.full((2, 5), "a", object)),
+    "no curves": forged(curves=None),
+    "another member": forged(more=np.ones(3)),
+    "a vast array": forged(curves=(2, VAST), **batches([1, 0, 2])),
+    "a vast array of no numbers": forged(curves=(2, 0, VAST)),
+    "a negative shape": forged(curves=(-2, -5)),
+    "a truncated array": forged(curves=TRUNCATED),
+    "bytes after an array": forged(curves=npy(SOUND["curves"]) + bytes(8)),
+    "a member that is not an array": forged(curves=b"not an array"),
+    "a header without end": forged(curves=b"\x93NUMPY\x01\x00\xff\xff" + b"(" * 65535),
+    "another version of npy": forged(curves=b"\x93NUMPY\x02" + npy(SOUND["curves"])[7:]),
+    "a zip bomb": forged(["curves"], curves=np.zeros((2, 10**6))),
+    "makers that are numbers": forged(**makers([[1, 2]])),
+    "makers of three words": forged(**makers([["a", "b", "c"]])),
+    "makers nested without end": forged(makers=text_array("[" * 10**5)),
+    "makers that are not JSON": forged(makers=text_array("{")),
+    "a truncated archive": forged()[:-30],
+    "no archive": b"no archive, but of the format " + FORMAT.encode(),
 }
 
 
-def test_what_is_forged_would_be_sound_without_its_fault(tmp_path):
-    content = forged(tmp_path)
-    found = decode(digest(content), content)
-    assert found.records == [("01" * 16, 0), ("01" * 16, 1)]
+def test_the_forged_shards_are_sound_without_their_faults():
+    content = forged()
+    contents = decode(digest(content), content)
+    assert contents.records == [("01" * 16, 0), ("01" * 16, 1)]
 
 
-def test_shards_that_contradict_themselves_are_left_out_everywhere(tmp_path, capsys):
+@pytest.mark.parametrize("content", FORGED.values(), ids=FORGED)
+def test_a_forged_shard_is_refused_within_memory_in_proportion_to_its_bytes(content):
+    tracemalloc.start()
+    with pytest.raises(ValueError, match="it is not a valid shard: "):
+        decode(digest(content), content)
+    _, peak = tracemalloc.get_traced_memory()
+    tracemalloc.stop()
+    assert peak < 10 * len(content) + 2**20
+
+
+def test_members_that_share_their_bytes_are_refused(monkeypatch):
+    monkeypatch.setitem(SOUND, "curves", np.ones((2, 10**4)))
+    content = forged()
+    with zipfile.ZipFile(io.BytesIO(content)) as archive:
+        place = archive.getinfo("curves.npy").header_offset
+        other = archive.getinfo("scalars.npy").header_offset
+    entry = content.rindex(b"scalars.npy") - 46  # in the table of contents
+    assert content[entry + 42 : entry + 46] == other.to_bytes(4, "little")
+    shared = content[: entry + 42] + place.to_bytes(4, "little") + content[entry + 46 :]
+    with pytest.raises(ValueError, match="it is not a valid shard: "):
+        decode(digest(shared), shared)
+
+
+def test_forged_shards_are_left_out_everywhere(tmp_path, capsys):
     stores = [filled(tmp_path / name, WORK[:1])[0].folder for name in ("ours", "theirs")]
-    (sound,) = stores[0].glob("*.nc")
-    contents = [forged(tmp_path, **how) for how in FORGED.values()]
-    contents.append(endless(sound.read_bytes()))
-    for content in contents:
-        (stores[0] / f"{digest(content)}.nc").write_bytes(content)
-    names = sorted(map(digest, contents))
-    assert len(names) == len(FORGED) + 1
-    said = "it is not made as a shard is: "
-    for fault, name in zip(sorted(Verified(stores[0]).faults), names, strict=True):
-        assert fault.startswith(f"{name}.nc: damaged ({said}")
-    *left_out, taken = merge_into(*stores)
+    for content in FORGED.values():
+        (stores[0] / f"{digest(content)}.npz").write_bytes(content)
+    names = sorted(map(digest, FORGED.values()))
+    assert len(names) == len(FORGED)
+    reason = "it is not a valid shard: "
+    for fault, name in zip(sorted(Verification(stores[0]).faults), names, strict=True):
+        assert fault.startswith(f"{name}.npz: damaged ({reason}")
+    *left_out, merged = merge_into(*stores)
     for line, name in zip(left_out, names, strict=True):
-        assert line.startswith(f"left out    {name}.nc: {said}")
-    assert taken == f"taken over  0 of {len(names) + 1} shards, 0 records that are new"
+        assert line.startswith(f"left out    {name}.npz: {reason}")
+    assert merged == f"merged      0 of {len(names) + 1} shards, 0 new records"
     assert held(reopened(stores[0])) == set(records(WORK[0]))
     for line, name in zip(capsys.readouterr().err.splitlines(), names, strict=True):
-        assert line.startswith(f"warning: {stores[0] / name}.nc is damaged ({said}")
+        assert line.startswith(f"warning: {stores[0] / name}.npz is damaged ({reason}")
         assert digest((stores[0] / f"{name}.damaged").read_bytes()) == name
 
 
@@ -134,7 +180,7 @@ def test_a_line_of_the_journal_that_is_not_made_as_lines_are_is_as_one_that_is_s
     (part,) = (entry["part"] for entry in entries if "part" in entry)
     text = json.dumps([change(entry) for entry in entries]).replace("PART", part)
     (tmp_path / journal.NAME).write_bytes(journal.encoded(json.loads(text)))
-    assert Verified(tmp_path).faults[0].startswith("journal, line ")
+    assert Verification(tmp_path).faults[0].startswith("journal, line ")
     for _ in range(2):
         assert_holds(reopened(tmp_path), BATCH, random_result(BATCH, 0))
 
@@ -144,5 +190,5 @@ def test_a_line_of_the_journal_that_is_no_entry_is_as_one_that_is_spoilt(tmp_pat
     filled(tmp_path, [BATCH])
     with (tmp_path / journal.NAME).open("ab") as file:
         file.write(journal.line(text))
-    assert Verified(tmp_path).faults == ["journal, line 4: spoilt"]
+    assert Verification(tmp_path).faults == ["journal, line 4: spoilt"]
     assert_holds(reopened(tmp_path), BATCH, random_result(BATCH, 0))

@@ -54,7 +54,7 @@ def test_two_joined_journals_are_one_store(tmp_path):
     for folder, work in zip(folders, ([BATCH, WORK[5]], [WORK[5], BATCH, WORK[2]]), strict=True):
         filled(folder, work)
     joined = b"".join((folder / journal.NAME).read_bytes() for folder in folders)
-    for path in folders[1].glob("*.nc"):
+    for path in folders[1].glob("*.npz"):
         path.replace(folders[0] / path.name)
     (folders[0] / journal.NAME).write_bytes(joined)
     store = reopened(folders[0])
@@ -75,11 +75,11 @@ def test_a_journal_that_is_wrong_about_a_sound_shard_is_mended(tmp_path, capsys)
     store = reopened(tmp_path)
     with pytest.raises(DamagedShard):
         store.read(records(COMPANIES[1]), SAMPLES)
-    assert "every shard is read anew" in capsys.readouterr().err
+    assert "all shards are read again" in capsys.readouterr().err
     for again in (store, Store(tmp_path)):
         for batch, result in zip(COMPANIES, results, strict=True):
             assert_holds(again, batch, result)
-    assert len(list(tmp_path.glob("*.nc"))) == 2  # none is set aside
+    assert len(list(tmp_path.glob("*.npz"))) == 2  # none is set aside
 
 
 def test_what_a_shard_does_not_hold_is_no_longer_told_of_it_once_it_is_read(tmp_path):
@@ -90,7 +90,7 @@ def test_what_a_shard_does_not_hold_is_no_longer_told_of_it_once_it_is_read(tmp_
     first["chunks"] += second["chunks"]
     first["records"] += second["records"]
     (tmp_path / journal.NAME).write_bytes(journal.encoded(entries[:-1]))  # none tells the second
-    (tmp_path / f"{second['shard']}.nc").unlink()
+    (tmp_path / f"{second['shard']}.npz").unlink()
     store = Store(tmp_path)
     with pytest.raises(DamagedShard):
         store.read(records(COMPANIES[1]), SAMPLES)

@@ -1,4 +1,4 @@
-"""Stores that are checked or joined: what is wrong is found and named, and nothing else changes."""
+"""Verifying and merging stores: faults are named, and nothing else changes."""
 
 import errno
 import fcntl
@@ -11,7 +11,7 @@ from elastomer_friction.workflow.store import journal
 from elastomer_friction.workflow.store.merge import merge_into
 from elastomer_friction.workflow.store.shard import digest
 from elastomer_friction.workflow.store.store import Store, enter_result
-from elastomer_friction.workflow.store.verify import Verified
+from elastomer_friction.workflow.store.verify import Verification
 from elastomer_friction.workflow.system.lock import hold
 from tests.support.faults import DAMAGE
 from tests.support.shards import (
@@ -38,9 +38,9 @@ def store(tmp_path):
 
 
 def verified(folder):
-    """Return what is found in a store, which is left as it is."""
+    """Return the verification of a store, which must not change it."""
     before = contents(folder)
-    found = Verified(folder)
+    found = Verification(folder)
     assert contents(folder) == before
     return found
 
@@ -63,7 +63,7 @@ def test_a_damaged_shard_is_named(store, name):
     path = shard_of(store, WORK[4])
     path.write_bytes(DAMAGE[name](path.read_bytes()))
     found = verified(store.folder)
-    assert found.sound == 2
+    assert found.undamaged == 2
     (fault,) = found.faults
     assert fault.startswith(f"{path.name}: damaged (")
 
@@ -71,19 +71,19 @@ def test_a_damaged_shard_is_named(store, name):
 def test_a_file_of_another_program_is_noted_and_no_fault(store):
     path = shard_of(store, WORK[4])
     content = DAMAGE["of another program"](b"")
-    path.with_name(f"{digest(content)}.nc").write_bytes(content)
+    path.with_name(f"{digest(content)}.npz").write_bytes(content)
     found = verified(store.folder)
-    assert (found.sound, found.shards, found.faults) == (3, 4, [])
+    assert (found.undamaged, found.shards, found.faults) == (3, 4, [])
     (note,) = found.notes
-    assert note.startswith(f"{digest(content)}.nc: is no shard of this program")
+    assert note.startswith(f"{digest(content)}.npz: is not a shard of this program")
 
 
 def test_a_missing_shard_and_a_strange_file_are_named(store):
     path = shard_of(store, BATCH)
     path.replace(path.with_suffix(".damaged"))
     found = verified(store.folder)
-    assert found.faults == [f"{path.name}: missing, but told by the journal"]
-    assert found.notes == [f"{path.stem}.damaged: no part of the store"]
+    assert found.faults == [f"{path.name}: missing, but listed in the journal"]
+    assert found.notes == [f"{path.stem}.damaged: not part of the store"]
 
 
 @pytest.mark.parametrize("line", range(7))
@@ -94,7 +94,7 @@ def test_a_spoilt_line_is_named_by_its_number(store, line):
     path.write_bytes(b"".join(lines))
     faults = verified(store.folder).faults
     assert f"{journal.NAME}, line {line + 1}: spoilt" in faults
-    assert not any("not understood" in fault for fault in faults)
+    assert not any("invalid" in fault for fault in faults)
 
 
 def test_a_result_that_was_edited_is_a_fault(tmp_path):
@@ -108,7 +108,7 @@ def test_a_result_that_was_edited_is_a_fault(tmp_path):
     ]
 
 
-def test_every_key_is_compared_with_what_the_journal_tells(store):
+def test_every_key_is_compared_with_the_journal(store):
     entries = [entry for entry, _ in journal.entries(store.folder)]
     shards = [entry for entry in entries if "shard" in entry]
     shards[1]["chunks"], shards[2]["chunks"] = shards[2]["chunks"], shards[1]["chunks"]
@@ -126,16 +126,16 @@ def test_a_maker_that_the_shard_does_not_name_is_a_fault(store):
     (store.folder / journal.NAME).write_bytes(journal.encoded(entries))
     faults = verified(store.folder).faults
     assert len(faults) == 3
-    assert all("was computed with something else" in fault for fault in faults)
+    assert all("was computed by other makers" in fault for fault in faults)
 
 
-def test_shards_that_the_journal_does_not_tell_are_noted(tmp_path):
+def test_shards_that_are_not_in_the_journal_are_noted(tmp_path):
     filled(tmp_path, WORK[:2])
     (tmp_path / journal.NAME).unlink()
     found = verified(tmp_path)
     assert found.faults == []
     assert len(found.notes) == 3
-    assert found.sound == 2
+    assert found.undamaged == 2
 
 
 @pytest.fixture
@@ -152,16 +152,16 @@ def test_all_that_either_holds_is_there_and_the_source_as_it_was(folders):
     source, target = folders
     before = contents(source)
     said = merge_into(source, target)
-    assert said == ["taken over  2 of 3 shards, 2 records that are new"]
+    assert said == ["merged      2 of 3 shards, 2 new records"]
     assert contents(source) == before
     store = Store(target)
     assert held(store) == {r for batch in (*WORK[:3], WORK[4]) for r in records(batch)}
     for seed in (0, 1, 2, 4):
         assert_holds(store, WORK[seed], random_result(WORK[seed], seed))
-    assert Verified(target).faults == []
+    assert Verification(target).faults == []
     assert store.index.makers_of({batch.tasks[0].key: 99 for batch in WORK[:5]}) == {MAKER}
     again = contents(target)
-    assert merge_into(source, target) == ["taken over  0 of 3 shards, 0 records that are new"]
+    assert merge_into(source, target) == ["merged      0 of 3 shards, 0 new records"]
     assert contents(target).keys() == again.keys()
 
 
@@ -176,7 +176,7 @@ def test_records_that_differ_by_the_last_bit_of_one_number_are_counted(folders):
     result.scalars[0, 0, 0] = np.nextafter(result.scalars[0, 0, 0], np.inf)
     Store(source).add([(WORK[4], result)])
     said = merge_into(source, target)
-    assert said[0] == "differing   1 records are in both, but not to the bit"
+    assert said[0] == "differing   1 records are in both stores, with different bits"
     assert_holds(Store(target), WORK[4], random_result(WORK[4], 4))  # as it was
 
 
@@ -185,11 +185,9 @@ def test_where_there_are_no_locks_a_store_is_joined_only_if_that_is_asked_for(fo
         raise OSError(errno.ENOLCK, "No locks available")
 
     monkeypatch.setattr(fcntl, "flock", no_locks)
-    with pytest.raises(UserError, match="then go on with --no-lock"):
+    with pytest.raises(UserError, match="then add --no-lock"):
         merge_into(*folders)
-    assert merge_into(*folders, no_lock=True) == [
-        "taken over  2 of 3 shards, 2 records that are new"
-    ]
+    assert merge_into(*folders, no_lock=True) == ["merged      2 of 3 shards, 2 new records"]
 
 
 def test_a_damaged_shard_is_left_out_and_left_as_it_is(folders):
@@ -208,18 +206,18 @@ def test_a_shard_that_is_damaged_where_it_goes_is_taken_over_anew(folders):
     path = shard_of(Store(target), WORK[0])
     path.write_bytes(path.read_bytes()[:-50] + 50 * b"x")
     said = merge_into(source, target)
-    assert said == ["taken over  3 of 3 shards, 3 records that are new"]
+    assert said == ["merged      3 of 3 shards, 3 new records"]
     assert_holds(Store(target), WORK[0], random_result(WORK[0], 0))
-    assert Verified(target).faults == []
+    assert Verification(target).faults == []
 
 
 def test_a_store_in_use_another_version_and_itself_are_refused(folders, monkeypatch):
-    monkeypatch.setattr("elastomer_friction.workflow.system.lock.GLANCE_SECONDS", 0.1)
+    monkeypatch.setattr("elastomer_friction.workflow.system.lock.PROBE_SECONDS", 0.1)
     source, target = folders
     with hold(target), pytest.raises(UserError, match="in use by"):
         merge_into(source, target)
-    with pytest.raises(UserError, match="cannot be joined with itself"):
+    with pytest.raises(UserError, match="cannot be merged with itself"):
         merge_into(source, source)
     journal.append(source, [{"format": "elastomer-friction journal 99"}])
-    with pytest.raises(UserError, match="another version of the format"):
+    with pytest.raises(UserError, match="has another format"):
         merge_into(source, target)

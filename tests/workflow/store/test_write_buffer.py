@@ -57,9 +57,9 @@ def test_a_long_run_writes_a_shard_every_thousandth_of_its_time(store, clock):
 
 
 def test_shards_are_of_sixteen_mebibytes_and_of_two_minutes_at_most(store, clock, monkeypatch):
-    assert (module.MOST_BYTES, module.LONGEST_SECONDS) == (2**24, 120.0)
+    assert (module.MAX_BUFFER_BYTES, module.MAX_WAIT_SECONDS) == (2**24, 120.0)
     each = random_result(WORK[0]).scalars.nbytes + random_result(WORK[0]).curves.nbytes
-    monkeypatch.setattr(module, "MOST_BYTES", 3 * each)
+    monkeypatch.setattr(module, "MAX_BUFFER_BYTES", 3 * each)
     with buffer_of(store, clock) as buffer:
         put(buffer, 0, 1)
         assert held(store) == set()

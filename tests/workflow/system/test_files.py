@@ -1,4 +1,4 @@
-"""Files are written whole or not at all, locked by one, and a disk that refuses is waited for."""
+"""Durable files, retries of disk operations, and the lock of a folder."""
 
 import errno
 import fcntl
@@ -7,6 +7,7 @@ import re
 import signal
 import threading
 
+import numpy as np
 import pytest
 
 from elastomer_friction.workflow.ground import UserError
@@ -26,31 +27,31 @@ def full_disk(*_):
     raise OSError(errno.ENOSPC, "No space left on device")
 
 
-def test_failure_leaves_the_old_file_as_it_was(tmp_path, monkeypatch):
-    path = tmp_path / "shard.nc"
+def test_a_failed_write_keeps_the_old_file(tmp_path, monkeypatch):
+    path = tmp_path / "shard.npz"
     write_durably(path, b"old")
     monkeypatch.setattr("pathlib.Path.replace", full_disk)
-    with pytest.raises(UserError, match=r"shard\.nc: cannot be written: No space left"):
+    with pytest.raises(UserError, match=r"shard\.npz: cannot be written: No space left"):
         write_durably(path, b"new")
     assert path.read_bytes() == b"old"
     assert list(tmp_path.iterdir()) == [path]
 
 
 def test_file_is_flushed_before_it_gets_its_name(tmp_path, monkeypatch):
-    path = tmp_path / "shard.nc"
-    seen = []
-    monkeypatch.setattr(os, "fsync", lambda _: seen.append(path.exists()))
+    path = tmp_path / "shard.npz"
+    existed = []
+    monkeypatch.setattr(os, "fsync", lambda _: existed.append(path.exists()))
     write_durably(path, b"content")
-    assert seen == [False, True]  # the file, then its folder
+    assert existed == [False, True]  # the file, then its folder
 
 
-def test_what_is_appended_is_flushed(tmp_path, monkeypatch):
+def test_appended_lines_are_flushed(tmp_path, monkeypatch):
     path = tmp_path / "journal"
-    seen = []
-    monkeypatch.setattr(os, "fsync", lambda _: seen.append(path.read_bytes()))
+    flushed = []
+    monkeypatch.setattr(os, "fsync", lambda _: flushed.append(path.read_bytes()))
     append_durably(path, b"one\n")
     append_durably(path, b"two\n")
-    assert seen == [b"one\n"] * 2 + [b"one\ntwo\n"] * 2
+    assert flushed == [b"one\n"] * 2 + [b"one\ntwo\n"] * 2
 
 
 def test_append_to_a_full_disk_is_reported(tmp_path, monkeypatch):
@@ -59,34 +60,34 @@ def test_append_to_a_full_disk_is_reported(tmp_path, monkeypatch):
         append_durably(tmp_path / "journal", b"line\n")
 
 
-def test_leftovers_of_one_file_are_removed_and_nothing_else(tmp_path):
-    kept = [tmp_path / name for name in ("a.nc", "b.tmp", ".b.csv.17.tmp", ".a.nc")]
-    for path in (*kept, tmp_path / ".a.nc.17.tmp", tmp_path / ".a.nc.4711.tmp"):
+def test_only_temporary_files_of_the_given_file_are_removed(tmp_path):
+    others = [tmp_path / name for name in ("a.nc", "b.tmp", ".b.csv.17.tmp", ".a.nc")]
+    for path in (*others, tmp_path / ".a.nc.17.tmp", tmp_path / ".a.nc.4711.tmp"):
         path.touch()
     clear_leftovers(tmp_path / "a.nc")
-    assert sorted(tmp_path.iterdir()) == sorted(kept)
+    assert sorted(tmp_path.iterdir()) == sorted(others)
 
 
-PASSING = ["EIO", "ESTALE", "EMFILE", "ENFILE", "ENOSPC", "EDQUOT", "ETIMEDOUT"]
+TEMPORARY_ERRORS = ["EIO", "ESTALE", "EMFILE", "ENFILE", "ENOSPC", "EDQUOT", "ETIMEDOUT"]
 
 
 class Disk:
-    """A disk that refuses until a time of the clock, by an error."""
+    """A disk that fails with an error until a time of the clock."""
 
     def __init__(self, clock, path, until, error):
         self.clock, self.path, self.until, self.error = clock, path, until, error
-        self.tried = []
+        self.attempts = []
 
     def __call__(self):
-        self.tried.append(self.clock[0])
+        self.attempts.append(self.clock[0])
         with refused(self.path, "cannot be written:"):
             if self.clock[0] < self.until:
                 raise self.error
         return "done"
 
 
-def patience(clock, seconds, stop=lambda: False):
-    """Return a patience whose waiting takes no time but that of the clock."""
+def disk_retry(clock, seconds, stop=lambda: False):
+    """Return a DiskRetry that waits by advancing the clock."""
 
     def sleep(duration):
         clock[0] += duration
@@ -100,18 +101,18 @@ def disk_error(name):
     return OSError(number, os.strerror(number))
 
 
-HDF5 = RuntimeError("NetCDF: HDF error")  # which gives no reason
+HDF5 = RuntimeError("NetCDF: HDF error")  # without a reason
 
 
-@pytest.mark.parametrize("error", [*map(disk_error, PASSING), HDF5], ids=str)
-def test_what_passes_is_tried_again_and_said_at_once(tmp_path, clock, capsys, error):
+@pytest.mark.parametrize("error", [*map(disk_error, TEMPORARY_ERRORS), HDF5], ids=str)
+def test_temporary_errors_are_retried_with_a_warning_at_once(tmp_path, clock, capsys, error):
     disk = Disk(clock, tmp_path, clock[0] + 20.0, error)
-    assert patience(clock, 600.0)(disk) == "done"
-    said = capsys.readouterr().err
+    assert disk_retry(clock, 600.0)(disk) == "done"
+    warning = capsys.readouterr().err
     reason = getattr(error, "strerror", str(error))
-    words = f"cannot be written: {reason}; tried again for 10.0 min at most"
-    assert said == f"warning: {tmp_path}: {words}\n"
-    gaps = [later - earlier for earlier, later in zip(disk.tried, disk.tried[1:], strict=False)]
+    message = f"cannot be written: {reason}; tried again for 10.0 min at most"
+    assert warning == f"warning: {tmp_path}: {message}\n"
+    gaps = np.diff(disk.attempts)
     assert gaps[:4] == pytest.approx([0.1, 0.2, 0.4, 0.8])
     assert max(gaps) <= 10.0 + 1e-9
 
@@ -120,34 +121,34 @@ def test_what_passes_is_tried_again_and_said_at_once(tmp_path, clock, capsys, er
     ("name", "seconds"),
     [("EACCES", 600.0), ("EROFS", 600.0), ("ENOENT", 600.0), ("ENOTDIR", 600.0), ("EIO", 0.0)],
 )
-def test_what_does_not_pass_is_refused_at_once(tmp_path, clock, capsys, name, seconds):
-    """Nor is anything tried twice without patience."""
+def test_permanent_errors_are_not_retried(tmp_path, clock, capsys, name, seconds):
+    """A time limit of zero allows no retry either."""
     disk = Disk(clock, tmp_path, clock[0] + 1.0, disk_error(name))
     with pytest.raises(UserError, match=f"cannot be written: {disk_error(name).strerror}$"):
-        patience(clock, seconds)(disk)
-    assert len(disk.tried) == 1
+        disk_retry(clock, seconds)(disk)
+    assert len(disk.attempts) == 1
     assert capsys.readouterr().err == ""
 
 
-def test_it_ends_and_what_follows_is_tried_once_until_the_disk_is_back(tmp_path, clock, capsys):
-    began, waiting = clock[0], patience(clock, 300.0)
+def test_after_giving_up_operations_are_tried_once_until_the_disk_is_back(tmp_path, clock, capsys):
+    began, retry = clock[0], disk_retry(clock, 300.0)
     with pytest.raises(UserError, match=r"No space left on device; given up after 5\.0 min$"):
-        waiting(Disk(clock, tmp_path, began + 1e6, disk_error("ENOSPC")))
+        retry(Disk(clock, tmp_path, began + 1e6, disk_error("ENOSPC")))
     assert clock[0] - began == pytest.approx(300.0)
     assert capsys.readouterr().err.count("\n") == 5  # at once, after 30, 60, 120 and 240 s
     disk = Disk(clock, tmp_path, began + 1e6, disk_error("ENOSPC"))
     with pytest.raises(UserError):
-        waiting(disk)
-    assert len(disk.tried) == 1
-    assert waiting(lambda: "done") == "done"
-    assert waiting(Disk(clock, tmp_path, clock[0] + 20.0, disk_error("ENOSPC"))) == "done"
+        retry(disk)
+    assert len(disk.attempts) == 1
+    assert retry(lambda: "done") == "done"
+    assert retry(Disk(clock, tmp_path, clock[0] + 20.0, disk_error("ENOSPC"))) == "done"
 
 
-def test_who_is_to_stop_waits_for_a_moment_longer(tmp_path, clock):
+def test_a_process_that_is_to_stop_retries_for_a_short_time(tmp_path, clock):
     began = clock[0]
-    waiting = patience(clock, 600.0, lambda: clock[0] > began + 40.0)
+    retry = disk_retry(clock, 600.0, lambda: clock[0] > began + 40.0)
     with pytest.raises(UserError, match="given up after"):
-        waiting(Disk(clock, tmp_path, began + 1e6, disk_error("EIO")))
+        retry(Disk(clock, tmp_path, began + 1e6, disk_error("EIO")))
     assert clock[0] - began < 40.0 + GRACE_SECONDS + 1.0
 
 
@@ -164,13 +165,13 @@ with hold(Path(sys.argv[1])):
 @pytest.fixture
 def other(tmp_path):
     """Return another process that holds the lock of tmp_path."""
-    with standing(HOLDER, str(tmp_path)) as (process, said):
-        assert said == "held"
+    with standing(HOLDER, str(tmp_path)) as (process, line):
+        assert line == "held"
         yield process
 
 
-def test_a_second_holder_is_refused_and_told_who_has_it(tmp_path, other, monkeypatch):
-    monkeypatch.setattr("elastomer_friction.workflow.system.lock.GLANCE_SECONDS", 0.1)
+def test_a_second_holder_is_refused_with_the_name_of_the_first(tmp_path, other, monkeypatch):
+    monkeypatch.setattr("elastomer_friction.workflow.system.lock.PROBE_SECONDS", 0.1)
     who = rf"process {other.pid} on \S+ since \d{{4}}-\d\d-\d\d \d\d:\d\d:\d\d\S+"
     line = rf"{re.escape(str(tmp_path))}: in use by {who}; one run at a time"
     with pytest.raises(UserError) as error, hold(tmp_path):
@@ -190,7 +191,7 @@ def test_the_lock_dies_with_its_holder_and_is_free_after_an_error(tmp_path, othe
     assert holder(tmp_path) is None
 
 
-def test_a_file_system_without_locks_is_refused_unless_one_does_without(tmp_path, monkeypatch):
+def test_a_file_system_without_locks_is_refused_by_default(tmp_path, monkeypatch):
     def no_locks(*_):
         raise OSError(errno.ENOLCK, "No locks available")
 
@@ -198,28 +199,28 @@ def test_a_file_system_without_locks_is_refused_unless_one_does_without(tmp_path
     with pytest.raises(UserError) as error, hold(tmp_path):
         pass
     assert str(error.value) == (
-        f"{tmp_path}: cannot be locked (No locks available); see to it that no other run uses it, "
-        "then go on with --no-lock"
+        f"{tmp_path}: cannot be locked (No locks available); make sure that no other run uses it, "
+        "then add --no-lock"
     )
     assert holder(tmp_path) is None
     with hold(tmp_path, without=True):
-        assert f"process {os.getpid()} on " in holder(tmp_path)  # it lives
+        assert f"process {os.getpid()} on " in holder(tmp_path)
 
 
-def test_a_folder_that_cannot_be_flushed_is_said_once(tmp_path, monkeypatch, capsys):
+def test_a_folder_that_cannot_be_flushed_is_noted_once(tmp_path, monkeypatch, capsys):
     def refuse(_):
         raise OSError(errno.EINVAL, "Invalid argument")
 
     monkeypatch.setattr(os, "fsync", refuse)
     with hold(tmp_path):
         pass
-    said = capsys.readouterr().err
-    assert said.startswith(f"note: {tmp_path}: the file system flushes no folder")
-    assert said.count("\n") == 1
+    note = capsys.readouterr().err
+    assert note.startswith(f"note: {tmp_path}: the file system cannot flush a folder")
+    assert note.count("\n") == 1
 
 
-def test_who_looks_at_the_lock_keeps_nobody_from_it(tmp_path, monkeypatch):
-    monkeypatch.setattr("elastomer_friction.workflow.system.lock.GLANCE_SECONDS", PATIENCE)
+def test_probing_the_lock_does_not_prevent_its_acquisition(tmp_path, monkeypatch):
+    monkeypatch.setattr("elastomer_friction.workflow.system.lock.PROBE_SECONDS", PATIENCE)
     with hold(tmp_path):
         pass
     with (tmp_path / LOCK).open() as file:
@@ -230,7 +231,7 @@ def test_who_looks_at_the_lock_keeps_nobody_from_it(tmp_path, monkeypatch):
             leave.join()
 
 
-def test_asking_who_holds_it_makes_nothing(tmp_path):
+def test_probing_the_lock_creates_no_file(tmp_path):
     assert holder(tmp_path / "store") is None
     assert list(tmp_path.iterdir()) == []
 

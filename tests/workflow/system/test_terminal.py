@@ -23,8 +23,8 @@ from tests.support.python import PATIENCE, ROOT, printed
 
 SAY = """
 import contextlib, os, sys
-from elastomer_friction.workflow.system import forgive_streams
-forgive_streams()
+from elastomer_friction.workflow.system import make_streams_tolerant
+make_streams_tolerant()
 for _ in range(20000):
     print("said", file=sys.stderr)
     print("printed")
@@ -70,8 +70,8 @@ def test_letters_that_the_terminal_lacks_are_shown_as_numbers(tmp_path):
 
 WAIT = """
 import sys
-from elastomer_friction.workflow.system import forgive_streams
-forgive_streams()
+from elastomer_friction.workflow.system import make_streams_tolerant
+make_streams_tolerant()
 print("said", file=sys.stderr)
 sys.stdin.read()
 """

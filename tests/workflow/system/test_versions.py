@@ -1,4 +1,4 @@
-"""Whoever computes must run what the driver runs; whoever does not is named in a table."""
+"""Workers with other versions than the driver are refused with a table."""
 
 import pytest
 
@@ -7,14 +7,14 @@ from elastomer_friction.workflow.system import packages
 from elastomer_friction.workflow.system.packages import own_versions, require
 
 
-def test_same_versions_of_packages_python_and_our_own_sources_are_accepted():
+def test_equal_versions_of_packages_python_and_sources_are_accepted():
     require(own_versions())
-    assert set(own_versions()) == {*packages.DEPENDED_ON, "python", "our sources"}
+    assert set(own_versions()) == {*packages.WORKER_PACKAGES, "python", "our sources"}
     assert all("not installed" not in value for value in own_versions().values())
 
 
-def test_an_edit_is_another_version(tmp_path, monkeypatch):
-    for name in packages.FOLDERS:
+def test_an_edit_changes_the_version(tmp_path, monkeypatch):
+    for name in packages.SOURCE_FOLDERS:
         (tmp_path / name / "room").mkdir(parents=True)
         (tmp_path / name / "room" / "a.py").write_text("x = 1\n")
     monkeypatch.setattr(packages, "ROOT", tmp_path)

@@ -99,7 +99,7 @@ def test_a_small_file_that_promises_more_than_memory_holds_is_refused(tmp_path):
     (tmp_path / "l.npy").write_bytes(
         content.replace(b"(4, 2), }           ", b"(40000000000, 2), } ")
     )
-    for name, why in (("l.nc", "it tells of more than memory holds"), ("l.npy", "mmap len")):
+    for name, why in (("l.nc", "it claims more data than fits into memory"), ("l.npy", "mmap len")):
         assert (tmp_path / name).stat().st_size < 10**5
         with pytest.raises(UserError, match=f"surface.file = '{name}': cannot be read: {why}"):
             read(tmp_path / name)
