@@ -1,6 +1,6 @@
-"""What a worker computes: all that a stored number depends on, beside the kernels.
+"""Computation of a worker: with the kernels, all code that a stored number depends on.
 
-Imports numpy and the kernels alone; its code is part of the key of every record.
+It imports numpy and the kernels alone; its code is part of the key of every record.
 """
 
 from typing import TYPE_CHECKING

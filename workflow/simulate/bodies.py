@@ -1,4 +1,4 @@
-"""What a body makes of a batch: how its surfaces are drawn, and how cases and scenes are run."""
+"""Bodies: functions that draw surfaces for each body, and run cases and scenes on them."""
 
 from collections.abc import Callable, Sequence
 from typing import Any, NamedTuple
@@ -16,41 +16,48 @@ from .drawing import Draw, drawn_lines, drawn_maps
 from .tasks import Batch
 
 
-class PreparedCases(NamedTuple):
-    """Cases for surfaces of so many steps per spacing."""
+class MapCases(NamedTuple):
+    """Cases for maps at one number of steps per spacing."""
 
     steps_per_spacing: int
-    asked: Quantities
+    requested: Quantities
     cases: tuple[Case, ...]
 
 
+class CaseGroup(NamedTuple):
+    """Cases of a batch at one number of steps per spacing, and the tasks that share them."""
+
+    prepared: Any  # the cases, prepared by their body
+    rows: list[list[int]]  # of each case, the positions of its tasks in the batch
+
+
 class BodyKernels(NamedTuple):
-    """How surfaces of a body are drawn and run; a surface is a line of elements, or a map."""
+    """Functions of a body; its surfaces are lines of elements, or maps."""
 
     drawing: Callable[[Batch], tuple[int, Callable[[int], Draw]]]
     prepare: Callable[[Sequence[Case], int, Quantities], Any]
     run: Callable[[Sequence[Any], Any], list[list[Outcome]]]
     run_scene: Callable[..., dict]
-    pull: Callable[..., dict]  # through a scene, by a drive
+    pull: Callable[..., dict]  # run a scene that a drive pulls
     load: Callable[[str, Quantities], None]
 
 
-def _prepare_maps(cases: Sequence[Case], steps: int, asked: Quantities) -> PreparedCases:
-    return PreparedCases(steps, asked, tuple(cases))
+def _prepare_maps(cases: Sequence[Case], steps: int, requested: Quantities) -> MapCases:
+    return MapCases(steps, requested, tuple(cases))
 
 
-def _run_maps(surfaces: Sequence[Any], prepared: PreparedCases) -> list[list[Outcome]]:
+def _run_maps(surfaces: Sequence[Any], prepared: MapCases) -> list[list[Outcome]]:
     return [
-        [half_space.run_case(surface, case, prepared.asked) for case in prepared.cases]
+        [half_space.run_case(surface, case, prepared.requested) for case in prepared.cases]
         for surface in surfaces
     ]
 
 
-def _load_maps(scheme: str, asked: Quantities) -> None:
-    """Compile the kernels of a half-space, or load them: a small map at one speed."""
+def _load_maps(scheme: str, requested: Quantities) -> None:
+    """Compile or load the kernels of a half-space by running a small map at one speed."""
     surface = Surface.drawn(np.random.default_rng(0), ring_amplitudes(0.5, 8), 8, 4)
     case = Case(0.1, 1.0, (1.2,), (np.array([1, 2]),), scheme)
-    half_space.run_case(surface, case, asked)
+    half_space.run_case(surface, case, requested)
 
 
 BODIES = {
@@ -67,5 +74,5 @@ BODIES = {
 
 
 def body_of(batch: Batch) -> BodyKernels:
-    """Return the body of a batch, which all of its tasks have."""
+    """Return the functions of the body of a batch; all its tasks have one body."""
     return BODIES[batch.tasks[0].problem.surface.body]

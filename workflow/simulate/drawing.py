@@ -1,4 +1,4 @@
-"""The lines or maps of a batch: random ones, which are drawn, or measured ones."""
+"""Lines or maps of a batch: drawn at random, or measured."""
 
 from collections.abc import Callable, Iterable
 from itertools import islice
@@ -9,20 +9,20 @@ from ...kernels import QUARTET, Line, amplitudes, draw_phases
 from ...kernels.half_space.surface import Surface, ring_amplitudes
 from .tasks import Batch
 
-# Steps per spacing -> the lines, or maps, of realizations in a row that one drawing gives.
+# Steps per spacing -> lines or maps of consecutive realizations, from one drawing.
 Draw = Callable[[int], Iterable]
 
 
 def drawn_lines(batch: Batch) -> tuple[int, Callable[[int], Draw]]:
-    """Return how many realizations one drawing is for, and what draws them from a number on.
+    """Return the realizations per drawing, and a function: first realization -> drawing.
 
-    Random self-affine lines come in quartets, those of a block together. Lines that were measured
-    come one by one, and so do random ones like them, which are as many.
+    Self-affine lines are drawn in quartets within a block. Measured lines come one by one, and so
+    do random ones with their spectrum, which are equally many.
     """
     if batch.heights is not None:
         heights = batch.heights
         return 1, lambda number: lambda steps: (Line.measured(heights[number], steps),)
-    problem = batch.tasks[0].problem  # all tasks are of its lines
+    problem = batch.tasks[0].problem  # its lines are those of all tasks
     hurst, elements, surface = problem.hurst, problem.elements, problem.surface
     size = 1 if surface.measured else min(QUARTET, batch.realizations_per_block)
     amplitude = batch.modes
@@ -40,7 +40,7 @@ def drawn_lines(batch: Batch) -> tuple[int, Callable[[int], Draw]]:
 
 
 def drawn_maps(batch: Batch) -> tuple[int, Callable[[int], Draw]]:
-    """Return that one drawing is for one realization, and what draws its map."""
+    """Return one realization per drawing, and a function: realization -> drawing of its map."""
     if batch.heights is not None:
         heights = batch.heights
         return 1, lambda number: lambda steps: (Surface.measured(heights[number], steps),)
@@ -63,9 +63,9 @@ def drawn_maps(batch: Batch) -> tuple[int, Callable[[int], Draw]]:
 
 
 def line_generator(seed: int, hurst: float, elements: int, index: int) -> np.random.Generator:
-    """Return the generator of one drawing: a function of study seed, H, N and index alone.
+    """Return the generator of one drawing, which depends on study seed, H, N and index alone.
 
-    Every m, scheme, load and speed sees the same lines; batching and order play no part.
+    Every m, scheme, load and speed uses the same lines, in any batch and any order.
     """
     hurst_bits = int(np.float64(hurst).view(np.uint64))
     return np.random.default_rng([seed, hurst_bits, elements, index])

@@ -1,7 +1,7 @@
-"""How a row of the store is laid out: which values of a record stand where, and their times.
+"""Layout of a row of the store: names, positions and shapes of the values of a record.
 
-A row holds, one after the other, what is a curve or belongs to a programme. Its layout follows
-from the task and from what is asked for; rows of a shard are filled up with NaN.
+A row holds the curves of a record and the results of its programme, one after the other. Its
+layout follows from the task and the requested results; rows of a shard are filled up with NaN.
 """
 
 import math
@@ -13,7 +13,7 @@ from ...kernels.drive import MAX_SLIP_EVENTS, PULLED_TRACES, SLIP_EVENTS, SLIPS
 from .recorded_steps import trace_steps
 from .tasks import Recording, Task
 
-STATE = tuple(f"state_{name}" for name in SavedState._fields if name not in ("memory", "p"))
+STATE_SCALARS = tuple(f"state_{name}" for name in SavedState._fields if name not in ("memory", "p"))
 BINS = 40
 EDGES = 2.0 ** (0.5 * np.arange(BINS + 1) - 4.0)  # of contact lengths, in dx
 
@@ -21,7 +21,7 @@ Layout = dict[str, tuple[int, tuple[int, ...]]]  # name -> first column, shape
 
 
 def row_layout(task: Task, quantities: Quantities, scheme: str, recording: Recording) -> Layout:
-    """Return where the values of a record stand in its row, and their shapes."""
+    """Return the first columns and the shapes of the values of a record in its row."""
     shapes: dict[str, tuple[int, ...]] = {}
     if quantities.relaxation:
         shapes["curve"] = (recording.samples - 1,)
@@ -49,37 +49,37 @@ def row_width(places: Layout) -> int:
 
 
 def unpack(rows: np.ndarray, places: Layout) -> dict[str, np.ndarray]:
-    """Return name -> values of rows, shape (..., width), each of shape (..., *its own)."""
+    """Return name -> values, shape (..., *shape of the name), from rows of shape (..., width)."""
     return {
         name: rows[..., first : first + math.prod(shape)].reshape(*rows.shape[:-1], *shape)
         for name, (first, shape) in places.items()
     }
 
 
-def _snapshots(task: Task, of_line: tuple[int, ...]) -> dict[str, tuple[int, ...]]:
-    """Return the shapes of snapshots: of a line what they show, of a map its pressures."""
+def _snapshots(task: Task, line_shape: tuple[int, ...]) -> dict[str, tuple[int, ...]]:
+    """Return the shapes of snapshots: heights and displacements of a line, pressures of a map."""
     if task.problem.surface.body == "foundation":
-        return dict.fromkeys(("snapshot_height", "snapshot_displacement"), of_line)
-    kept, columns = of_line
-    return {"snapshot_pressure": (kept, task.problem.rows(task.steps_per_spacing), columns)}
+        return dict.fromkeys(("snapshot_height", "snapshot_displacement"), line_shape)
+    snapshots, columns = line_shape
+    return {"snapshot_pressure": (snapshots, task.problem.rows(task.steps_per_spacing), columns)}
 
 
 def _programme_shapes(task: Task, scheme: str, recording: Recording) -> dict[str, tuple[int, ...]]:
-    kept = (trace_steps(task.problem, task.steps_per_spacing, recording).size,)
+    trace = (trace_steps(task.problem, task.steps_per_spacing, recording).size,)
     samples = task.problem.elements * task.steps_per_spacing
     units = memory_size(form_of(task.problem.spectrum, scheme))
     shapes: dict[str, dict[str, tuple[int, ...]]] = {
-        "trace": dict.fromkeys(PULLED_TRACES if task.problem.drive else TRACES, kept),
+        "trace": dict.fromkeys(PULLED_TRACES if task.problem.drive else TRACES, trace),
         "stick_slip": dict.fromkeys(SLIPS, ()),
         "slip_events": dict.fromkeys(SLIP_EVENTS, (MAX_SLIP_EVENTS,)),
         "cycle_mean": {"mu_cycle_mean": ()},
-        "energy": dict.fromkeys(ENERGIES, kept),
+        "energy": dict.fromkeys(ENERGIES, trace),
         "contact_lengths": {"contact_length": (BINS,)},
-        "snapshots": _snapshots(task, (*kept, samples)),
+        "snapshots": _snapshots(task, (*trace, samples)),
         "state": {
             "state_memory": (units, samples),
             "state_p": (samples,),
-            **dict.fromkeys(STATE, ()),
+            **dict.fromkeys(STATE_SCALARS, ()),
         },
     }
-    return {name: shape for asked in recording.requested for name, shape in shapes[asked].items()}
+    return {name: shape for group in recording.requested for name, shape in shapes[group].items()}

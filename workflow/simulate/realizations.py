@@ -1,7 +1,7 @@
-"""Run a batch: draw its lines, run every realization, average over blocks."""
+"""Run of a batch: draw its lines, run every realization, average over blocks."""
 
 import math
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from functools import lru_cache
 from itertools import groupby, islice, repeat
 from operator import attrgetter, itemgetter
@@ -12,7 +12,7 @@ import numpy as np
 from ...kernels import MOTION_TRACES, Case, Outcome, Quantities
 from ...kernels.compile.clock import computing_seconds
 from ..system import keep_memory, peak_bytes, this_maker
-from .bodies import BODIES, body_of
+from .bodies import BODIES, CaseGroup, body_of
 from .drawing import Draw
 from .halved_steps import REFINEMENT_FACTOR, add_halved_steps
 from .layout import Layout, row_layout, row_width
@@ -21,24 +21,22 @@ from .recorded_steps import curve_steps
 from .tasks import PHASES, SCALARS, Batch, BatchResult
 
 scalars_of = attrgetter(*SCALARS)
-SHORT = 8192  # samples of a line on which a call from Python takes longer than what is computed
-TOGETHER = 4 * SHORT  # samples of lines that are short, at most, in one call
-# All cases on a line of some steps per spacing, and of each the rows of its tasks.
-Cases = list[tuple[Any, list[list[int]]]]
+MAX_SHORT_SAMPLES = 8192  # of a line for which a call from Python costs more than its computation
+MAX_CALL_SAMPLES = 4 * MAX_SHORT_SAMPLES  # of the short lines in one call
 
 
 class BlockSums(NamedTuple):
-    """Of a block: sums over its lines, and of when and where a trace is kept the means."""
+    """Sums over the lines of a block; times and positions of a trace are running means."""
 
-    scalars: np.ndarray  # shape (tasks, len(SCALARS)), or those of one task
-    curves: np.ndarray  # shape (tasks, values), likewise
-    lines: int  # that are in them
+    scalars: np.ndarray  # shape (tasks, len(SCALARS)); or of one task, without the first axis
+    curves: np.ndarray  # shape (tasks, values); likewise
+    lines: int  # in these sums
 
 
 @lru_cache
-def load_kernels(body: str, scheme: str, asked: Quantities) -> None:
+def load_kernels(body: str, scheme: str, requested: Quantities) -> None:
     """Compile the kernels of a body, or load them from the cache, once per process."""
-    BODIES[body].load(scheme, asked)
+    BODIES[body].load(scheme, requested)
 
 
 def block_means(batch: Batch) -> BatchResult:
@@ -48,22 +46,16 @@ def block_means(batch: Batch) -> BatchResult:
         load_kernels(batch.tasks[0].problem.surface.body, batch.scheme, batch.quantities)
     began = computing_seconds()
     layouts = [row_layout(t, batch.quantities, batch.scheme, batch.recording) for t in batch.tasks]
-    widths = [row_width(own) for own in layouts]
+    widths = [row_width(layout) for layout in layouts]
     scalars = np.zeros((len(batch.tasks), batch.blocks, len(SCALARS)))
-    curves = np.zeros((len(batch.tasks), batch.blocks, max(1, *widths)))  # no empty rows in netCDF
+    curves = np.zeros((len(batch.tasks), batch.blocks, max(1, *widths)))
     spent = np.zeros((len(batch.tasks), len(PHASES)))
-    cases = _cases(batch)
-    size, draw = body_of(batch).drawing(batch)
-    numbers = range(0, batch.blocks * batch.realizations_per_block, size)
-    several = max(1, TOGETHER // (size * batch.tasks[0].problem.elements))  # drawings
-    for first in range(0, len(numbers), several):
-        some: list[tuple[Draw, BlockSums]] = []
-        for number in numbers[first : first + several]:
-            block, before = divmod(number, batch.realizations_per_block)
-            some.append((draw(number), BlockSums(scalars[:, block], curves[:, block], before)))
-        _add_realizations(batch, layouts, cases, some, spent)
+    groups = _case_groups(batch)
+    for draws in _draws(batch, scalars, curves):
+        _add_realizations(batch, layouts, groups, draws, spent)
     if batch.recording.refined_blocks > batch.first_block:
-        add_halved_steps(batch, layouts, cases, _cases(batch, REFINEMENT_FACTOR), curves, spent)
+        halved = _case_groups(batch, REFINEMENT_FACTOR)
+        add_halved_steps(batch, layouts, groups, halved, curves, spent)
     for row, (width, places) in enumerate(zip(widths, layouts, strict=True)):
         curves[row, :, width:] = np.nan
         for name, (first, shape) in places.items():
@@ -74,44 +66,59 @@ def block_means(batch: Batch) -> BatchResult:
     return BatchResult(scalars, curves, spent, used, peak_bytes(), this_maker())
 
 
+def _draws(
+    batch: Batch, scalars: np.ndarray, curves: np.ndarray
+) -> Iterator[list[tuple[Draw, BlockSums]]]:
+    """Yield drawings, as many at a time as one call runs, with the sums of their blocks."""
+    size, draw = body_of(batch).drawing(batch)
+    numbers = range(0, batch.blocks * batch.realizations_per_block, size)
+    count = max(1, MAX_CALL_SAMPLES // (size * batch.tasks[0].problem.elements))
+    for first in range(0, len(numbers), count):
+        draws = []
+        for number in numbers[first : first + count]:
+            block, before = divmod(number, batch.realizations_per_block)
+            draws.append((draw(number), BlockSums(scalars[:, block], curves[:, block], before)))
+        yield draws
+
+
 def _add_realizations(
     batch: Batch,
     layouts: list[Layout],
-    cases: Cases,
+    groups: list[CaseGroup],
     draws: list[tuple[Draw, BlockSums]],
     spent: np.ndarray,
 ) -> None:
     """Add the realizations of some drawings to the sums of their blocks."""
-    drawing = 0.0
-    for prepared, shared in cases:
+    drawing_seconds = 0.0
+    for prepared, shared in groups:
         steps = prepared.steps_per_spacing
-        several = lines_at_once(batch.tasks[0].problem.elements * steps)
-        lines = (
-            (line, sums._replace(lines=sums.lines + count))
+        count = lines_at_once(batch.tasks[0].problem.elements * steps)
+        all_lines = (
+            (line, sums._replace(lines=sums.lines + number))
             for draw, sums in draws
-            for count, line in enumerate(draw(steps), start=1)
+            for number, line in enumerate(draw(steps), start=1)
         )
         while True:
             began = computing_seconds()
-            some = list(islice(lines, several))
-            drawing += computing_seconds() - began
-            if not some:
+            lines = list(islice(all_lines, count))
+            drawing_seconds += computing_seconds() - began
+            if not lines:
                 break
-            found: Iterable = repeat([None] * len(shared))
+            results: Iterable = repeat([None] * len(shared))
             if batch.quantities.anything:
-                found = body_of(batch).run([line for line, _ in some], prepared)
-            for (line, sums), outcomes in zip(some, found, strict=False):
+                results = body_of(batch).run([line for line, _ in lines], prepared)
+            for (line, sums), outcomes in zip(lines, results, strict=False):
                 for rows, outcome in zip(shared, outcomes, strict=True):
                     _add_case(batch, layouts, line, (rows, outcome), sums, spent)
-    spent[:, 0] += drawing / len(batch.tasks)
+    spent[:, 0] += drawing_seconds / len(batch.tasks)
 
 
 def lines_at_once(samples: Any) -> Any:
-    """Return how many lines of so many samples are run in one call: several that are short.
+    """Return the number of lines that are run in one call: several if they are short.
 
-    samples : a number, or an array of them.
+    samples : of each line; a number or an array.
     """
-    return 1 + (samples <= SHORT) * (TOGETHER // samples - 1)
+    return 1 + (samples <= MAX_SHORT_SAMPLES) * (MAX_CALL_SAMPLES // samples - 1)
 
 
 def _add_case(
@@ -122,7 +129,7 @@ def _add_case(
     sums: BlockSums,
     spent: np.ndarray,
 ) -> None:
-    """Add what a case, and the programmes of its tasks, give on a line to the sums of its rows."""
+    """Add the outcome of a case, and the programmes of its tasks, to the sums of its rows."""
     rows, outcome = case
     for k, row in enumerate(rows):
         record = BlockSums(sums.scalars[row], sums.curves[row], sums.lines)
@@ -135,36 +142,38 @@ def _add_case(
         spent[row, -1] += add_programme(batch, line, task, places, record.curves, record.lines)
 
 
-def _cases(batch: Batch, times: int = 1) -> Cases:
-    """Return what is run on every line; tasks that share a steady state at v1 are one case.
+def _case_groups(batch: Batch, refinement: int = 1) -> list[CaseGroup]:
+    """Return the cases of every line; tasks that share a steady state at v1 share a case.
 
-    times : as many steps per spacing as the tasks say.
+    refinement : factor on the steps per spacing of the tasks.
     """
     shared: dict[tuple, list[int]] = {}
     for row, task in enumerate(batch.tasks):
-        problem = task.problem
-        key = (task.steps_per_spacing, problem.speed, problem.load)
+        key = (task.steps_per_spacing, task.problem.speed, task.problem.load)
         shared.setdefault(key, []).append(row)
-    found: Cases = []
+    groups = []
     for steps, keys in groupby(sorted(shared), itemgetter(0)):
         rows = [shared[key] for key in keys]
-        given = [_case(batch, some, times) for some in rows] if batch.quantities.anything else ()
-        found.append((body_of(batch).prepare(given, times * steps, batch.quantities), rows))
-    return found
+        cases = [_case(batch, r, refinement) for r in rows] if batch.quantities.anything else ()
+        prepared = body_of(batch).prepare(cases, refinement * steps, batch.quantities)
+        groups.append(CaseGroup(prepared, rows))
+    return groups
 
 
-def _case(batch: Batch, rows: list[int], times: int) -> Case:
+def _case(batch: Batch, rows: list[int], refinement: int) -> Case:
     tasks = [batch.tasks[row] for row in rows]
-    kept: tuple[np.ndarray, ...] = ()
+    recorded: tuple[np.ndarray, ...] = ()
     if batch.quantities.relaxation:
         samples = batch.recording.samples
-        steps = (curve_steps(t.march_steps, samples, t.problem.spectrum) for t in tasks)
-        kept = tuple(times * own for own in steps)
+        recorded = tuple(
+            refinement * curve_steps(task.march_steps, samples, task.problem.spectrum)
+            for task in tasks
+        )
     return Case(
         load=tasks[0].problem.load,
         speed=tasks[0].problem.speed,
         ratios=tuple(task.problem.ratio for task in tasks),
-        kept_steps=kept,
+        kept_steps=recorded,
         scheme=batch.scheme,
         spectrum=tasks[0].problem.spectrum,
         refine=batch.refine,
@@ -176,14 +185,14 @@ def _add_outcome(
 ) -> None:
     """Add velocity jump k of a case to the sums of one record, scalars and row.
 
-    ends : what of the scalars belongs to other slides of a programme.
+    ends : scalars at the first and last slide of a programme, in place of those of the case.
     """
     scalars, values, _ = sums
-    found = scalars_of(outcome)
+    numbers = scalars_of(outcome)
     if ends:
-        found = tuple((dict(zip(SCALARS, found, strict=True)) | ends).values())
-    # Each is one number, or one per velocity jump.
-    scalars += [own[k] if isinstance(own, np.ndarray) else own for own in found]
+        numbers = tuple((dict(zip(SCALARS, numbers, strict=True)) | ends).values())
+    # Arrays have a number for each velocity jump.
+    scalars += [number[k] if isinstance(number, np.ndarray) else number for number in numbers]
     if outcome.curves:
         first, (size,) = places["curve"]
         curve = outcome.curves[k]

@@ -1,4 +1,4 @@
-"""Which steps of a march are kept, and the times that they belong to."""
+"""Steps of a march whose friction is recorded, and their times."""
 
 from functools import lru_cache
 from typing import NamedTuple
@@ -22,43 +22,43 @@ from ...kernels import (
 from ...kernels.rheology.spectrum import min_step
 from .tasks import Problem, Recording, ScaledHistory
 
-RESTART = 64  # samples of the leg after a hold, at times that grow by a factor
-MAX_LISTED_STEPS = 1_000_000  # steps that are counted one by one
-FEW = 16  # marches whose steps are remembered
-LOOP = 256  # samples of the last cycle of an oscillation
+HEALING_SAMPLES = 64  # of the leg after a hold, at times that grow by a factor
+MAX_LISTED_STEPS = 1_000_000  # longer programmes are counted by a formula
+CACHED_MARCHES = 16
+LOOP_SAMPLES = 256  # of the last cycle of an oscillation
 
 
 def curve_steps(march_steps: int, samples: int, spectrum: Spectrum = KELVIN) -> np.ndarray:
-    """Return the numbers of the steps that the relaxation curve of a record keeps.
+    """Return the step numbers in the relaxation curve of a record.
 
-    They increase from 1 to ``march_steps``, and are ``samples`` - 1 at most; evenly for a Kelvin
-    element, which has one time, and by a factor where there are many. Sample 0 of a curve is the
-    moment just after the jump and needs no step.
+    They increase from 1 to ``march_steps``, and are at most ``samples`` - 1: evenly spaced for a
+    Kelvin element, which has one relaxation time, else growing by a factor. Sample 0 of a curve is
+    the moment just after the jump and needs no step.
     """
     spread = np.linspace if spectrum == KELVIN else np.geomspace
     return np.unique(np.round(spread(1, march_steps, samples - 1)).astype(np.int64))
 
 
 def curve_times(
-    kept: np.ndarray, steps_per_tau: float, scheme: str, spectrum: Spectrum = KELVIN
+    steps: np.ndarray, steps_per_tau: float, scheme: str, spectrum: Spectrum = KELVIN
 ) -> np.ndarray:
-    """Return the times since the jump, in tau, to which the friction of kept steps belongs.
+    """Return the times since the jump, in tau, of the friction of some steps.
 
-    It is a mean over the step and acts ``lag`` of a step before its end (rheology/law.py). At
-    the end it would be an error of first order. steps_per_tau : of the march.
+    Friction is a mean over a step and acts ``lag`` of a step before its end (rheology/law.py).
+    Taking the end itself would be an error of first order. steps_per_tau : of the march.
     """
-    return (kept - law_of(form_of(spectrum, scheme), 1.0 / steps_per_tau).lag) / steps_per_tau
+    return (steps - law_of(form_of(spectrum, scheme), 1.0 / steps_per_tau).lag) / steps_per_tau
 
 
 class ProgrammeSteps(NamedTuple):
-    """The steps of a programme, all arrays of shape (S,)."""
+    """Steps of a programme, all arrays of shape (steps,)."""
 
     time: np.ndarray  # at the end of each step since the start of the programme, in tau
     moved: np.ndarray  # by each step, in samples, not negative
-    leg: np.ndarray  # number of the leg of each
+    leg: np.ndarray  # number of its leg
 
 
-@lru_cache(maxsize=FEW)
+@lru_cache(maxsize=CACHED_MARCHES)
 def _march(
     programme: Programme,
     history: float | ScaledHistory | None,
@@ -66,9 +66,9 @@ def _march(
     m: int,
     origin: Origin,
 ) -> ProgrammeSteps:
-    nothing = np.empty(0)
+    empty = np.empty(0)
     scene = SceneCase(
-        spectrum, "exponential", programme, 1.0, history, "steady", (), nothing, nothing, nothing
+        spectrum, "exponential", programme, 1.0, history, "steady", (), empty, empty, empty
     )
     steps = scene_steps(scene, m, origin)
     moved = np.abs(np.diff(steps.position, prepend=origin.position))
@@ -78,18 +78,18 @@ def _march(
 def programme_steps(
     problem: Problem, steps_per_spacing: int, origin: Origin = ZERO_ORIGIN
 ) -> ProgrammeSteps:
-    """Return the steps of the programme of a problem that begins at ``origin``.
+    """Return the steps of the programme of a problem from ``origin`` on.
 
-    Raises ValueError for steps that are lost in rounding, and for more than can be marched.
+    Raises ValueError for steps below rounding, and for more than can be marched.
     """
-    what = problem.programme, problem.indentation, problem.spectrum
-    return _march(*what, steps_per_spacing, origin)
+    motion = problem.programme, problem.indentation, problem.spectrum
+    return _march(*motion, steps_per_spacing, origin)
 
 
 def max_leg_counts(
     problem: Problem, steps_per_spacing: int, origin: Origin = ZERO_ORIGIN
 ) -> np.ndarray:
-    """Return how many steps each leg of a programme takes at most, by formula, shape (legs,)."""
+    """Return an upper bound of the steps of each leg of a programme, shape (legs,)."""
     shortest = min_step(problem.spectrum)
     return count_steps(problem.programme, steps_per_spacing, *origin[:2], shortest)
 
@@ -97,9 +97,9 @@ def max_leg_counts(
 def leg_counts(
     problem: Problem, steps_per_spacing: int, origin: Origin = ZERO_ORIGIN
 ) -> np.ndarray:
-    """Return how many steps each leg of a programme takes, shape (legs,).
+    """Return the number of steps of each leg of a programme, shape (legs,).
 
-    Beyond MAX_LISTED_STEPS steps in all they are those of a formula, which makes no array of steps.
+    Beyond MAX_LISTED_STEPS steps in total they are upper bounds, which need no array of steps.
     """
     counts, legs = max_leg_counts(problem, steps_per_spacing, origin), len(problem.programme)
     if counts.sum() > MAX_LISTED_STEPS:
@@ -109,7 +109,7 @@ def leg_counts(
 
 @lru_cache(maxsize=1000)
 def trace_steps(problem: Problem, steps_per_spacing: int, recording: Recording) -> np.ndarray:
-    """Return the increasing numbers of the steps at which a trace is kept; 0 is the start."""
+    """Return the increasing step numbers of a trace; 0 is the start."""
     programme = problem.programme
     time, moved, leg = programme_steps(problem, steps_per_spacing, recording.origin)
     count = time.size
@@ -117,45 +117,45 @@ def trace_steps(problem: Problem, steps_per_spacing: int, recording: Recording) 
     if recording.every:
         chosen.append(np.arange(0, count + 1, recording.every))
     elif recording.record == "log":
-        each = max(2, recording.samples // len(programme))
-        chosen += [_by_factor(*_range(leg, k), time, each) for k in range(len(programme))]
+        samples = max(2, recording.samples // len(programme))
+        chosen += [_by_factor(*_range(leg, k), time, samples) for k in range(len(programme))]
     else:
-        passed = time if recording.record == "time" else np.cumsum(moved)
-        chosen.append(_evenly(passed, 0, count, recording.samples))
+        progress = time if recording.record == "time" else np.cumsum(moved)
+        chosen.append(_evenly(progress, 0, count, recording.samples))
     for k in range(1, len(programme)):
         if "healing" in recording.dense and isinstance(programme[k - 1], Hold):
-            chosen.append(_by_factor(*_range(leg, k), time, RESTART))
+            chosen.append(_by_factor(*_range(leg, k), time, HEALING_SAMPLES))
     for k, motion in enumerate(programme):
         if "loop" in recording.dense and isinstance(motion, Oscillation):
             first, last = _range(leg, k)
             begin = time[last - 1] - 1.0 / motion.frequency
             first = 1 + int(np.searchsorted(time, begin * (1.0 - 1e-12)))
-            chosen += [np.array([first]), _evenly(time, first, last, LOOP)]
+            chosen += [np.array([first]), _evenly(time, first, last, LOOP_SAMPLES)]
     return np.unique(np.concatenate(chosen))
 
 
 def _range(leg: np.ndarray, k: int) -> tuple[int, int]:
-    """Return the number of the last step before leg k, and of the last step in it."""
+    """Return the numbers of the last step before leg k and of its last step."""
     first, last = np.searchsorted(leg, [k, k + 1])
     return int(first), int(last)
 
 
-def _evenly(passed: np.ndarray, first: int, last: int, count: int) -> np.ndarray:
-    """Return steps after ``first`` to ``last`` that lie evenly over what has passed by each."""
+def _evenly(progress: np.ndarray, first: int, last: int, count: int) -> np.ndarray:
+    """Return steps from ``first`` + 1 to ``last``, even in ``progress``: time or path."""
     if last <= first:
         return np.empty(0, np.int64)
-    begin = passed[first - 1] if first else 0.0
-    wanted = np.linspace(begin, passed[last - 1], count)[1:]
-    found = first + 1 + np.searchsorted(passed[first : last - 1], wanted * (1.0 - 1e-12))
-    return np.minimum(found, last)
+    begin = progress[first - 1] if first else 0.0
+    targets = np.linspace(begin, progress[last - 1], count)[1:]
+    steps = first + 1 + np.searchsorted(progress[first : last - 1], targets * (1.0 - 1e-12))
+    return np.minimum(steps, last)
 
 
 def _by_factor(first: int, last: int, time: np.ndarray, count: int) -> np.ndarray:
-    """Return steps after ``first`` to ``last`` whose times since ``first`` grow by a factor."""
+    """Return steps from ``first`` to ``last`` whose times since ``first`` grow by a factor."""
     if last <= first:
         return np.empty(0, np.int64)
     begin = time[first - 1] if first else 0.0
     since = time[first:last] - begin
-    wanted = np.geomspace(since[0], since[-1], count)
-    found = np.searchsorted(since, wanted * (1.0 - 1e-12))
-    return np.append(first, first + 1 + np.minimum(found, since.size - 1))
+    targets = np.geomspace(since[0], since[-1], count)
+    steps = np.searchsorted(since, targets * (1.0 - 1e-12))
+    return np.append(first, first + 1 + np.minimum(steps, since.size - 1))

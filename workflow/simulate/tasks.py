@@ -1,4 +1,4 @@
-"""What a worker is given and gives back: problems, tasks, batches, block means. Plain data."""
+"""Plain data of a worker: problems, tasks, batches and block means."""
 
 from dataclasses import dataclass, field
 from typing import Any, NamedTuple
@@ -24,20 +24,20 @@ ScaledHistory = tuple[tuple[float, ...], tuple[float, ...]]  # times in tau, ind
 
 
 class LineShape(NamedTuple):
-    """What lines, or maps, are but for H and N: random with these modes, or measured."""
+    """Lines or maps apart from H and N: random with these modes, or measured."""
 
     rolloff: float = 0.0  # wave number below which the spectrum is flat, in 2 pi/L; 0: none
     cutoff: int = 0  # number of the last mode; 0: N/2
-    measured: str = ""  # what measured lines, or random ones like them, are known by
+    measured: str = ""  # identity of measured lines, or of random ones with their spectrum
     slope: float = 0.0  # their rms slope, in h/dx
-    body: str = "foundation"  # what is behind them; a half-space has maps (bodies.py)
-    flat: bool = False  # whether maps are uniform across: one row, as in a line contact
+    body: str = "foundation"  # or "half-space", which has maps (bodies.py)
+    flat: bool = False  # maps of one row: uniform across, as in a line contact
 
 
 class Problem(NamedTuple):
-    """One dimensionless problem: the numbers of the paper, then what a scene adds to them."""
+    """One dimensionless problem: the numbers of the paper, then those of a scene."""
 
-    hurst: float  # of measured lines a typical one, for predictions alone
+    hurst: float  # for measured lines a typical value, for predictions alone
     elements: int  # N = L / dx
     load: float  # Fbar = F_N / (4 G L h); 0 where the indentation is prescribed
     speed: float  # vbar = v1 tau / dx; of the first slide of a programme
@@ -47,18 +47,18 @@ class Problem(NamedTuple):
     programme: Programme = ()  # empty: only steady states and the step from v1 to v2
     start: str = "steady"
     indentation: float | ScaledHistory | None = None  # in h over the mean line; None: a load
-    drive: Drive | None = None  # whose the programme is; None: it moves the line itself
+    drive: Drive | None = None  # moved by the programme; None: it moves the line itself
 
     def samples(self, steps_per_spacing: Any) -> Any:
-        """Return the number of samples of its surface: of a line, or of a square map.
+        """Return the number of samples of the line or map.
 
-        steps_per_spacing : one number, or an array for many problems together.
+        steps_per_spacing : a number, or an array for many problems.
         """
         along = self.elements * steps_per_spacing
         return along * self.rows(steps_per_spacing)
 
     def rows(self, steps_per_spacing: Any) -> Any:
-        """Return the number of rows of its surface: 1 of a line and of a line contact."""
+        """Return the number of rows of the surface: 1 for a line and for a line contact."""
         square = self.surface.body == "half-space" and not self.surface.flat
         return self.elements * steps_per_spacing if square else 1
 
@@ -71,22 +71,22 @@ class Problem(NamedTuple):
 
 Record = tuple[str, int]  # (key of a task, block of realizations)
 
-# Block means of these are stored as they are; all else of a record is laid out by layout.py.
-NOT_SCALARS = ("curves", "work", "seconds", "initial_rate")
-SCALARS = tuple(f for f in Outcome._fields if f not in NOT_SCALARS)
+# Fields of an outcome whose block means are columns; layout.py lays out the rest of a record.
+OTHER_FIELDS = ("curves", "work", "seconds", "initial_rate")
+SCALARS = tuple(field for field in Outcome._fields if field not in OTHER_FIELDS)
 
-PHASES = ("surfaces", *Seconds._fields)  # of the work on a line; the rest is calls
+PHASES = ("surfaces", *Seconds._fields)  # of the work on a line, calls excluded
 
 
 class Recording(NamedTuple):
-    """What is kept of a march."""
+    """Samples of a march that are stored."""
 
-    samples: int  # of a curve, about
-    record: str = "time"  # samples evenly over "time", "distance", or the "log" of time in a leg
-    every: int = 0  # keep every so many steps instead; 0: samples
+    samples: int  # of a curve, approximately
+    record: str = "time"  # samples even in "time", "distance", or the "log" of time in a leg
+    every: int = 0  # store every n-th step instead; 0: samples
     requested: tuple[str, ...] = ()  # results of a programme (kernels/scene)
-    dense: tuple[str, ...] = ()  # "healing", "loop": what needs samples of its own
-    origin: Origin = ZERO_ORIGIN  # where a programme begins that is resumed
+    dense: tuple[str, ...] = ()  # "healing", "loop": results with additional samples
+    origin: Origin = ZERO_ORIGIN  # of a resumed programme
     refined_blocks: int = 0  # blocks whose first line is also run with halved steps
 
 
@@ -113,20 +113,20 @@ class Batch:
     blocks: int
     realizations_per_block: int
     seconds: float  # predicted
-    refine: bool = True  # follow contacts between samples (kernels/quick/contacts)
-    # Measured lines, a row for each realization of the batch, or the amplitudes of the modes of
-    # random ones like them, both in h. None: random lines of H alone.
+    refine: bool = True  # locate contact edges between samples (kernels/quick/contacts)
+    # Measured lines, a row for each realization of the batch, or the mode amplitudes of random
+    # lines with their spectrum, both in h. None: random lines given by H.
     heights: np.ndarray | None = field(default=None, compare=False)
     modes: np.ndarray | None = field(default=None, compare=False)
-    resumed: SavedState | None = field(default=None, compare=False)  # where a programme goes on
+    resumed: SavedState | None = field(default=None, compare=False)  # initial state
 
 
 class BatchResult(NamedTuple):
-    """Block means of a batch, dimensionless: mu in h/dx, indentation in h; and what they cost."""
+    """Block means of a batch, dimensionless (mu in h/dx, indentation in h), and their cost."""
 
-    scalars: np.ndarray  # shape (tasks, blocks, len(SCALARS)); NaN: not asked for
-    curves: np.ndarray  # shape (tasks, blocks, values): rows as layout.py says, NaN beyond
+    scalars: np.ndarray  # shape (tasks, blocks, len(SCALARS)); NaN: not requested
+    curves: np.ndarray  # shape (tasks, blocks, values): rows laid out by layout.py, NaN beyond
     spent: np.ndarray  # shape (tasks, len(PHASES)), CPU seconds; shared work in equal parts
-    seconds: float  # CPU time used in all
-    peak: int  # bytes, the most memory this process has had so far
-    maker: Maker  # what computed them
+    seconds: float  # total CPU time
+    peak: int  # bytes, peak memory of the process so far
+    maker: Maker

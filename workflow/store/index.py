@@ -3,8 +3,8 @@
 It follows from the entries of the journal, one after the other. A record is found by (key of its
 task, block). Tasks that are stored together form a part. The journal gives the keys of a part
 once, and refers to them by their checksum; so it does with makers, which computed records. The
-meaning of a line depends on the line alone, so that repeated lines, as of two joined journals,
-change nothing.
+meaning of a line depends on the line alone, so that repeated lines, for instance of two joined
+journals, change nothing.
 """
 
 import contextlib

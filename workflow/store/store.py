@@ -43,7 +43,7 @@ def store_folder(result: Path) -> Path:
 
 
 def enter_result(result: Path) -> None:
-    """Record the digest of a result file durably in the store beside it, made if need be.
+    """Record the digest of a result file durably in the store of its folder, made if need be.
 
     A single line is appended in one piece, so that a measurement needs no lock of the folder.
     """
@@ -54,7 +54,7 @@ def enter_result(result: Path) -> None:
 
 
 def is_as_written(result: Path) -> bool | None:
-    """Return whether a result is unchanged since a run wrote it, by the store beside it.
+    """Return whether a result is unchanged since a run wrote it, by the store of its folder.
 
     None if that is unknown: the store is missing, unreadable, or does not list the result.
     """

@@ -1,4 +1,4 @@
-"""A half-space goes through the workflow as lines do: same records, whatever the cut."""
+"""Batches on a half-space: equal records for any cut, and their maps."""
 
 import dataclasses
 
@@ -37,32 +37,32 @@ def test_numbers_do_not_depend_on_the_cut():
 
 def test_a_record_is_the_case_of_the_kernels_on_the_map_of_its_seed():
     batch = next(cut_batches(PLAN, set(), 1e9))
-    found = block_means(batch).scalars
+    scalars = block_means(batch).scalars
     task = batch.tasks[0]
     problem = task.problem
     generator = line_generator(batch.seed, problem.hurst, problem.elements, 1)
     amplitude = ring_amplitudes(problem.hurst, problem.elements)
     surface = Surface.drawn(generator, amplitude, problem.elements, task.steps_per_spacing)
     case = Case(problem.load, problem.speed, (problem.ratio,), (), batch.scheme)
-    own = run_case(surface, case, Quantities(relaxation=False))
-    assert found[0, 1, SCALARS.index("mu_1")] == own.mu_1
+    outcome = run_case(surface, case, Quantities(relaxation=False))
+    assert scalars[0, 1, SCALARS.index("mu_1")] == outcome.mu_1
 
 
 @pytest.mark.parametrize("samples", [9, 10])
-def test_amplitudes_of_a_map_are_those_that_it_was_drawn_with(samples):
-    """As long as every mode is below that of two samples, which shares its amplitude."""
+def test_amplitudes_of_a_map_are_those_of_its_drawing(samples):
+    """This holds for modes longer than two samples, whose mode shares its amplitude."""
     cutoff = (samples - 1) // 2
     amplitude = ring_amplitudes(0.5, samples, cutoff=cutoff)
     surface = Surface.drawn(np.random.default_rng(1), amplitude, samples, 1)
-    found = map_amplitudes(surface.z)
-    np.testing.assert_allclose(found[:, 1:], amplitude[:, 1:], atol=1e-14)
+    amplitudes = map_amplitudes(surface.z)
+    np.testing.assert_allclose(amplitudes[:, 1:], amplitude[:, 1:], atol=1e-14)
 
 
-def test_random_maps_like_a_measured_one_have_its_spectrum():
-    """Whatever its own Hurst exponent is, which nobody knows."""
-    own = map_amplitudes(Surface.drawn(GENERATOR, ring_amplitudes(0.1, 9, cutoff=3), 9, 1).z)
+def test_random_maps_with_a_given_spectrum_have_it():
+    """The Hurst exponent of the study plays no part."""
+    modes = map_amplitudes(Surface.drawn(GENERATOR, ring_amplitudes(0.1, 9, cutoff=3), 9, 1).z)
     batch = next(cut_batches(small_plan(*SMALL, "surface.length=9e-3"), set(), 1e9))
-    batch = dataclasses.replace(batch, modes=own)
+    batch = dataclasses.replace(batch, modes=modes)
     _, draw = drawn_maps(batch)
     (surface,) = draw(0)(1)
-    np.testing.assert_allclose(map_amplitudes(surface.z)[:, 1:], own[:, 1:], atol=1e-14)
+    np.testing.assert_allclose(map_amplitudes(surface.z)[:, 1:], modes[:, 1:], atol=1e-14)

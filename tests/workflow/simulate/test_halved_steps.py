@@ -1,4 +1,4 @@
-"""What halved steps change on a few measured lines, and the bias that is read from it."""
+"""Changes due to halved steps on a few measured lines, and the bias derived from them."""
 
 import numpy as np
 import pytest
@@ -46,19 +46,22 @@ def outcome(batch, line, times):
     return run_case(Line.measured(batch.heights[line], steps), case, QUANTITIES)
 
 
-def test_what_halved_steps_take_is_booked_in_its_phase(batch, monkeypatch):
+def test_the_time_of_halved_steps_is_added_to_its_phase(batch, monkeypatch):
     run = BODIES["foundation"].run
 
     def slow(lines, prepared):
-        once = Seconds(*[1.0 for _ in Seconds._fields])
-        return [[own._replace(seconds=once) for own in each] for each in run(lines, prepared)]
+        one = Seconds(*[1.0 for _ in Seconds._fields])
+        return [
+            [outcome._replace(seconds=one) for outcome in outcomes]
+            for outcomes in run(lines, prepared)
+        ]
 
     monkeypatch.setitem(BODIES, "foundation", BODIES["foundation"]._replace(run=slow))
     spent = block_means(batch).spent[:, 1:]
     assert np.all(spent == 2.0 + 2.0 * 2.0)  # two lines, and each again with both steps
 
 
-def test_records_of_measured_lines_hold_what_halved_steps_change(batch):
+def test_records_of_measured_lines_hold_the_changes_due_to_halved_steps(batch):
     (task,) = batch.tasks
     places = row_layout(task, batch.quantities, batch.scheme, batch.recording)
     parts = unpack(block_means(batch).curves[0], places)
@@ -67,20 +70,20 @@ def test_records_of_measured_lines_hold_what_halved_steps_change(batch):
         changes = fine.mu_1 - coarse.mu_1, fine.jump[0] - coarse.jump[0], fine.mu_2[0]
         expected = [1.0, *changes[:2], changes[2] - coarse.mu_2[0]]
         np.testing.assert_allclose(parts["halved_steps"][line], expected, rtol=1e-9, atol=1e-15)
-        # Late samples are far from the start: reading between two of them adds nothing to see.
-        found = parts["halved_steps_curve"][line][: coarse.curves[0].size]
-        kept = curve_steps(task.march_steps, batch.recording.samples)
+        # Interpolation between late samples, far from the start, adds a negligible error.
+        change = parts["halved_steps_curve"][line][: coarse.curves[0].size]
+        steps = curve_steps(task.march_steps, batch.recording.samples)
         per_tau = task.problem.speed * task.problem.ratio * task.steps_per_spacing
-        times = curve_times(kept, per_tau, batch.scheme)
-        halved = curve_times(2 * kept, 2.0 * per_tau, batch.scheme)
+        times = curve_times(steps, per_tau, batch.scheme)
+        halved = curve_times(2 * steps, 2.0 * per_tau, batch.scheme)
         read = np.interp(times[1:], halved, fine.curves[0])
-        np.testing.assert_allclose(found[1:], read - coarse.curves[0][1:], rtol=1e-9, atol=1e-15)
+        np.testing.assert_allclose(change[1:], read - coarse.curves[0][1:], rtol=1e-9, atol=1e-15)
 
 
 def test_changes_do_not_depend_on_the_cut(batch):
     whole = block_means(batch).curves
     cut = [block_means(b).curves for b in cut_batches(small_plan(*TWO, text=MEASURED), set(), 1e-9)]
-    cut = [own for own in cut if own.shape[2] == whole.shape[2]][:2]
+    cut = [curves for curves in cut if curves.shape[2] == whole.shape[2]][:2]
     np.testing.assert_array_equal(np.concatenate(cut, axis=1), whole)
 
 
@@ -93,11 +96,11 @@ def test_lines_with_a_law_or_steps_of_the_user_are_run_once(settings):
 @pytest.mark.parametrize("seed", [4, 5, 6])
 @pytest.mark.parametrize("load", [2e-7, 2e-6, 2e-5])
 def test_the_bias_of_measured_lines_bounds_their_error(tmp_path, load, seed):
-    """Beside the same lines at 256 times the steps."""
+    """The reference are the same lines at 256 times the steps."""
     phases = draw_phases(np.random.default_rng(seed), 256)
     z, _ = sample_line(amplitudes(0.6, 256, "modal"), phases, 256, 1)
     np.save(tmp_path / "line.npy", np.c_[1e-6 * np.arange(256), 1e-6 * z])
-    how = {
+    arguments = {
         "surface": {
             "file": str(tmp_path / "line.npy"),
             "units": ["m", "m"],
@@ -108,7 +111,8 @@ def test_the_bias_of_measured_lines_bounds_their_error(tmp_path, load, seed):
         "programme": [{"slide": {"velocity": 0.01, "distance": 1e-5}}],
         "quantities": ["steady"],
     }
-    found, fine = scene.run(**how), scene.run(**how, numerics={"steps_per_spacing": 1024})
+    coarse = scene.run(**arguments)
+    fine = scene.run(**arguments, numerics={"steps_per_spacing": 1024})
     assert np.isnan(fine.mu_1_bias)
-    assert abs(float(found.mu_1 / fine.mu_1) - 1.0) <= float(found.mu_1_bias) + 5e-4
-    assert int(found.resolution_status) == (2 if float(found.bias_bound) <= 0.02 else 1)
+    assert abs(float(coarse.mu_1 / fine.mu_1) - 1.0) <= float(coarse.mu_1_bias) + 5e-4
+    assert int(coarse.resolution_status) == (2 if float(coarse.bias_bound) <= 0.02 else 1)

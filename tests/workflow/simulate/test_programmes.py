@@ -1,4 +1,4 @@
-"""Programmes in batches: which steps are kept, where they lie, the same bits whatever the cut."""
+"""Programmes in batches: recorded steps, their times, and equal bits for any cut."""
 
 from dataclasses import replace
 
@@ -47,14 +47,14 @@ def test_recorded_steps_run_from_the_first_to_the_last(march, samples):
     assert recorded.size == samples - 1 or march < 2 * samples
 
 
-def test_every_step_is_recorded_where_there_are_few():
+def test_every_step_of_a_short_march_is_recorded():
     assert curve_steps(10, 64).tolist() == list(range(1, 11))
 
 
 def deviation(moments, steps, lag=None):
     """Return mu - mu_2 of 8 lines at moments of slow creep after a jump, with m = ``steps``.
 
-    lag : where within a step friction acts, other than by the scheme.
+    lag : of friction within a step, in place of that of the scheme.
     """
     speed, total = 0.3, 0.0
     steps_per_tau = 1.2 * speed * steps
@@ -65,8 +65,9 @@ def deviation(moments, steps, lag=None):
     for seed in range(8):
         phases = draw_phases(np.random.default_rng(seed), 200)
         line = Line.self_affine(amplitudes(0.0, 200), phases, 200, steps)
-        found = run_case(line, Case(0.1, speed, (1.2,), (recorded,), "exponential"), Quantities())
-        total += np.interp(moments, times, found.curves[0] - found.mu_2[0])
+        case = Case(0.1, speed, (1.2,), (recorded,), "exponential")
+        outcome = run_case(line, case, Quantities())
+        total += np.interp(moments, times, outcome.curves[0] - outcome.mu_2[0])
     return total
 
 
@@ -91,7 +92,7 @@ def test_recorded_times_lie_within_their_steps(scheme):
 
 
 def test_friction_of_branches_belongs_to_the_end_of_its_step():
-    """Their displacement grows evenly over a step; that of a Kelvin element under one force."""
+    """Their displacement grows linearly over a step, that of a Kelvin element does not."""
     branches = Spectrum((2.0, 1.0), (0.1, 1.0), 0.0)
     times = curve_times(np.array([1, 2, 7]), 4.0, "exponential", branches)
     np.testing.assert_allclose(times, np.array([0.25, 0.5, 1.75]), rtol=1e-15)
@@ -103,7 +104,7 @@ PROBLEM = Problem(0.7, 64, 0.1, 1.0, 1.0, programme=SWING)
 
 @pytest.mark.parametrize("record", ["time", "distance", "log"])
 @pytest.mark.parametrize("dense", [(), ("healing", "loop")])
-def test_a_trace_is_kept_from_the_start_to_the_end(record, dense):
+def test_a_trace_runs_from_the_start_to_the_end(record, dense):
     march = programme_steps(PROBLEM, 4)
     kept = trace_steps(PROBLEM, 4, Recording(40, record, dense=dense))
     assert (kept[0], kept[-1]) == (0, march.time.size)
@@ -118,19 +119,17 @@ def test_a_trace_is_kept_from_the_start_to_the_end(record, dense):
 
 
 @pytest.mark.parametrize("record", ["time", "log"])
-def test_a_hold_of_no_time_has_no_steps_to_keep(record):
+def test_a_hold_of_no_duration_adds_no_steps(record):
     plain = PROBLEM._replace(programme=(Slide(1.0, 6.0), Slide(1.0, 6.0)))
     held = PROBLEM._replace(programme=(Slide(1.0, 6.0), Hold(0.0), Slide(1.0, 6.0)))
-    found = (
-        trace_steps(each, 4, Recording(60, record, dense=("healing",))) for each in (plain, held)
-    )
-    first, second = (steps.tolist() for steps in found)
+    recording = Recording(60, record, dense=("healing",))
+    first, second = (trace_steps(problem, 4, recording).tolist() for problem in (plain, held))
     assert (
         (first[0], first[-1]) == (second[0], second[-1]) == (0, programme_steps(held, 4).time.size)
     )
 
 
-def test_every_kth_step_is_kept_where_that_is_asked_for():
+def test_every_kth_step_is_recorded_on_request():
     steps = programme_steps(PROBLEM, 4).time.size
     assert trace_steps(PROBLEM, 4, Recording(40, every=1)).size == 1 + steps
     third = trace_steps(PROBLEM, 4, Recording(40, every=3))
@@ -141,19 +140,19 @@ def test_samples_over_time_and_distance_are_even():
     march = programme_steps(PROBLEM, 16)
     time = np.append(0.0, march.time)[trace_steps(PROBLEM, 16, Recording(20, "time"))]
     assert np.diff(time).max() < 2.5 * time[-1] / 19
-    way = np.append(0.0, np.cumsum(march.moved))
-    distance = way[trace_steps(PROBLEM, 16, Recording(20, "distance"))]
+    path = np.append(0.0, np.cumsum(march.moved))
+    distance = path[trace_steps(PROBLEM, 16, Recording(20, "distance"))]
     assert np.diff(distance).max() < 2.5 * distance[-1] / 19
 
 
 @pytest.mark.parametrize("record", ["time", "distance"])
 def test_samples_that_fall_on_steps_are_those_steps(record):
-    """Whatever the last bit of a sum of steps says."""
+    """The last bit of a sum of steps has no effect."""
     even = PROBLEM._replace(programme=(Slide(1.0, 30.0),))
     assert programme_steps(even, 8).time.size == 240
-    for each in (2, 3, 5):
-        kept = trace_steps(even, 8, Recording(240 // each + 1, record))
-        assert kept.tolist() == list(range(0, 241, each))
+    for interval in (2, 3, 5):
+        steps = trace_steps(even, 8, Recording(240 // interval + 1, record))
+        assert steps.tolist() == list(range(0, 241, interval))
 
 
 def test_the_leg_after_a_hold_is_dense_at_its_beginning():
@@ -165,7 +164,7 @@ def test_the_leg_after_a_hold_is_dense_at_its_beginning():
 
 @pytest.mark.parametrize("m", [2, 4, 64])
 def test_the_last_cycle_of_an_oscillation_is_a_closed_loop(m):
-    """Of 256 samples at most, from one period before the end on: of all steps if they are fewer."""
+    """It has at most 256 samples, from one period before the end on, or all steps if fewer."""
     time = np.append(0.0, programme_steps(PROBLEM, m).time)
     first = int(np.abs(time - (time[-1] - 1.0 / SWING[-1].frequency)).argmin())
     kept = trace_steps(PROBLEM, m, Recording(2, dense=("loop",)))
@@ -184,12 +183,12 @@ SPECTRUM = Spectrum((2.0, 1.0), (0.1, 1.0), 0.0)
 HELD = (Slide(1.0, 4.0), Hold(2.0), Slide(1.0, 4.0))
 BRANCHED = Problem(0.7, 16, 0.1, 1.0, 1.0, spectrum=SPECTRUM, programme=HELD)
 TASK = Task(BRANCHED, 2, 8, "")
-ASKED = ("trace", "energy", "contact_lengths", "snapshots", "state")
+REQUESTED = ("trace", "energy", "contact_lengths", "snapshots", "state")
 
 
 @pytest.mark.parametrize("count", range(6))
-def test_parts_follow_each_other_without_gaps_and_unpack_to_their_shapes(count):
-    recording = Recording(20, requested=ASKED[:count])
+def test_the_layout_has_no_gaps_and_unpacks_to_its_shapes(count):
+    recording = Recording(20, requested=REQUESTED[:count])
     quantities = Quantities(initial_rate=True)
     places = row_layout(TASK, quantities, "exponential", recording)
     width = row_width(places)
@@ -204,8 +203,8 @@ def test_parts_follow_each_other_without_gaps_and_unpack_to_their_shapes(count):
 
 
 def test_without_a_march_a_row_is_empty():
-    asked = Quantities(relaxation=False)
-    assert row_width(row_layout(TASK, asked, "exponential", Recording(64))) == 0
+    without = Quantities(relaxation=False)
+    assert row_width(row_layout(TASK, without, "exponential", Recording(64))) == 0
 
 
 def test_contact_lengths_are_counted_from_a_sixteenth_of_a_spacing_on():
@@ -219,7 +218,7 @@ PLAN = small_plan(PROGRAMME, *SMALL, "numerics.steps_per_spacing=1", text=HOLDIN
 
 
 def test_mu_1_and_mu_2_belong_to_the_first_and_the_last_slide():
-    """Without a velocity step in a row, as there is a hold between them."""
+    """A hold lies between them, so that the programme has no velocity step."""
     batch = next(cut_batches(PLAN, set(), 1e9))
     scalars = dict(zip(SCALARS, block_means(batch).scalars[0, 0], strict=True))
     fast = small_plan(
@@ -239,7 +238,7 @@ def test_a_trace_is_the_mean_over_the_lines_of_its_block():
     done = block_means(batch)
     task = batch.tasks[-1]
     places = row_layout(task, batch.quantities, batch.scheme, batch.recording)
-    found = unpack(done.curves[-1], places)["trace_mu"]
+    traces = unpack(done.curves[-1], places)["trace_mu"]
     scene = scene_of(task, batch.scheme, batch.recording)
     hurst, elements = task.problem.hurst, task.problem.elements
     for block in range(batch.blocks):
@@ -247,40 +246,40 @@ def test_a_trace_is_the_mean_over_the_lines_of_its_block():
         phases = draw_phases(line_generator(batch.seed, hurst, elements, block), elements)
         lines = Line.quartet(amplitudes(hurst, elements), phases, elements, 1)
         expected = np.mean([run_scene(line, scene)["trace_mu"] for line in lines], axis=0)
-        np.testing.assert_allclose(found[block], expected, rtol=1e-12, equal_nan=True)
+        np.testing.assert_allclose(traces[block], expected, rtol=1e-12, equal_nan=True)
 
 
-def test_when_and_where_is_that_of_the_lines_to_the_bit_whatever_their_number():
+def test_times_and_positions_of_a_trace_are_those_of_each_line_to_the_bit():
     batch = next(cut_batches(PLAN, set(), 1e9))
     batch = replace(batch, realizations_per_block=12)
     done = block_means(batch)
     task = batch.tasks[-1]
     places = row_layout(task, batch.quantities, batch.scheme, batch.recording)
-    found = unpack(done.curves[-1], places)
+    means = unpack(done.curves[-1], places)
     scene = scene_of(task, batch.scheme, batch.recording)
     hurst, elements = task.problem.hurst, task.problem.elements
     phases = draw_phases(line_generator(batch.seed, hurst, elements, 0), elements)
     line = next(iter(Line.quartet(amplitudes(hurst, elements), phases, elements, 1)))
     expected = run_scene(line, scene)
     for name in MOTION_TRACES:
-        for block in found[name]:
+        for block in means[name]:
             np.testing.assert_array_equal(block, expected[name])
 
 
-def test_the_time_of_a_programme_is_booked_to_marching(monkeypatch):
-    """Here it takes a million seconds for each line, and everything else far less."""
+def test_the_time_of_a_programme_is_added_to_marching(monkeypatch):
+    """Here it is a million seconds for each line, and far less for everything else."""
     monkeypatch.setattr(realizations, "add_programme", lambda *_: 1e6)
     batch = next(cut_batches(PLAN, set(), 1e9))
-    booked = block_means(batch).spent // 1e6
+    megaseconds = block_means(batch).spent // 1e6
     lines = batch.blocks * batch.realizations_per_block
-    assert (booked[:, PHASES.index("marching")] == lines).all()
-    assert booked.sum() == lines * len(batch.tasks)
+    assert (megaseconds[:, PHASES.index("marching")] == lines).all()
+    assert megaseconds.sum() == lines * len(batch.tasks)
 
 
-def test_snapshots_are_taken_where_they_are_asked_for():
+def test_snapshots_are_taken_on_request():
     batch = next(cut_batches(PLAN, set(), 1e9))
     task, plain = batch.tasks[0], batch.recording
-    asked = plain._replace(requested=("trace", "snapshots"))
+    requested = plain._replace(requested=("trace", "snapshots"))
     assert scene_of(task, batch.scheme, plain).frames.size == 0
-    kept = trace_steps(task.problem, task.steps_per_spacing, asked)
-    assert scene_of(task, batch.scheme, asked).frames.tolist() == kept.tolist()
+    steps = trace_steps(task.problem, task.steps_per_spacing, requested)
+    assert scene_of(task, batch.scheme, requested).frames.tolist() == steps.tolist()

@@ -1,4 +1,4 @@
-"""A batch: its numbers do not depend on how the work is cut, and its lines on what is asked."""
+"""Batches: numbers do not depend on the cut, nor lines on the requested results."""
 
 import dataclasses
 
@@ -46,7 +46,7 @@ WHOLE = one_batch("grid.velocity_step=[0.2, -0.2]", "grid.velocity=[0.03, 0.05, 
 
 @settings(max_examples=15)
 @given(st.permutations(range(len(WHOLE.tasks))), st.integers(1, 6))
-def test_numbers_do_not_depend_on_the_company_or_order_of_tasks(order, count):
+def test_numbers_do_not_depend_on_other_tasks_or_their_order(order, count):
     part = sorted(order[:count], key=lambda i: WHOLE.tasks[i].steps_per_spacing)
     tasks = tuple(WHOLE.tasks[i] for i in part)
     alone = by_record([dataclasses.replace(WHOLE, tasks=tasks, first_block=1, blocks=1)])
@@ -63,18 +63,18 @@ def test_a_block_is_the_mean_of_its_realizations():
 
 
 def test_a_block_of_measured_lines_is_the_mean_over_them():
-    """Each of them once, one by one and not in quartets."""
+    """Each line enters once, by itself and not in a quartet."""
     batch = one_batch()
     batch = dataclasses.replace(batch, tasks=batch.tasks[:2], blocks=1, realizations_per_block=2)
     turn = 2.0 * np.pi * np.arange(batch.tasks[0].problem.elements) / 64
     heights = np.stack([np.cos(turn), np.cos(turn) + 0.3 * np.sin(3.0 * turn)])
     both = block_means(dataclasses.replace(batch, heights=heights))
-    each = [
+    single = [
         block_means(dataclasses.replace(batch, heights=heights[[k]], realizations_per_block=1))
         for k in (0, 1)
     ]
-    expected = (each[0].scalars + each[1].scalars) / 2
-    assert (each[0].scalars[:, 0, 0] != each[1].scalars[:, 0, 0]).all()
+    expected = (single[0].scalars + single[1].scalars) / 2
+    assert (single[0].scalars[:, 0, 0] != single[1].scalars[:, 0, 0]).all()
     np.testing.assert_allclose(both.scalars, expected, rtol=1e-14)
 
 
@@ -84,10 +84,12 @@ def test_blocks_are_different_realizations():
     assert len(np.unique(curves[0, :, 0])) == 4
 
 
-def test_what_is_not_asked_for_is_no_number():
+def test_results_that_are_not_requested_are_nan():
     scalars, curves, *_ = block_means(one_batch('scene.quantities=["steady"]'))
     missing = np.isnan(scalars).all(axis=(0, 1))
-    assert [name for name, gone in zip(SCALARS, missing, strict=True) if gone] == ["jump"]
+    assert [name for name, is_missing in zip(SCALARS, missing, strict=True) if is_missing] == [
+        "jump"
+    ]
     assert np.isnan(curves).all()
 
 
@@ -99,24 +101,24 @@ def test_curves_end_where_the_march_ends():
 
 
 def test_short_lines_are_run_together_and_long_ones_one_by_one(monkeypatch):
-    """Which plays no part in what they give."""
-    taken = []
+    """The numbers are equal either way."""
+    counts = []
 
     def spy(lines, prepared):
-        taken.append(len(lines))
+        counts.append(len(lines))
         return run_prepared(lines, prepared)
 
     monkeypatch.setitem(BODIES, "foundation", BODIES["foundation"]._replace(run=spy))
     batch = one_batch("study.realizations_per_block=4")
     together = by_record([batch])
-    monkeypatch.setattr(realizations, "SHORT", 1)
+    monkeypatch.setattr(realizations, "MAX_SHORT_SAMPLES", 1)
     assert by_record([batch]) == together
     lines = batch.blocks * batch.realizations_per_block
     assert lines > QUARTET
-    assert sorted(set(taken)) == [1, lines]
+    assert sorted(set(counts)) == [1, lines]
 
 
-def test_steps_that_are_given_are_not_refined():
+def test_given_steps_are_not_refined():
     light = ("grid.normal_force=4e-5", "grid.velocity=100.0")
     (chosen, given) = (one_batch(*light, *more) for more in ([], ["numerics.steps_per_spacing=4"]))
     assert (chosen.refine, given.refine) == (True, False)
@@ -126,42 +128,42 @@ def test_steps_that_are_given_are_not_refined():
     assert not np.isclose(*rows, rtol=1e-3).any()
 
 
-def test_time_is_booked_to_the_phases_that_were_asked_for():
+def test_time_is_added_to_the_requested_phases():
     done = block_means(one_batch('scene.quantities=["steady"]'))
     assert done.spent.shape == (len(WHOLE.tasks) // 3, len(PHASES))
-    booked = dict(zip(PHASES, done.spent.sum(axis=0), strict=True))
-    assert booked["jump"] == booked["marching"] == 0.0
-    assert min(booked["surfaces"], booked["steady"]) > 0.0
-    assert sum(booked.values()) <= done.seconds
+    seconds = dict(zip(PHASES, done.spent.sum(axis=0), strict=True))
+    assert seconds["jump"] == seconds["marching"] == 0.0
+    assert min(seconds["surfaces"], seconds["steady"]) > 0.0
+    assert sum(seconds.values()) <= done.seconds
 
 
-def test_every_task_pays_its_part():
+def test_every_task_has_its_share_of_the_time():
     done = block_means(WHOLE)
     assert (done.spent > 0.0).all()
     assert done.spent.sum() <= done.seconds
-    assert len(np.unique(done.spent[:, 0])) == 1  # of the lines all share
+    assert len(np.unique(done.spent[:, 0])) == 1  # of drawing, in equal parts
 
 
 BATCH = next(cut_batches(small_plan("study.realizations=2"), set(), 1e9))
 
 
-def test_block_means_are_named_as_the_outcome_of_the_kernels():
-    """By field, not by position: each column is the mean of what the kernels call so."""
+def test_block_means_have_the_names_of_the_outcome_of_the_kernels():
+    """Each column is the mean of the field of its name, not of its position."""
     task = BATCH.tasks[0]
     hurst, elements, load, speed, ratio = task.problem[:5]
     phases = draw_phases(line_generator(BATCH.seed, hurst, elements, 0), elements)
     lines = Line.quartet(amplitudes(hurst, elements), phases, elements, task.steps_per_spacing)
     case = Case(load, speed, (ratio,), (np.array([1]),), BATCH.scheme)
     outcomes = [run_case(line, case, Quantities()) for line in lines]
-    found = block_means(BATCH).scalars[0, 0]
-    for name, value in zip(SCALARS, found, strict=True):
+    means = block_means(BATCH).scalars[0, 0]
+    for name, value in zip(SCALARS, means, strict=True):
         expected = np.mean([np.ravel(getattr(outcome, name)) for outcome in outcomes])
         assert value == pytest.approx(expected, rel=1e-12), name
 
 
 def test_every_estimate_of_a_scene_is_a_block_mean():
-    asked = {name for quantity in QUANTITIES.values() for name in quantity.means}
-    assert asked | {"samples_per_contact"} == set(SCALARS)
+    estimates = {name for quantity in QUANTITIES.values() for name in quantity.means}
+    assert estimates | {"samples_per_contact"} == set(SCALARS)
 
 
 def numbers(seed=1, hurst=0.3, elements=100, index=0):
@@ -170,25 +172,25 @@ def numbers(seed=1, hurst=0.3, elements=100, index=0):
 
 
 @pytest.mark.parametrize("other", [{"seed": 2}, {"hurst": 0.7}, {"elements": 101}, {"index": 1}])
-def test_each_line_has_random_numbers_of_its_own(other):
+def test_each_line_has_different_random_numbers(other):
     assert numbers() == numbers()
     assert set(numbers()).isdisjoint(numbers(**other))
 
 
 @pytest.fixture
 def drawn(monkeypatch):
-    """Return what quartets are drawn from: (samples per spacing, phases) in order."""
-    found = []
+    """Return (samples per spacing, phases) of the drawn quartets, in order."""
+    quartets = []
 
     class Spy:
         @staticmethod
         def quartet(amplitude, phases, elements, steps_per_spacing):
-            found.append((steps_per_spacing, phases.tolist()))
+            quartets.append((steps_per_spacing, phases.tolist()))
             return Line.quartet(amplitude, phases, elements, steps_per_spacing)
 
     monkeypatch.setattr(drawing, "Line", Spy)
-    monkeypatch.setattr(realizations, "load_kernels", lambda *_: None)  # draws a line of its own
-    return found
+    monkeypatch.setattr(realizations, "load_kernels", lambda *_: None)  # which draws a line
+    return quartets
 
 
 def test_every_resolution_samples_the_same_lines(drawn):
@@ -202,7 +204,7 @@ def test_every_resolution_samples_the_same_lines(drawn):
     "setting",
     ["numerics.scheme=implicit-euler", "grid.normal_force=3.0", 'scene.quantities=["jump"]'],
 )
-def test_load_scheme_and_scene_play_no_part_in_the_lines(drawn, setting):
+def test_lines_do_not_depend_on_load_scheme_and_scene(drawn, setting):
     block_means(one_batch())
     before = [phases for _, phases in drawn]
     drawn.clear()
@@ -219,12 +221,12 @@ def test_tasks_of_one_resolution_share_the_line(drawn):
 
 @pytest.mark.parametrize("count", [1, 2, 3])
 def test_a_quartet_lies_in_one_block_and_a_single_line_is_its_first(drawn, count):
-    """A block of a scene of one line is that line; of several lines whole quartets."""
+    """A block of a scene has one line; other blocks have whole quartets."""
     batch = one_batch("study.realizations=8", "numerics.steps_per_spacing=2")
     whole = block_means(dataclasses.replace(batch, blocks=1, realizations_per_block=4 * count))
-    phases = [found for _, found in drawn]
-    assert len(phases) == len({tuple(found) for found in phases}) == count
+    phases = [phase for _, phase in drawn]
+    assert len(phases) == len({tuple(phase) for phase in phases}) == count
     drawn.clear()
     single = block_means(dataclasses.replace(batch, blocks=1, realizations_per_block=1))
-    assert [found for _, found in drawn] == phases[:1]
+    assert [phase for _, phase in drawn] == phases[:1]
     assert not np.array_equal(single.scalars, whole.scalars, equal_nan=True)

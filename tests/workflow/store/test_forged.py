@@ -150,20 +150,20 @@ def test_forged_shards_are_left_out_everywhere(tmp_path, capsys):
         assert digest((stores[0] / f"{name}.damaged").read_bytes()) == name
 
 
-def shard_of_journal(**told):
-    """Return a change of what the journal tells of a shard."""
-    return lambda entry: {**entry, **told} if "shard" in entry else entry
+def changed_shard(**fields):
+    """Return a change of the entries of shards."""
+    return lambda entry: {**entry, **fields} if "shard" in entry else entry
 
 
 LINES = {
-    "records without end": shard_of_journal(chunks=[["PART", 0, VAST]], records=4 * VAST),
-    "a block before the first": shard_of_journal(chunks=[["PART", -4, 4]]),
-    "blocks that are words": shard_of_journal(chunks=[["PART", 0, "4"]]),
-    "batches of two numbers": shard_of_journal(chunks=[["PART", 0]]),
+    "vast batches": changed_shard(chunks=[["PART", 0, VAST]], records=4 * VAST),
+    "a negative block": changed_shard(chunks=[["PART", -4, 4]]),
+    "blocks that are words": changed_shard(chunks=[["PART", 0, "4"]]),
+    "batches of two numbers": changed_shard(chunks=[["PART", 0]]),
     "no batches": lambda entry: {k: v for k, v in entry.items() if k != "chunks"},
-    "a size in words": shard_of_journal(bytes="many"),
-    "makers of makers": shard_of_journal(by=[["a"]]),
-    "a shard without a name": shard_of_journal(shard=3),
+    "a size in words": changed_shard(bytes="many"),
+    "makers of makers": changed_shard(by=[["a"]]),
+    "a shard without a name": changed_shard(shard=3),
     "keys in a list": lambda entry: {**entry, "keys": []} if "part" in entry else entry,
     "a maker of numbers": lambda entry: {**entry, "versions": 3} if "maker" in entry else entry,
     "a failure without why": lambda entry: {"failed": "0" * 32} if "maker" in entry else entry,
@@ -172,9 +172,7 @@ LINES = {
 
 
 @pytest.mark.parametrize("change", LINES.values(), ids=LINES)
-def test_a_line_of_the_journal_that_is_not_made_as_lines_are_is_as_one_that_is_spoilt(
-    tmp_path, change
-):
+def test_an_invalid_line_of_the_journal_is_treated_as_a_spoilt_one(tmp_path, change):
     filled(tmp_path, [BATCH])
     entries = [entry for entry, _ in journal.entries(tmp_path)]
     (part,) = (entry["part"] for entry in entries if "part" in entry)
@@ -186,7 +184,7 @@ def test_a_line_of_the_journal_that_is_not_made_as_lines_are_is_as_one_that_is_s
 
 
 @pytest.mark.parametrize("text", [b"words", b"[" * 10**5, b'["a list"]', b"\xff", b"3"])
-def test_a_line_of_the_journal_that_is_no_entry_is_as_one_that_is_spoilt(tmp_path, text):
+def test_a_line_without_an_entry_is_treated_as_a_spoilt_one(tmp_path, text):
     filled(tmp_path, [BATCH])
     with (tmp_path / journal.NAME).open("ab") as file:
         file.write(journal.line(text))

@@ -1,4 +1,4 @@
-"""The index follows from the lines of the journal alone: lost, repeated, joined and wrong ones."""
+"""The index of a store, from journals with lost, repeated, joined and wrong lines."""
 
 import dataclasses
 
@@ -15,7 +15,7 @@ from tests.support.small import MAKER, random_result
 
 
 @pytest.mark.parametrize("lost", [None, 0, 1, 2, 3, 4])
-def test_lost_lines_of_the_journal_are_found_again_in_the_shards(tmp_path, lost):
+def test_lost_lines_of_the_journal_are_restored_from_the_shards(tmp_path, lost):
     _, results = filled(tmp_path, WORK[:3])
     path = tmp_path / journal.NAME
     lines = path.read_bytes().splitlines(keepends=True)
@@ -27,25 +27,23 @@ def test_lost_lines_of_the_journal_are_found_again_in_the_shards(tmp_path, lost)
 
 
 def repeated_lines(folder, repeats):
-    """Write every line of a journal so many times, as joined journals may hold it."""
+    """Repeat every line of a journal, as joined journals may do."""
     path = folder / journal.NAME
     lines = path.read_bytes().splitlines(keepends=True)
     path.write_bytes(b"".join(line for line in lines for _ in range(repeats)))
 
 
-COMPANIES = [
-    dataclasses.replace(BATCH, tasks=tasks) for tasks in (BATCH.tasks[:1], BATCH.tasks[1:])
-]
+PARTS = [dataclasses.replace(BATCH, tasks=tasks) for tasks in (BATCH.tasks[:1], BATCH.tasks[1:])]
 
 
 @pytest.mark.parametrize("repeats", [2, 3])
-def test_a_line_told_twice_hands_no_problem_the_numbers_of_another(tmp_path, repeats):
-    filled(tmp_path, COMPANIES[:1])
-    repeated_lines(tmp_path, repeats)  # once the keys were numbered by their place in the journal
+def test_repeated_lines_do_not_mix_up_the_numbers_of_problems(tmp_path, repeats):
+    filled(tmp_path, PARTS[:1])
+    repeated_lines(tmp_path, repeats)
     store = reopened(tmp_path)
-    store.add([(COMPANIES[1], random_result(COMPANIES[1], 1))])
+    store.add([(PARTS[1], random_result(PARTS[1], 1))])
     for again in (store, Store(tmp_path), reopened(tmp_path)):
-        for seed, batch in enumerate(COMPANIES):
+        for seed, batch in enumerate(PARTS):
             assert_holds(again, batch, random_result(batch, seed))
 
 
@@ -62,8 +60,8 @@ def test_two_joined_journals_are_one_store(tmp_path):
     store.read(sorted(held(store)), SAMPLES)
 
 
-def test_a_journal_that_is_wrong_about_a_sound_shard_is_mended(tmp_path, capsys):
-    store, results = filled(tmp_path, COMPANIES)
+def test_a_wrong_journal_is_mended_from_the_shards(tmp_path, capsys):
+    store, results = filled(tmp_path, PARTS)
     entries = [entry for entry, _ in journal.entries(tmp_path)]
     entries.sort(key=lambda entry: "part" not in entry)
     tables = [(entry["chunks"], entry["records"]) for entry in entries if "shard" in entry]
@@ -74,42 +72,42 @@ def test_a_journal_that_is_wrong_about_a_sound_shard_is_mended(tmp_path, capsys)
     (tmp_path / journal.NAME).write_bytes(journal.encoded(entries))
     store = reopened(tmp_path)
     with pytest.raises(DamagedShard):
-        store.read(records(COMPANIES[1]), SAMPLES)
+        store.read(records(PARTS[1]), SAMPLES)
     assert "all shards are read again" in capsys.readouterr().err
     for again in (store, Store(tmp_path)):
-        for batch, result in zip(COMPANIES, results, strict=True):
+        for batch, result in zip(PARTS, results, strict=True):
             assert_holds(again, batch, result)
-    assert len(list(tmp_path.glob("*.npz"))) == 2  # none is set aside
+    assert len(list(tmp_path.glob("*.npz"))) == 2  # neither is set aside
 
 
-def test_what_a_shard_does_not_hold_is_no_longer_told_of_it_once_it_is_read(tmp_path):
-    _, (result, _) = filled(tmp_path, COMPANIES)
+def test_records_that_a_shard_lacks_are_removed_from_the_index_by_a_read(tmp_path):
+    _, (result, _) = filled(tmp_path, PARTS)
     entries = [entry for entry, _ in journal.entries(tmp_path)]
     entries.sort(key=lambda entry: "shard" in entry)
     first, second = (entry for entry in entries if "shard" in entry)
     first["chunks"] += second["chunks"]
     first["records"] += second["records"]
-    (tmp_path / journal.NAME).write_bytes(journal.encoded(entries[:-1]))  # none tells the second
+    (tmp_path / journal.NAME).write_bytes(journal.encoded(entries[:-1]))  # without the second
     (tmp_path / f"{second['shard']}.npz").unlink()
     store = Store(tmp_path)
     with pytest.raises(DamagedShard):
-        store.read(records(COMPANIES[1]), SAMPLES)
+        store.read(records(PARTS[1]), SAMPLES)
     for again in (store, Store(tmp_path)):
-        assert held(again) == set(records(COMPANIES[0]))
-        assert_holds(again, COMPANIES[0], result)
+        assert held(again) == set(records(PARTS[0]))
+        assert_holds(again, PARTS[0], result)
 
 
-def test_a_line_that_tells_of_more_records_than_its_bytes_can_hold_is_nonsense():
+def test_a_line_with_more_records_than_its_bytes_can_hold_is_invalid():
     index = Index()
     index.replay({"part": digest(32 * b"0"), "keys": 32 * "0"})
     line = {"shard": "a", "records": 3, "chunks": [[digest(32 * b"0"), 0, 3]]}
-    with pytest.raises(ValueError, match="3 records, not 3, in 143 bytes"):
+    with pytest.raises(ValueError, match=f"3 records, not 3, in {3 * 8 * len(SCALARS) - 1} bytes"):
         index.replay(line | {"bytes": 3 * 8 * len(SCALARS) - 1})
     index.replay(line | {"bytes": 3 * 8 * len(SCALARS)})
-    assert index.sizes == {"a": 144}
+    assert index.sizes == {"a": 3 * 8 * len(SCALARS)}
 
 
-def test_a_part_whose_keys_do_not_match_its_checksum_is_not_taken_up(tmp_path):
+def test_a_part_whose_keys_do_not_match_its_checksum_is_ignored(tmp_path):
     filled(tmp_path, [BATCH])
     entries = [entry for entry, _ in journal.entries(tmp_path)]
     keys = entries[1]["keys"]
@@ -119,7 +117,7 @@ def test_a_part_whose_keys_do_not_match_its_checksum_is_not_taken_up(tmp_path):
     assert_holds(reopened(tmp_path), BATCH, random_result(BATCH, 0))
 
 
-def test_makers_are_those_of_the_blocks_that_are_asked_for(tmp_path):
+def test_makers_are_those_of_the_requested_blocks(tmp_path):
     other = Maker("python 3, numpy 3", "another processor")
     first, later = (dataclasses.replace(BATCH, first_block=block, blocks=1) for block in (0, 1))
     store = Store(tmp_path)
@@ -129,11 +127,11 @@ def test_makers_are_those_of_the_blocks_that_are_asked_for(tmp_path):
     for again in (store, Store(tmp_path)):
         makers = again.index.makers_of
         assert (makers({key: 1}), makers({key: 2})) == ({MAKER}, {MAKER, other})
-        assert makers({key: 1, last: 2}) == {MAKER, other}  # the most of any in the part
+        assert makers({key: 1, last: 2}) == {MAKER, other}  # the maximum over the part
         assert makers({key: 0}) == makers({"0" * 32: 9}) == makers({}) == set()
 
 
-def test_what_is_not_stored_is_not_found(tmp_path):
+def test_finding_a_missing_record_raises_key_error(tmp_path):
     store, _ = filled(tmp_path, [BATCH])
     with pytest.raises(KeyError):
         store.index.find((BATCH.tasks[0].key, 99))

@@ -1,4 +1,4 @@
-"""The store, its shards, its journal: what goes in comes out bit for bit, whatever a crash did."""
+"""The store, its shards and its journal: records come back bit for bit."""
 
 import dataclasses
 import io
@@ -21,20 +21,20 @@ from tests.support.shards import BATCH, SAMPLES, WORK, assert_holds, filled, hel
 from tests.support.small import random_result
 
 
-def test_results_come_back_bit_for_bit_in_any_order_and_company(tmp_path):
+def test_results_come_back_bit_for_bit_in_any_order(tmp_path):
     alone = dataclasses.replace(BATCH, tasks=BATCH.tasks[1:2], first_block=4, blocks=2)
     elsewhere = [batch for batch in WORK if not set(records(batch)) & set(records(BATCH))]
     work = [BATCH, alone, *elsewhere[:6]]
     store, results = filled(tmp_path, work)
-    wanted = [record for batch in work for record in records(batch)]
+    stored = [record for batch in work for record in records(batch)]
     scalars = np.concatenate([result.scalars.reshape(-1, len(SCALARS)) for result in results])
     curves = np.concatenate([result.curves.reshape(-1, SAMPLES) for result in results])
-    order = np.random.default_rng(1).permutation(len(wanted))
+    order = np.random.default_rng(1).permutation(len(stored))
     for again in (store, Store(tmp_path), reopened(tmp_path)):
-        assert held(again) == set(wanted)
-        found = again.read([wanted[i] for i in order], SAMPLES)
-        assert found[0].tobytes() == scalars[order].tobytes()
-        assert found[1].tobytes() == curves[order].tobytes()
+        assert held(again) == set(stored)
+        read_back = again.read([stored[i] for i in order], SAMPLES)
+        assert read_back[0].tobytes() == scalars[order].tobytes()
+        assert read_back[1].tobytes() == curves[order].tobytes()
 
 
 def test_blocks_keep_their_numbers(tmp_path):
@@ -44,13 +44,13 @@ def test_blocks_keep_their_numbers(tmp_path):
     assert [record in store for record in ((key, 6), (key, 7), ("0" * 32, 7))] == [0, 1, 0]
 
 
-def test_a_store_and_a_journal_that_are_not_there_are_empty_and_not_made(tmp_path):
+def test_a_missing_store_is_empty_and_is_not_created(tmp_path):
     assert held(Store(tmp_path / "store")) == set()
     assert read(tmp_path) == []
     assert list(tmp_path.iterdir()) == []
 
 
-def test_nothing_but_shards_and_the_journal_is_left_in_the_folder(tmp_path):
+def test_the_folder_holds_only_shards_and_the_journal(tmp_path):
     filled(tmp_path, WORK[:3])
     names = sorted(path.suffix or path.name for path in tmp_path.iterdir())
     assert names == [".npz"] * 3 + ["journal"]
@@ -97,12 +97,12 @@ def test_equal_records_give_equal_bytes(tmp_path, monkeypatch):
         assert arrays.files == list(ARRAYS)
 
 
-def test_failures_are_remembered_until_they_are_to_be_tried_again(tmp_path):
+def test_failures_are_kept_until_they_are_to_be_retried(tmp_path):
     store = Store(tmp_path)
     for key in ("aa", "bb"):
         store.record_failure(key, f"{key} overflowed")
-    told = {"aa": "aa overflowed", "bb": "bb overflowed"}
-    assert store.failed == Store(tmp_path).failed == told
+    reasons = {"aa": "aa overflowed", "bb": "bb overflowed"}
+    assert store.failed == Store(tmp_path).failed == reasons
     before = (tmp_path / journal.NAME).read_bytes()
     store.forget_failures({"cc"})
     assert (tmp_path / journal.NAME).read_bytes() == before
@@ -110,10 +110,10 @@ def test_failures_are_remembered_until_they_are_to_be_tried_again(tmp_path):
     assert store.failed == Store(tmp_path).failed == {"aa": "aa overflowed"}
 
 
-def test_a_result_that_was_edited_is_known_where_its_store_is(tmp_path):
+def test_an_edited_result_is_recognised_by_the_store_beside_it(tmp_path):
     result = tmp_path / "fig2.nc"
     result.write_bytes(b"as a run wrote it")
-    assert is_as_written(result) is None  # no store says how it was
+    assert is_as_written(result) is None  # without a store
     folder = store_folder(result)
     enter_result(result)
     assert Store(folder).wrote(result)
@@ -142,13 +142,13 @@ def read(folder, offset=0):
     return [entry for entry, _ in journal.entries(folder, offset)]
 
 
-def test_one_can_go_on_reading_where_one_stopped(folder):
+def test_reading_continues_at_any_offset(folder):
     offsets = [offset for _, offset in journal.entries(folder)]
     assert offsets[-1] == (folder / journal.NAME).stat().st_size
     assert [read(folder, offset) for offset in (0, *offsets)] == [ENTRIES[i:] for i in range(4)]
 
 
-def test_any_prefix_is_read_up_to_its_last_whole_line(folder):
+def test_any_prefix_is_read_up_to_its_last_complete_line(folder):
     content = (folder / journal.NAME).read_bytes()
     for length in range(len(content)):
         (folder / journal.NAME).write_bytes(content[:length])
@@ -161,9 +161,9 @@ def test_any_flipped_bit_spoils_at_most_the_lines_it_touches(folder):
         damaged = bytearray(content)
         damaged[place] ^= 1
         (folder / journal.NAME).write_bytes(damaged)
-        found = read(folder)
-        assert 1 <= len(found) <= 2
-        assert all(entry in ENTRIES for entry in found)
+        entries = read(folder)
+        assert 1 <= len(entries) <= 2
+        assert all(entry in ENTRIES for entry in entries)
 
 
 def test_entries_after_a_torn_line_are_read(folder):
@@ -173,21 +173,21 @@ def test_entries_after_a_torn_line_are_read(folder):
     assert read(folder) == [*ENTRIES[:2], {"dropped": "y"}]
 
 
-def test_the_keys_of_tasks_that_stay_together_are_written_once(tmp_path):
+def test_the_keys_of_a_part_are_written_once(tmp_path):
     later = [dataclasses.replace(BATCH, first_block=4 * i) for i in range(5)]
     filled(tmp_path, later)
     for kind, count in (("part", 1), ("shard", 5)):
         assert sum(kind in entry for entry in read(tmp_path)) == count
 
 
-def test_the_journal_tells_records_and_predicted_time(tmp_path):
+def test_the_journal_lists_records_and_predicted_time(tmp_path):
     filled(tmp_path, [BATCH])
     (shard,) = [entry for entry in read(tmp_path) if "shard" in entry]
     assert shard["records"] == 16
     assert shard["predicted"] == round(BATCH.seconds, 3)
 
 
-def test_a_new_journal_begins_with_its_format_and_tells_it_once(tmp_path):
+def test_a_new_journal_begins_with_its_format(tmp_path):
     for _ in range(2):
         Store(tmp_path).prepare()
     assert read(tmp_path) == [{"format": journal.FORMAT}]

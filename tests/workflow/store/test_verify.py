@@ -40,50 +40,50 @@ def store(tmp_path):
 def verified(folder):
     """Return the verification of a store, which must not change it."""
     before = contents(folder)
-    found = Verification(folder)
+    verification = Verification(folder)
     assert contents(folder) == before
-    return found
+    return verification
 
 
 def test_a_sound_store_has_no_fault(store):
-    found = verified(store.folder)
-    assert found.faults == found.notes == []
-    assert found.lines()[1:6] == [
+    verification = verified(store.folder)
+    assert verification.faults == verification.notes == []
+    assert verification.lines()[1:6] == [
         "journal     7 lines",
         "shards      3 of 3 sound",
-        f"records     18 of {len(found.keys)} problems",
+        f"records     18 of {len(verification.keys)} problems",
         f"computed    with {MAKER.versions}, on {MAKER.processor}",
         "failed      0 problems",
     ]
-    assert found.lines()[-1] == "verified    no faults"
+    assert verification.lines()[-1] == "verified    no faults"
 
 
 @pytest.mark.parametrize("name", [name for name in DAMAGE if name != "of another program"])
 def test_a_damaged_shard_is_named(store, name):
     path = shard_of(store, WORK[4])
     path.write_bytes(DAMAGE[name](path.read_bytes()))
-    found = verified(store.folder)
-    assert found.undamaged == 2
-    (fault,) = found.faults
+    verification = verified(store.folder)
+    assert verification.undamaged == 2
+    (fault,) = verification.faults
     assert fault.startswith(f"{path.name}: damaged (")
 
 
-def test_a_file_of_another_program_is_noted_and_no_fault(store):
+def test_a_file_of_another_program_is_noted(store):
     path = shard_of(store, WORK[4])
     content = DAMAGE["of another program"](b"")
     path.with_name(f"{digest(content)}.npz").write_bytes(content)
-    found = verified(store.folder)
-    assert (found.undamaged, found.shards, found.faults) == (3, 4, [])
-    (note,) = found.notes
+    verification = verified(store.folder)
+    assert (verification.undamaged, verification.shards, verification.faults) == (3, 4, [])
+    (note,) = verification.notes
     assert note.startswith(f"{digest(content)}.npz: is not a shard of this program")
 
 
-def test_a_missing_shard_and_a_strange_file_are_named(store):
+def test_a_missing_shard_and_a_foreign_file_are_named(store):
     path = shard_of(store, BATCH)
     path.replace(path.with_suffix(".damaged"))
-    found = verified(store.folder)
-    assert found.faults == [f"{path.name}: missing, but listed in the journal"]
-    assert found.notes == [f"{path.stem}.damaged: not part of the store"]
+    verification = verified(store.folder)
+    assert verification.faults == [f"{path.name}: missing, but listed in the journal"]
+    assert verification.notes == [f"{path.stem}.damaged: not part of the store"]
 
 
 @pytest.mark.parametrize("line", range(7))
@@ -97,7 +97,7 @@ def test_a_spoilt_line_is_named_by_its_number(store, line):
     assert not any("invalid" in fault for fault in faults)
 
 
-def test_a_result_that_was_edited_is_a_fault(tmp_path):
+def test_an_edited_result_is_a_fault(tmp_path):
     result = tmp_path / "fig2.nc"
     result.write_bytes(b"as a run wrote it")
     enter_result(result)
@@ -113,13 +113,15 @@ def test_every_key_is_compared_with_the_journal(store):
     shards = [entry for entry in entries if "shard" in entry]
     shards[1]["chunks"], shards[2]["chunks"] = shards[2]["chunks"], shards[1]["chunks"]
     (store.folder / journal.NAME).write_bytes(journal.encoded(entries))
-    found = verified(store.folder)
-    assert len(found.faults) == 2
+    verification = verified(store.folder)
+    assert len(verification.faults) == 2
     key, block = records(WORK[5])[0]
-    assert any(f"does not hold block {block} of {key} where" in fault for fault in found.faults)
+    assert any(
+        f"does not hold block {block} of {key} where" in fault for fault in verification.faults
+    )
 
 
-def test_a_maker_that_the_shard_does_not_name_is_a_fault(store):
+def test_a_maker_that_is_missing_in_the_shard_is_a_fault(store):
     entries = [entry for entry, _ in journal.entries(store.folder)]
     maker = next(entry for entry in entries if "maker" in entry)
     maker["versions"] = "numpy 1"
@@ -132,15 +134,15 @@ def test_a_maker_that_the_shard_does_not_name_is_a_fault(store):
 def test_shards_that_are_not_in_the_journal_are_noted(tmp_path):
     filled(tmp_path, WORK[:2])
     (tmp_path / journal.NAME).unlink()
-    found = verified(tmp_path)
-    assert found.faults == []
-    assert len(found.notes) == 3
-    assert found.undamaged == 2
+    verification = verified(tmp_path)
+    assert verification.faults == []
+    assert len(verification.notes) == 3
+    assert verification.undamaged == 2
 
 
 @pytest.fixture
 def folders(tmp_path):
-    """Return two stores that have one batch in common, to the bit."""
+    """Return two stores that share one batch, to the bit."""
     source, target = tmp_path / "source", tmp_path / "target"
     filled(source, WORK[:3])
     filled(target, WORK[:1])
@@ -148,11 +150,11 @@ def folders(tmp_path):
     return source, target
 
 
-def test_all_that_either_holds_is_there_and_the_source_as_it_was(folders):
+def test_a_merge_keeps_all_records_and_does_not_change_the_source(folders):
     source, target = folders
     before = contents(source)
-    said = merge_into(source, target)
-    assert said == ["merged      2 of 3 shards, 2 new records"]
+    lines = merge_into(source, target)
+    assert lines == ["merged      2 of 3 shards, 2 new records"]
     assert contents(source) == before
     store = Store(target)
     assert held(store) == {r for batch in (*WORK[:3], WORK[4]) for r in records(batch)}
@@ -165,22 +167,22 @@ def test_all_that_either_holds_is_there_and_the_source_as_it_was(folders):
     assert contents(target).keys() == again.keys()
 
 
-def test_into_a_folder_that_is_not_there_yet(folders, tmp_path):
+def test_a_merge_creates_the_target(folders, tmp_path):
     merge_into(folders[0], tmp_path / "new" / "store")
     assert held(Store(tmp_path / "new" / "store")) == held(Store(folders[0]))
 
 
-def test_records_that_differ_by_the_last_bit_of_one_number_are_counted(folders):
+def test_records_that_differ_in_one_bit_are_counted(folders):
     source, target = folders
     result = random_result(WORK[4], 4)
     result.scalars[0, 0, 0] = np.nextafter(result.scalars[0, 0, 0], np.inf)
     Store(source).add([(WORK[4], result)])
-    said = merge_into(source, target)
-    assert said[0] == "differing   1 records are in both stores, with different bits"
-    assert_holds(Store(target), WORK[4], random_result(WORK[4], 4))  # as it was
+    lines = merge_into(source, target)
+    assert lines[0] == "differing   1 records are in both stores, with different bits"
+    assert_holds(Store(target), WORK[4], random_result(WORK[4], 4))
 
 
-def test_where_there_are_no_locks_a_store_is_joined_only_if_that_is_asked_for(folders, monkeypatch):
+def test_a_merge_without_locks_needs_an_option(folders, monkeypatch):
     def no_locks(*_):
         raise OSError(errno.ENOLCK, "No locks available")
 
@@ -190,28 +192,28 @@ def test_where_there_are_no_locks_a_store_is_joined_only_if_that_is_asked_for(fo
     assert merge_into(*folders, no_lock=True) == ["merged      2 of 3 shards, 2 new records"]
 
 
-def test_a_damaged_shard_is_left_out_and_left_as_it_is(folders):
+def test_a_damaged_shard_is_left_out_and_not_changed(folders):
     source, target = folders
     path = shard_of(Store(source), WORK[1])
     path.write_bytes(path.read_bytes()[:-50])
     before = contents(source)
-    said = merge_into(source, target)
-    assert said[0].startswith(f"left out    {path.name}: its content does not match")
+    lines = merge_into(source, target)
+    assert lines[0].startswith(f"left out    {path.name}: its content does not match")
     assert contents(source) == before
     assert not set(records(WORK[1])) & held(Store(target))
 
 
-def test_a_shard_that_is_damaged_where_it_goes_is_taken_over_anew(folders):
+def test_a_damaged_shard_of_the_target_is_replaced(folders):
     source, target = folders
     path = shard_of(Store(target), WORK[0])
     path.write_bytes(path.read_bytes()[:-50] + 50 * b"x")
-    said = merge_into(source, target)
-    assert said == ["merged      3 of 3 shards, 3 new records"]
+    lines = merge_into(source, target)
+    assert lines == ["merged      3 of 3 shards, 3 new records"]
     assert_holds(Store(target), WORK[0], random_result(WORK[0], 0))
     assert Verification(target).faults == []
 
 
-def test_a_store_in_use_another_version_and_itself_are_refused(folders, monkeypatch):
+def test_a_store_in_use_another_format_and_the_store_itself_are_refused(folders, monkeypatch):
     monkeypatch.setattr("elastomer_friction.workflow.system.lock.PROBE_SECONDS", 0.1)
     source, target = folders
     with hold(target), pytest.raises(UserError, match="in use by"):

@@ -1,4 +1,4 @@
-"""Finished batches wait for company, but not for long."""
+"""The write buffer stores batches together, after a limited time."""
 
 import pytest
 
@@ -11,7 +11,7 @@ from tests.support.small import random_result
 
 
 def buffer_of(store, clock):
-    """Return a buffer for batches of three seconds that goes by the clock."""
+    """Return a buffer for batches of three seconds, with a test clock."""
     return WriteBuffer(store, 3.0, lambda: clock[0])
 
 
@@ -58,12 +58,13 @@ def test_a_long_run_writes_a_shard_every_thousandth_of_its_time(store, clock):
 
 def test_shards_are_of_sixteen_mebibytes_and_of_two_minutes_at_most(store, clock, monkeypatch):
     assert (module.MAX_BUFFER_BYTES, module.MAX_WAIT_SECONDS) == (2**24, 120.0)
-    each = random_result(WORK[0]).scalars.nbytes + random_result(WORK[0]).curves.nbytes
-    monkeypatch.setattr(module, "MAX_BUFFER_BYTES", 3 * each)
+    result = random_result(WORK[0])
+    size = result.scalars.nbytes + result.curves.nbytes
+    monkeypatch.setattr(module, "MAX_BUFFER_BYTES", 3 * size)
     with buffer_of(store, clock) as buffer:
         put(buffer, 0, 1)
         assert held(store) == set()
-        put(buffer, 2)  # at the bound itself, not only beyond it
+        put(buffer, 2)  # at the limit itself
         assert len(held(store)) == 3
         clock[0] += 1e6  # a thousandth of it is more than two minutes
         buffer.flush()
@@ -76,7 +77,7 @@ def test_shards_are_of_sixteen_mebibytes_and_of_two_minutes_at_most(store, clock
         assert len(held(store)) == 4
 
 
-def test_what_the_disk_refuses_waits_on(store, clock, monkeypatch):
+def test_batches_stay_in_the_buffer_if_the_disk_refuses(store, clock, monkeypatch):
     def refuse(_):
         raise UserError("full")
 
@@ -92,23 +93,23 @@ def test_what_the_disk_refuses_waits_on(store, clock, monkeypatch):
 
 
 def ended(store, clock, kind):
-    """Let an error of a kind end what a batch waits in."""
+    """End a buffer with a waiting batch by an error."""
     with buffer_of(store, clock) as buffer:
         put(buffer, 0)
         raise kind("given up")
 
 
-def test_the_error_that_ends_a_run_is_the_first_one(store, clock, monkeypatch):
+def test_a_run_ends_with_its_first_error(store, clock, monkeypatch):
     def refuse(_):
         raise UserError("the last attempt")
 
     monkeypatch.setattr(store, "add", refuse)
-    for kind, said in ((UserError, "given up"), (KeyboardInterrupt, "the last attempt")):
-        with pytest.raises(UserError, match=said):
+    for kind, message in ((UserError, "given up"), (KeyboardInterrupt, "the last attempt")):
+        with pytest.raises(UserError, match=message):
             ended(store, clock, kind)
 
 
-def test_what_waits_is_stored_whatever_ends_the_run(store, clock):
+def test_waiting_batches_are_stored_at_any_end_of_the_run(store, clock):
     with pytest.raises(KeyboardInterrupt):
         ended(store, clock, KeyboardInterrupt)
     assert len(held(store)) == 1
