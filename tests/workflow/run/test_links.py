@@ -52,7 +52,7 @@ def test_a_run_refuses_a_link_and_leaves_what_it_leads_to(folder, place, there):
 def test_a_result_that_is_a_link_is_not_shown(folder, capsys, command):
     linked(folder / "small.nc")
     said = refusal(capsys, command, write_study(folder), "--out", str(folder))
-    assert "small.nc: is a link, which is not opened" in said
+    assert "small.nc: is a symbolic link, which is not opened" in said
 
 
 def test_a_file_is_written_beside_a_link_with_the_name_of_its_unfinished_one(folder):
