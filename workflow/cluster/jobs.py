@@ -14,14 +14,14 @@ from tornado.ioloop import IOLoop
 
 from ..ground import UserError
 from ..study import BATCH_SYSTEMS, Cluster, walltime_seconds
-from ..system import ROOT, THREADS, interface_named, refused
+from ..system import PROGRAM_ROOT, THREADS, interface_named, refused
 from .security import ENCRYPTED, new_security, no_pages, scheduler_options
 
 # Workers import from their local folder, so that it must belong to this user alone. They import
 # nothing from the folder in which the job was submitted.
 PRIVATE_FOLDER_LINES = (
     "export PYTHONSAFEPATH=1",
-    f"export PYTHONPATH={shlex.quote(str(ROOT))}${{PYTHONPATH:+:$PYTHONPATH}}",
+    f"export PYTHONPATH={shlex.quote(str(PROGRAM_ROOT))}${{PYTHONPATH:+:$PYTHONPATH}}",
     "export DASK_TEMPORARY_DIRECTORY=$(mktemp -d)",
     "trap 'rm -rf \"$DASK_TEMPORARY_DIRECTORY\"' EXIT",
 )

@@ -9,7 +9,7 @@ import xarray as xr
 from ...kernels import power_spectrum
 from ..plan import Plan, Variant
 from ..reduce import LAWS, Estimates
-from ..simulate import EDGES
+from ..simulate import CONTACT_LENGTH_EDGES
 from ..study import COMMON_AXES, HALF_SPACE, axes_of
 from .provenance import provenance
 from .variables import AUXILIARY, AXIS_ATTRIBUTES, Powers, attributes, declared
@@ -70,7 +70,7 @@ def _coordinates(plan: Plan, variant: Variant, dims: set[str]) -> dict[str, obje
     coordinates: dict[str, object] = {
         "sample": np.arange(variant.numerics.curve_samples),
         "event": np.arange(variant.events),
-        "bin": EDGES[:-1],
+        "bin": CONTACT_LENGTH_EDGES[:-1],
         "law": list(LAWS),
     }
     if "x" in dims:  # present for a single realization of a single problem only

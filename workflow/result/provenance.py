@@ -9,7 +9,7 @@ from pathlib import Path
 
 from ..simulate import CODE_HASH
 from ..study import AnyStudy, Numerics, Study
-from ..system import ROOT, Maker, package_versions, this_maker, version_of
+from ..system import PROGRAM_ROOT, Maker, package_versions, this_maker, version_of
 
 REFERENCE = "Li, Dimaki, Popov, Psakhie, Popov (2014), Sci. Rep. 4, 5795, doi:10.1038/srep05795"
 LICENCE = (
@@ -17,7 +17,7 @@ LICENCE = (
 )
 
 
-def commit(root: Path = ROOT) -> str:
+def commit(root: Path = PROGRAM_ROOT) -> str:
     """Return the git commit of the program, marked where files differ from it, or "unknown".
 
     root : the folder of the program. It must be the top of the repository and tracked by it;

@@ -11,7 +11,7 @@ if TYPE_CHECKING:
     from .code_hash import CODE_HASH
     from .drawing import line_generator
     from .halved_steps import HALVED_STEP_SCALARS, REFINEMENT_FACTOR
-    from .layout import EDGES, Layout, row_layout, row_width, unpack
+    from .layout import CONTACT_LENGTH_EDGES, Layout, row_layout, row_width, unpack
     from .programmes import scene_of
     from .realizations import block_means, lines_at_once, load_kernels
     from .recorded_steps import (

@@ -44,13 +44,13 @@ def add_halved_steps(
     _, draw = body.drawing(batch)
     for block in range(min(batch.blocks, batch.recording.refined_blocks - batch.first_block)):
         drawing = draw(block * batch.realizations_per_block)
-        for (prepared, shared), (halved, _) in zip(groups, halved_groups, strict=True):
-            both = prepared, halved
+        for group, halved_group in zip(groups, halved_groups, strict=True):
+            both = group.prepared, halved_group.prepared
             lines = [next(iter(drawing(cases.steps_per_spacing))) for cases in both]
-            (before,), (after,) = (
+            (full,), (halved,) = (
                 body.run([line], cases) for line, cases in zip(lines, both, strict=True)
             )
-            for rows, *outcomes in zip(shared, before, after, strict=True):
+            for rows, *outcomes in zip(group.rows, full, halved, strict=True):
                 seconds = sum(np.array(outcome.seconds) for outcome in outcomes)
                 spent[rows, 1:] += seconds / len(rows)
                 for k, row in enumerate(rows):

@@ -14,8 +14,8 @@ from .recorded_steps import trace_steps
 from .tasks import Recording, Task
 
 STATE_SCALARS = tuple(f"state_{name}" for name in SavedState._fields if name not in ("memory", "p"))
-BINS = 40
-EDGES = 2.0 ** (0.5 * np.arange(BINS + 1) - 4.0)  # of contact lengths, in dx
+CONTACT_LENGTH_BINS = 40
+CONTACT_LENGTH_EDGES = 2.0 ** (0.5 * np.arange(CONTACT_LENGTH_BINS + 1) - 4.0)  # in dx
 
 Layout = dict[str, tuple[int, tuple[int, ...]]]  # name -> first column, shape
 
@@ -74,7 +74,7 @@ def _programme_shapes(task: Task, scheme: str, recording: Recording) -> dict[str
         "slip_events": dict.fromkeys(SLIP_EVENTS, (MAX_SLIP_EVENTS,)),
         "cycle_mean": {"mu_cycle_mean": ()},
         "energy": dict.fromkeys(ENERGIES, trace),
-        "contact_lengths": {"contact_length": (BINS,)},
+        "contact_lengths": {"contact_length": (CONTACT_LENGTH_BINS,)},
         "snapshots": _snapshots(task, (*trace, samples)),
         "state": {
             "state_memory": (units, samples),

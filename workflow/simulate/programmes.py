@@ -8,7 +8,7 @@ import numpy as np
 from ...kernels import MOTION_TRACES, Case, Quantities, SceneCase
 from ...kernels.compile.clock import computing_seconds
 from .bodies import body_of
-from .layout import EDGES, Layout
+from .layout import CONTACT_LENGTH_EDGES, Layout
 from .recorded_steps import trace_steps
 from .tasks import SCALARS, Batch, Recording, Task
 
@@ -51,7 +51,7 @@ def scene_of(task: Task, scheme: str, recording: Recording) -> SceneCase:
         start=problem.start,
         requested=recording.requested,
         recorded=recorded,
-        edges=EDGES,
+        edges=CONTACT_LENGTH_EDGES,
         frames=recorded if "snapshots" in recording.requested else np.empty(0, np.int64),
     )
 

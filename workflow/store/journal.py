@@ -16,7 +16,7 @@ from ..system import append_durably, refused
 
 NAME = "journal"
 MAX_LINE_BYTES = 2**26
-FORMAT = "elastomer-friction journal 2"
+JOURNAL_FORMAT = "elastomer-friction journal 2"
 
 Entry = dict[str, Any]
 
@@ -96,9 +96,10 @@ def entries(folder: Path, offset: int = 0) -> Iterator[tuple[Entry, int]]:
         entry = entry_in(text)
         if entry is None:
             continue
-        if entry.get("format", FORMAT) != FORMAT:
+        version = entry.get("format", JOURNAL_FORMAT)
+        if version != JOURNAL_FORMAT:
             raise UserError(
-                f"{folder / NAME}: has another format ({entry['format']}, not {FORMAT}) and is not "
+                f"{folder / NAME}: has another format ({version}, not {JOURNAL_FORMAT}) and is not "
                 "changed; choose another folder with --out"
             )
         yield entry, offset

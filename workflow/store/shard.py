@@ -22,9 +22,9 @@ from numpy.lib import format as npy
 from ..simulate import SCALARS, Batch, BatchResult, Record
 from ..system import Maker
 
-FORMAT_NAME = "elastomer-friction shard "
-FORMAT = FORMAT_NAME + "4"
-SUFFIX = ".npz"
+SHARD_FORMAT_NAME = "elastomer-friction shard "
+SHARD_FORMAT = SHARD_FORMAT_NAME + "4"
+SHARD_SUFFIX = ".npz"
 KEY_BYTES = 16
 KEY_LENGTH = 2 * KEY_BYTES  # as text
 MEMBER_DATE = 1980, 1, 1, 0, 0, 0  # the earliest that a zip archive can hold
@@ -103,7 +103,7 @@ def text_array(text: str) -> np.ndarray:
 
 def packed(arrays: Mapping[str, np.ndarray]) -> bytes:
     """Return the bytes of a shard with these arrays, and with its format."""
-    arrays = {"format": text_array(FORMAT), **arrays}
+    arrays = {"format": text_array(SHARD_FORMAT), **arrays}
     buffer = io.BytesIO()
     with zipfile.ZipFile(buffer, "w") as archive:
         for name, (kind, _) in ARRAYS.items():
@@ -120,9 +120,9 @@ def decode(name: str, content: bytes) -> Contents:
     Raises ForeignFile for a file of another program or version, and ValueError for damage and for
     contradictions.
     """
-    version = re.search(FORMAT_NAME.encode() + rb"[0-9]+", content)
-    if version and version[0] != FORMAT.encode():
-        raise ForeignFile(f"has another format ({version[0].decode()}, not {FORMAT})")
+    version = re.search(SHARD_FORMAT_NAME.encode() + rb"[0-9]+", content)
+    if version and version[0] != SHARD_FORMAT.encode():
+        raise ForeignFile(f"has another format ({version[0].decode()}, not {SHARD_FORMAT})")
     if digest(content) != name:
         raise ValueError("its content does not match the checksum in its name")
     if not version:
@@ -193,7 +193,7 @@ def _text(value: object) -> str:
     return value
 
 
-def shard_sizes(sizes: Mapping[str, int], suffix: str = SUFFIX) -> dict[str, int]:
+def shard_sizes(sizes: Mapping[str, int], suffix: str = SHARD_SUFFIX) -> dict[str, int]:
     """Return name -> bytes of the shards among the files of a folder, given by name -> bytes."""
     return {
         name.removesuffix(suffix): size
@@ -204,4 +204,4 @@ def shard_sizes(sizes: Mapping[str, int], suffix: str = SUFFIX) -> dict[str, int
 
 def shard_path(folder: Path, name: str) -> Path:
     """Return the file of a shard."""
-    return folder / f"{name}{SUFFIX}"
+    return folder / f"{name}{SHARD_SUFFIX}"

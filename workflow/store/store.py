@@ -49,7 +49,7 @@ def enter_result(result: Path) -> None:
     """
     folder = store_folder(result)
     make_folder(folder)
-    first: list[Entry] = [] if journal.size(folder) else [{"format": journal.FORMAT}]
+    first: list[Entry] = [] if journal.size(folder) else [{"format": journal.JOURNAL_FORMAT}]
     journal.append(folder, [*first, {"result": result.name, "digest": digest_of(result)}])
 
 
@@ -90,10 +90,10 @@ class Store:
         list are entered, and netCDF shards of version 0.3.0 are converted. Foreign files are named
         and not changed.
         """
-        for suffix in (shard.SUFFIX, NETCDF_SUFFIX):
+        for suffix in (shard.SHARD_SUFFIX, NETCDF_SUFFIX):
             clear_leftovers(self.folder / f"*{suffix}")
         if not self.retry(partial(journal.size, self.folder)):
-            self._write([{"format": journal.FORMAT}])
+            self._write([{"format": journal.JOURNAL_FORMAT}])
         self._convert(shard.shard_sizes(self._sizes(), NETCDF_SUFFIX))
         sizes, known = shard.shard_sizes(self._sizes()), dict(self.index.sizes)
         for name, size in known.items():

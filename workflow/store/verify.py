@@ -8,14 +8,14 @@ from ..system import LOCK, digest_of, read_whole, sizes_in
 from . import journal
 from .index import Index, Rows
 from .netcdf_shard import NETCDF_SUFFIX
-from .shard import SUFFIX, Contents, ForeignFile, decode, shard_path, shard_sizes
+from .shard import SHARD_SUFFIX, Contents, ForeignFile, decode, shard_path, shard_sizes
 
 
 def holds_a_store(folder: Path) -> bool:
     """Return whether a folder holds a store: a journal, or shards without one."""
     sizes = sizes_in(folder)
     return (folder / journal.NAME).is_file() or any(
-        shard_sizes(sizes, suffix) for suffix in (SUFFIX, NETCDF_SUFFIX)
+        shard_sizes(sizes, suffix) for suffix in (SHARD_SUFFIX, NETCDF_SUFFIX)
     )
 
 
@@ -33,21 +33,15 @@ class Verification:
         self.entered: dict[str, list[tuple[str, int, Rows]]] = defaultdict(list)  # by shard
         for (part, block), rows in self.index.rows.items():
             self.entered[rows.shard].append((part, block, rows))
-        sizes = sizes_in(folder)
-        shards, old = shard_sizes(sizes), shard_sizes(sizes, NETCDF_SUFFIX)
+        files = sizes_in(folder)
+        shards = sorted(shard_sizes(files))
         self.shards = len(shards)
-        self.undamaged = sum(self._is_undamaged(name) for name in sorted(shards))
+        self.undamaged = sum(self._is_undamaged(name) for name in shards)
         listed = sorted({folder.parent / name for name in self.index.results.values()})
         self.results = [path for path in listed if path.is_file()]
         edited = [path for path in self.results if digest_of(path) not in self.index.results]
         self.faults += [f"{path}: was changed or replaced since a run wrote it" for path in edited]
-        missing = sorted(self.index.sizes.keys() - shards.keys() - old.keys())
-        self.faults += [f"{name}{SUFFIX}: missing, but listed in the journal" for name in missing]
-        if old:
-            self.notes.append(f"{len(old)} netCDF shards: the next run converts those of 0.3.0")
-        known = {f"{name}{SUFFIX}" for name in shards} | {f"{name}{NETCDF_SUFFIX}" for name in old}
-        unknown = sorted(sizes.keys() - known - {journal.NAME, LOCK})
-        self.notes += [f"{name}: not part of the store" for name in unknown]
+        self._check_file_names(files, shards)
 
     def lines(self) -> list[str]:
         """Return the report, line by line."""
@@ -81,6 +75,18 @@ class Verification:
         if not self.journal_lines:
             self.notes.append("the journal is missing or empty")
 
+    def _check_file_names(self, files: dict[str, int], shards: list[str]) -> None:
+        """Compare the files of the folder with the journal; ``shards`` are those of this format."""
+        old = shard_sizes(files, NETCDF_SUFFIX)
+        for name in sorted(self.index.sizes.keys() - set(shards) - old.keys()):
+            self.faults.append(f"{name}{SHARD_SUFFIX}: missing, but listed in the journal")
+        if old:
+            self.notes.append(f"{len(old)} netCDF shards: the next run converts those of 0.3.0")
+        known = {f"{name}{SHARD_SUFFIX}" for name in shards}
+        known |= {f"{name}{NETCDF_SUFFIX}" for name in old}
+        unknown = sorted(files.keys() - known - {journal.NAME, LOCK})
+        self.notes += [f"{name}: not part of the store" for name in unknown]
+
     def _is_undamaged(self, name: str) -> bool:
         """Return whether a shard is valid and agrees with the journal; note any fault."""
         path = shard_path(self.folder, name)
@@ -102,7 +108,9 @@ class Verification:
     def _contradiction(self, name: str, contents: Contents) -> str:
         """Return how a shard differs from its entry in the journal, or "" if it does not."""
         if name not in self.index.sizes:
-            self.notes.append(f"{name}{SUFFIX}: not listed in the journal; the next run enters it")
+            self.notes.append(
+                f"{name}{SHARD_SUFFIX}: not listed in the journal; the next run enters it"
+            )
             return ""
         for part, block, (_, first, step) in self.entered[name]:
             for number, key in enumerate(self.index.parts[part]):

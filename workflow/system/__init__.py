@@ -26,7 +26,7 @@ if TYPE_CHECKING:
     from .netcdf_sandbox import unreadable
     from .network import interface_named
     from .packages import (
-        ROOT,
+        PROGRAM_ROOT,
         VERSION,
         Maker,
         Versions,

@@ -12,7 +12,7 @@ from .progress import duration
 # Of a file server that restarts, too many open files, or a full disk.
 _TEMPORARY = "EIO ESTALE ETIMEDOUT EAGAIN EMFILE ENFILE ENOSPC EDQUOT"
 TEMPORARY_ERRORS = frozenset(getattr(errno, name) for name in _TEMPORARY.split())
-FIRST_WAIT_SECONDS, MAX_WAIT_SECONDS = 0.1, 10.0  # between two attempts; doubled each time
+FIRST_PAUSE_SECONDS, MAX_PAUSE_SECONDS = 0.1, 10.0  # between two attempts; doubled each time
 FIRST_WARNING_SECONDS = 30.0  # after the first warning; doubled each time
 GRACE_SECONDS = 5.0  # of further attempts once the process is to stop
 POLL_SECONDS = 0.2  # between two checks whether the process is to stop
@@ -38,7 +38,7 @@ class DiskRetry:
 
         Raises that UserError if the error is permanent, and after the time limit.
         """
-        began, wait, next_warning = time.monotonic(), FIRST_WAIT_SECONDS, 0.0
+        began, wait, next_warning = time.monotonic(), FIRST_PAUSE_SECONDS, 0.0
         limit = 0.0 if self.exhausted else self.seconds
         while True:
             try:
@@ -57,7 +57,7 @@ class DiskRetry:
                     print(line, file=sys.stderr)
                     next_warning = max(FIRST_WARNING_SECONDS, 2.0 * next_warning)
                 self._pause(min(wait, limit - waited))
-                wait = min(2.0 * wait, MAX_WAIT_SECONDS)
+                wait = min(2.0 * wait, MAX_PAUSE_SECONDS)
             else:
                 self.exhausted = False
                 return result

@@ -17,7 +17,7 @@ from typing import Any
 
 from ..ground import UserError
 from .durable_files import read_whole, refused
-from .packages import ROOT
+from .packages import PROGRAM_ROOT
 
 MIN_READ_SECONDS, READ_BYTES_PER_SECOND = 1.0, 1e7  # CPU time for a file and for each variable
 MAX_READ_SECONDS = 1e4  # as the number of bytes may be forged
@@ -40,7 +40,7 @@ def unreadable(paths: list[Path]) -> dict[Path, str]:
         with refused(remaining[0], "cannot be checked:"):
             process = subprocess.run(
                 [sys.executable, "-m", __name__],
-                cwd=ROOT,
+                cwd=PROGRAM_ROOT,
                 input=b"\0".join(os.fsencode(path.absolute()) for path in remaining),
                 capture_output=True,
                 start_new_session=True,  # Ctrl-C is meant for this process

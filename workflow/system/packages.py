@@ -14,7 +14,7 @@ from typing import NamedTuple
 
 from ..ground import UserError
 
-ROOT = Path(__file__).resolve().parents[2]  # the folder of kernels, workflow and studies
+PROGRAM_ROOT = Path(__file__).resolve().parents[2]  # the folder of kernels, workflow and studies
 SOURCE_FOLDERS = ("kernels", "workflow")
 PACKAGES = ("numpy", "numba", "scipy", "dask", "distributed", "xarray", "netCDF4")
 NUMERICAL_PACKAGES = ("numpy", "numba", "llvmlite")  # may change the last bits of records
@@ -51,8 +51,10 @@ def package_versions() -> str:
 def our_sources() -> str:
     """Return a short hash over all source files of this program."""
     digest = hashlib.sha256()
-    for source in sorted(path for name in SOURCE_FOLDERS for path in (ROOT / name).rglob("*.py")):
-        digest.update(source.relative_to(ROOT).as_posix().encode() + source.read_bytes())
+    for source in sorted(
+        path for name in SOURCE_FOLDERS for path in (PROGRAM_ROOT / name).rglob("*.py")
+    ):
+        digest.update(source.relative_to(PROGRAM_ROOT).as_posix().encode() + source.read_bytes())
     return digest.hexdigest()[:16]
 
 

@@ -25,7 +25,13 @@ from elastomer_friction.kernels import (
 )
 from elastomer_friction.workflow.simulate import realizations
 from elastomer_friction.workflow.simulate.drawing import line_generator
-from elastomer_friction.workflow.simulate.layout import BINS, EDGES, row_layout, row_width, unpack
+from elastomer_friction.workflow.simulate.layout import (
+    CONTACT_LENGTH_BINS,
+    CONTACT_LENGTH_EDGES,
+    row_layout,
+    row_width,
+    unpack,
+)
 from elastomer_friction.workflow.simulate.programmes import scene_of
 from elastomer_friction.workflow.simulate.realizations import block_means
 from elastomer_friction.workflow.simulate.recorded_steps import (
@@ -208,9 +214,10 @@ def test_without_a_march_a_row_is_empty():
 
 
 def test_contact_lengths_are_counted_from_a_sixteenth_of_a_spacing_on():
-    assert EDGES.size == BINS + 1
-    assert EDGES[:5].tolist()[::2] == [0.0625, 0.125, 0.25]
-    np.testing.assert_allclose(EDGES[1:] / EDGES[:-1], np.sqrt(2.0), rtol=1e-15)
+    assert CONTACT_LENGTH_EDGES.size == CONTACT_LENGTH_BINS + 1
+    assert CONTACT_LENGTH_EDGES[:5].tolist()[::2] == [0.0625, 0.125, 0.25]
+    ratios = CONTACT_LENGTH_EDGES[1:] / CONTACT_LENGTH_EDGES[:-1]
+    np.testing.assert_allclose(ratios, np.sqrt(2.0), rtol=1e-15)
 
 
 SMALL = "material.temperature=20.0", "grid.velocity=0.03", "numerics.samples=16"

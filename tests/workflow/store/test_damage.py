@@ -102,7 +102,7 @@ def test_shard_of_another_format_is_named_and_left_as_it_is(
     tmp_path, capsys, monkeypatch, journaled, renamed
 ):
     with monkeypatch.context() as earlier:
-        earlier.setattr(shard, "FORMAT", "elastomer-friction shard 99")
+        earlier.setattr(shard, "SHARD_FORMAT", "elastomer-friction shard 99")
         store, _ = filled(tmp_path, WORK[:1])
     path = shard_of(store, WORK[0])
     if renamed:

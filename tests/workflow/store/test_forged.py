@@ -11,14 +11,14 @@ import pytest
 from elastomer_friction.workflow.simulate.tasks import SCALARS
 from elastomer_friction.workflow.store import journal
 from elastomer_friction.workflow.store.merge import merge_into
-from elastomer_friction.workflow.store.shard import FORMAT, decode, digest, text_array
+from elastomer_friction.workflow.store.shard import SHARD_FORMAT, decode, digest, text_array
 from elastomer_friction.workflow.store.verify import Verification
 from tests.support.shards import BATCH, WORK, assert_holds, filled, held, records, reopened
 from tests.support.small import MAKER, random_result
 
 WIDTH = len(SCALARS)
 SOUND = {
-    "format": text_array(FORMAT),
+    "format": text_array(SHARD_FORMAT),
     "makers": text_array(json.dumps([MAKER])),
     "batches": np.array([[1, 0, 2]]),
     "keys": np.ones((1, 16), np.uint8),
@@ -98,7 +98,7 @@ FORGED = {
     "makers nested without end": forged(makers=text_array("[" * 10**5)),
     "makers that are not JSON": forged(makers=text_array("{")),
     "a truncated archive": forged()[:-30],
-    "no archive": b"no archive, but of the format " + FORMAT.encode(),
+    "no archive": b"no archive, but of the format " + SHARD_FORMAT.encode(),
 }
 
 

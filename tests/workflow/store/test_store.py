@@ -190,4 +190,4 @@ def test_the_journal_lists_records_and_predicted_time(tmp_path):
 def test_a_new_journal_begins_with_its_format(tmp_path):
     for _ in range(2):
         Store(tmp_path).prepare()
-    assert read(tmp_path) == [{"format": journal.FORMAT}]
+    assert read(tmp_path) == [{"format": journal.JOURNAL_FORMAT}]

@@ -17,7 +17,7 @@ def test_an_edit_changes_the_version(tmp_path, monkeypatch):
     for name in packages.SOURCE_FOLDERS:
         (tmp_path / name / "room").mkdir(parents=True)
         (tmp_path / name / "room" / "a.py").write_text("x = 1\n")
-    monkeypatch.setattr(packages, "ROOT", tmp_path)
+    monkeypatch.setattr(packages, "PROGRAM_ROOT", tmp_path)
     monkeypatch.setattr(packages, "our_sources", packages.our_sources.__wrapped__)
     before = own_versions.__wrapped__()
     (tmp_path / "kernels" / "room" / "a.py").write_text("x = 2\n")

@@ -26,7 +26,14 @@ from ....kernels.compile import cache
 from ....kernels.compile.cache import source_hash
 from ...ground import UserError
 from ...simulate import load_kernels
-from ...system import ROOT, THREADS, make_folder, processor, report_compilation, write_durably
+from ...system import (
+    PROGRAM_ROOT,
+    THREADS,
+    make_folder,
+    processor,
+    report_compilation,
+    write_durably,
+)
 from . import timing, work
 from .work import PARTS, PLAIN
 
@@ -227,5 +234,7 @@ def _measured() -> str:
     """Return what a process with the settings of a worker measures, "" where it fails."""
     environment = {**os.environ, **THREADS}
     command = [sys.executable, "-m", "elastomer_friction.workflow.plan.cost.timing"]
-    done = subprocess.run(command, env=environment, cwd=ROOT, capture_output=True, text=True)
+    done = subprocess.run(
+        command, env=environment, cwd=PROGRAM_ROOT, capture_output=True, text=True
+    )
     return done.stdout if done.returncode == 0 else ""
