@@ -10,8 +10,15 @@ from ..ground import public_names
 if TYPE_CHECKING:
     from .code_hash import CODE_HASH
     from .drawing import line_generator
-    from .halved_steps import HALVED_STEP_SCALARS, REFINEMENT_FACTOR
-    from .layout import CONTACT_LENGTH_EDGES, Layout, row_layout, row_width, unpack
+    from .halved_steps import REFINEMENT_FACTOR
+    from .layout import (
+        CONTACT_LENGTH_EDGES,
+        HALVED_STEP_SCALARS,
+        Layout,
+        row_layout,
+        row_width,
+        unpack,
+    )
     from .programmes import scene_of
     from .realizations import block_means, lines_at_once, load_kernels
     from .recorded_steps import (

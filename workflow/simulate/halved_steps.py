@@ -10,12 +10,11 @@ import numpy as np
 
 from ...kernels import Outcome
 from .bodies import CaseGroup, body_of
-from .layout import Layout
+from .layout import HALVED_STEP_SCALARS, Layout
 from .programmes import steady_ends
 from .recorded_steps import curve_steps, curve_times
 from .tasks import Batch, Task
 
-HALVED_STEP_SCALARS = ("mu_1", "jump", "mu_2")  # in a record after the number of lines
 REFINEMENT_FACTOR = 2  # of the steps per spacing
 
 

@@ -14,6 +14,7 @@ from .recorded_steps import trace_steps
 from .tasks import Recording, Task
 
 STATE_SCALARS = tuple(f"state_{name}" for name in SavedState._fields if name not in ("memory", "p"))
+HALVED_STEP_SCALARS = ("mu_1", "jump", "mu_2")  # whose changes follow the number of lines
 CONTACT_LENGTH_BINS = 40
 CONTACT_LENGTH_EDGES = 2.0 ** (0.5 * np.arange(CONTACT_LENGTH_BINS + 1) - 4.0)  # in dx
 
@@ -28,9 +29,7 @@ def row_layout(task: Task, quantities: Quantities, scheme: str, recording: Recor
     if quantities.initial_rate:
         shapes["initial_rate"] = ()
     if recording.refined_blocks:
-        shapes["halved_steps"] = (
-            4,
-        )  # the number of lines, and the changes of HALVED_STEP_SCALARS in halved_steps.py
+        shapes["halved_steps"] = (1 + len(HALVED_STEP_SCALARS),)
         if quantities.relaxation:
             shapes["halved_steps_curve"] = (recording.samples - 1,)
     if recording.requested:

@@ -73,7 +73,7 @@ Record = tuple[str, int]  # (key of a task, block of realizations)
 
 # Fields of an outcome whose block means are columns; layout.py lays out the rest of a record.
 OTHER_FIELDS = ("curves", "work", "seconds", "initial_rate")
-SCALARS = tuple(field for field in Outcome._fields if field not in OTHER_FIELDS)
+SCALARS = tuple(name for name in Outcome._fields if name not in OTHER_FIELDS)
 
 PHASES = ("surfaces", *Seconds._fields)  # of the work on a line, calls excluded
 

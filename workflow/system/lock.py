@@ -48,11 +48,12 @@ def holder(folder: Path) -> str | None:
         try:
             fcntl.flock(file, fcntl.LOCK_SH | fcntl.LOCK_NB)
         except BlockingIOError:
-            return _words(folder)
+            return _description(folder)
         except OSError:  # no locks: does the signing process still run on this machine?
             signed = _signature(folder)
             here = signed.get("host") == socket.gethostname()
-            return _words(folder) if here and Path(f"/proc/{signed['pid']}").exists() else None
+            alive = here and Path(f"/proc/{signed['pid']}").exists()
+            return _description(folder) if alive else None
     return None
 
 
@@ -64,7 +65,7 @@ def _acquire(file: IO[bytes], folder: Path, without: bool) -> None:
             return fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
         except BlockingIOError:
             if time.monotonic() > end:
-                who = _words(folder)
+                who = _description(folder)
                 raise UserError(f"{folder}: in use by {who}; one run at a time") from None
             time.sleep(0.01)
         except OSError as error:
@@ -94,6 +95,6 @@ def _signature(folder: Path) -> dict[str, Any]:
     return {}
 
 
-def _words(folder: Path) -> str:
+def _description(folder: Path) -> str:
     known = "process {pid} on {host} since {since}" if (signed := _signature(folder)) else ""
     return known.format(**signed) or "an unknown process"

@@ -23,7 +23,7 @@ def test_duration_in_words():
 
 
 def lines(capsys):
-    """Return the lines of a log written so far; nothing goes to stdout."""
+    """Return the lines of the log so far; stdout must be empty."""
     out, err = capsys.readouterr()
     assert out == ""
     assert err == "" or err.endswith("\n")
@@ -41,13 +41,13 @@ def test_a_log_gets_plain_lines_with_share_and_time_left(capsys, clock):
     assert lines(capsys) == ["computing: 100%, 0 s left"]
 
 
-def test_lines_are_sparse_and_slow_work_is_reported_all_the_same(capsys, clock):
+def test_lines_are_sparse_and_slow_work_is_reported_too(capsys, clock):
     with Reporter("computing", 1000.0) as reporter:
         for _ in range(1000):
             reporter.advance(1.0)
-    found = lines(capsys)
-    assert 15 <= len(found) <= 21
-    assert found[-1] == "computing: 100%, 0 s left"
+    log = lines(capsys)
+    assert 15 <= len(log) <= 21
+    assert log[-1] == "computing: 100%, 0 s left"
     reporter = Reporter("computing", 1e6)
     for _ in range(10):
         clock[0] += 10.0
@@ -55,12 +55,12 @@ def test_lines_are_sparse_and_slow_work_is_reported_all_the_same(capsys, clock):
     assert len(lines(capsys)) == 3
 
 
-def test_nothing_to_do_says_nothing_and_more_than_predicted_is_all_of_it(capsys, clock):
-    for predicted, said in ((0.0, []), (1.0, ["computing: 100%, 0 s left"])):
+def test_no_work_prints_no_line_and_excess_work_ends_at_all_of_it(capsys, clock):
+    for predicted, expected in ((0.0, []), (1.0, ["computing: 100%, 0 s left"])):
         with Reporter("computing", predicted) as reporter:
             clock[0] += 3.0
             reporter.advance(5.0 * predicted)
-        assert lines(capsys) == said
+        assert lines(capsys) == expected
 
 
 def test_a_terminal_gets_a_bar(monkeypatch):
@@ -75,7 +75,7 @@ def test_a_terminal_gets_a_bar(monkeypatch):
     assert "50.0 %" in shown
 
 
-def test_who_works_is_said(capsys, clock):
+def test_lines_name_the_workers(capsys, clock):
     with Reporter("computing", 10.0) as reporter:
         reporter.beat(3, 0)
         assert lines(capsys) == []

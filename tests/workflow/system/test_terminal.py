@@ -37,10 +37,10 @@ with contextlib.suppress(OSError):
 """
 
 
-def said(redirection, path, **environment):
-    """Return the exit status of a process with some redirection, and what came through."""
+def outcome(redirection, path, **environment):
+    """Return the exit status, output and errors of a process with some redirection."""
     command = f'"{sys.executable}" -c \'{SAY}\' "{path}" {redirection}'
-    done = subprocess.run(
+    process = subprocess.run(
         ["bash", "-c", f"set -o pipefail; {command}"],
         cwd=ROOT,
         env={**os.environ, **environment},
@@ -48,21 +48,21 @@ def said(redirection, path, **environment):
         timeout=PATIENCE,
         check=False,
     )
-    return done.returncode, done.stdout, done.stderr
+    return process.returncode, process.stdout, process.stderr
 
 
 @pytest.mark.parametrize("redirection", ["2>&-", ">&-", "0<&- >&- 2>&-", "2>/dev/full >/dev/full"])
-def test_a_stream_that_cannot_be_written_ends_nothing(tmp_path, redirection):
-    assert said(redirection, tmp_path / "file")[0] == 0
+def test_an_unwritable_stream_does_not_end_the_process(tmp_path, redirection):
+    assert outcome(redirection, tmp_path / "file")[0] == 0
     assert (tmp_path / "file").read_bytes() == b""
 
 
-def test_a_pipe_that_nobody_reads_ends_nothing(tmp_path):
-    assert said("2>&1 | true", tmp_path / "file")[0] == 0
+def test_a_pipe_without_a_reader_does_not_end_the_process(tmp_path):
+    assert outcome("2>&1 | true", tmp_path / "file")[0] == 0
 
 
-def test_letters_that_the_terminal_lacks_are_shown_as_numbers(tmp_path):
-    status, out, err = said("", tmp_path / "file", PYTHONIOENCODING="latin-1")
+def test_characters_missing_in_the_terminal_are_shown_as_numbers(tmp_path):
+    status, out, err = outcome("", tmp_path / "file", PYTHONIOENCODING="latin-1")
     assert status == 0
     for text in (out, err):
         assert "µ\\u2081 \\u2264 \\u03c4".encode("latin-1") in text.splitlines()
@@ -78,7 +78,7 @@ sys.stdin.read()
 
 
 @pytest.mark.parametrize("unbuffered", ["", "1"])
-def test_a_line_of_the_standard_error_is_there_at_once(unbuffered):
+def test_a_line_on_stderr_appears_at_once(unbuffered):
     environment = {**os.environ, "PYTHONUNBUFFERED": unbuffered}
     pipes = dict.fromkeys(("stdin", "stderr"), subprocess.PIPE)
     with subprocess.Popen([sys.executable, "-c", WAIT], env=environment, cwd=ROOT, **pipes) as one:
@@ -94,12 +94,12 @@ def test_a_line_of_the_standard_error_is_there_at_once(unbuffered):
         ("/usr/lib/workflow/__main__.py", "python -m workflow"),
     ],
 )
-def test_the_program_is_named_as_it_was_called(monkeypatch, called, name):
+def test_the_program_has_the_name_of_its_command(monkeypatch, called, name):
     monkeypatch.setattr(sys, "argv", [called, "plan"])
     assert program() == name
 
 
-def test_first_signal_asks_even_if_it_comes_twice_at_once_and_a_later_one_aborts(clock, capsys):
+def test_the_first_signal_requests_a_stop_and_a_later_one_aborts(clock, capsys):
     numbers = signal.SIGINT, signal.SIGTERM, signal.SIGHUP
     handlers = [signal.getsignal(number) for number in numbers]
     with Interrupt() as interrupt:
@@ -115,7 +115,7 @@ def test_first_signal_asks_even_if_it_comes_twice_at_once_and_a_later_one_aborts
     assert [signal.getsignal(number) for number in numbers] == handlers
 
 
-def test_a_terminal_that_hangs_up_asks_too_unless_nohup_ignores_it(capsys):
+def test_a_hangup_requests_a_stop_unless_nohup_ignores_it(capsys):
     before = signal.signal(signal.SIGHUP, signal.SIG_DFL)  # the tests may run under nohup
     try:
         with Interrupt() as interrupt:
@@ -134,7 +134,7 @@ FAULTS = """
 import resource
 import numpy as np
 from elastomer_friction.workflow.system.process import keep_memory
-if {kept}:
+if {keep}:
     assert keep_memory()
 for _ in range(50):
     before = resource.getrusage(resource.RUSAGE_SELF).ru_minflt
@@ -144,17 +144,17 @@ for _ in range(50):
 """
 
 
-@pytest.mark.skipif(sys.platform != "linux", reason="only the GNU C library can be told")
+@pytest.mark.skipif(sys.platform != "linux", reason="the GNU C library alone has this setting")
 def test_memory_of_large_arrays_stays_in_the_process():
-    def faults(kept, **environment):
-        """Return how many pages the last of many rounds has asked for, if memory is kept or not."""
-        return int(printed("-c", FAULTS.format(kept=kept), **environment).split()[-1])
+    def faults(keep, **environment):
+        """Return the page faults of the last of many rounds, with or without keeping memory."""
+        return int(printed("-c", FAULTS.format(keep=keep), **environment).split()[-1])
 
-    assert faults(kept=True, MALLOC_TRIM_THRESHOLD_="65536") < 10  # as dask sets it for workers
-    assert faults(kept=False, MALLOC_TRIM_THRESHOLD_="65536") > 1000
+    assert faults(keep=True, MALLOC_TRIM_THRESHOLD_="65536") < 10  # as dask sets it for workers
+    assert faults(keep=False, MALLOC_TRIM_THRESHOLD_="65536") > 1000
 
 
-def test_what_numbers_depend_on_is_told_of_every_process_that_computes():
+def test_the_maker_lists_everything_that_numbers_depend_on():
     versions = this_maker().versions
     assert versions.startswith(f"python {platform.python_version()}, ")
     for name in ("numpy", "numba", "llvmlite"):
@@ -163,11 +163,11 @@ def test_what_numbers_depend_on_is_told_of_every_process_that_computes():
     assert {"numpy", "numba", "scipy", "dask", "distributed", "xarray", "netCDF4"} == set(PACKAGES)
 
 
-def test_a_package_that_is_not_there_is_said_to_be_missing():
+def test_a_missing_package_is_not_installed():
     assert version_of("no-such-package-as-this") == "not installed"
 
 
-def test_the_processor_is_named_wherever_it_can_be_asked(monkeypatch):
+def test_the_processor_has_a_name_without_proc_too(monkeypatch):
     assert processor()
 
     def refuse(*_, **__):
