@@ -127,15 +127,15 @@ class Slurm:
 
     def nannies(self) -> list[psutil.Process]:
         """Return the processes that jobs run: nannies of our nodes alone."""
-        found = []
+        actual = []
         for process in psutil.process_iter():
             try:
                 ours = process.environ().get("SLURM_CONF") == self.environment["SLURM_CONF"]
                 if ours and "distributed.cli.dask_worker" in process.cmdline():
-                    found.append(process)
+                    actual.append(process)
             except psutil.Error:
                 continue
-        return found
+        return actual
 
     def workers(self) -> list[int]:
         """Return the pids of the worker processes in the jobs."""

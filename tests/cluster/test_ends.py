@@ -82,10 +82,10 @@ def test_what_runs_out_of_memory_on_one_node_is_computed_on_another(
             time.sleep(0.1)
         family = [nanny.pid, *(child.pid for child in nanny.children(recursive=True))]
         with small_group(family) as events:
-            found = run(tmp_path, scheduler=cluster.address, work=hungry, batch_seconds=1e-3)
+            actual = run(tmp_path, scheduler=cluster.address, work=hungry, batch_seconds=1e-3)
             assert kills(events) >= 1
-            assert found.summary.failures == []
-            assert found.path.read_bytes() == expected
+            assert actual.summary.failures == []
+            assert actual.path.read_bytes() == expected
             cluster.stop()
     finally:
         cluster.stop()

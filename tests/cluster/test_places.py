@@ -16,17 +16,17 @@ def local(tmp_path_factory):
 
 
 def test_a_scheduler_with_two_workers_gives_the_same_bytes(local, standing, tmp_path):
-    found, said = result_of(tmp_path, "--scheduler", standing.address, "--batch-seconds", "0.2")
-    assert found == local
-    assert "then 2 workers" in said
+    actual, message = result_of(tmp_path, "--scheduler", standing.address, "--batch-seconds", "0.2")
+    assert actual == local
+    assert "then 2 workers" in message
     stored = [e["chunks"] for e, _ in journal.entries(tmp_path / "store") if "shard" in e]
     assert begun(standing.tally) == sum(len(chunks) for chunks in stored)
 
 
 def test_jobs_of_slurm_give_the_same_bytes(local, slurm, tmp_path):
-    found, said = result_of(tmp_path, *slurm.options(), **slurm.environment)
-    assert found == local
-    assert "1 worker," in said or "1 worker\n" in said or "2 workers" in said
+    actual, message = result_of(tmp_path, *slurm.options(), **slurm.environment)
+    assert actual == local
+    assert "1 worker," in message or "1 worker\n" in message or "2 workers" in message
     assert list((slurm.folder / "jobs").glob("*.out"))
 
 

@@ -92,9 +92,9 @@ def test_a_scheduler_without_workers_is_waited_for_and_given_up(tmp_path):
         address = ("--scheduler", f"tcp://127.0.0.1:{port}", "--set", "cluster.patience=15")
         run = start(log, *STUDY, "--out", str(tmp_path), *address)
         assert run.wait(timeout=PATIENCE) == 2
-        said = [line for line in log.read_text().splitlines() if "no worker" in line]
-        assert re.fullmatch(r"no worker for \d+ s: waiting, at most 15 s", said[0])
+        message = [line for line in log.read_text().splitlines() if "no worker" in line]
+        assert re.fullmatch(r"no worker for \d+ s: waiting, at most 15 s", message[0])
         last = r"error: no worker for \d+ s: given up; run again to resume"
-        assert re.fullmatch(last, said[-1])
+        assert re.fullmatch(last, message[-1])
     finally:
         end(scheduler)

@@ -41,8 +41,8 @@ def test_order_holds_from_slow_to_fast_and_light_to_heavy(scheme, speed, depth):
         row = []
         for offset in OFFSETS:
             line = Line.from_samples(*parabola(elements, m, offset, 1.0), m)
-            found = steady(line, normal / elements, speed, scheme)
-            row += [found.indentation / depth - 1.0, found.mu_1 / (tangential / normal) - 1.0]
+            actual = steady(line, normal / elements, speed, scheme)
+            row += [actual.indentation / depth - 1.0, actual.mu_1 / (tangential / normal) - 1.0]
         errors.append(row)
     assert observed_order(REFINEMENTS, np.array(errors)) > ORDERS[scheme]
     allowed = {"exponential": 2.0 / REFINEMENTS[-1] ** 2, "implicit-euler": 0.3 / REFINEMENTS[-1]}

@@ -57,13 +57,13 @@ def test_results_are_finite_and_within_the_slopes(name, scheme, rigid, every):
     kept_steps = np.array([1, 2, 5, 20])
     for load, speed, ratio in some(name, every):
         case = Case(load, speed, (ratio,), (kept_steps,), scheme)
-        found = run_case(line, case, Quantities(indentation_rate=not rigid))
-        assert np.all(np.abs([found.mu_1, found.mu_2[0]]) <= steepest)
+        actual = run_case(line, case, Quantities(indentation_rate=not rigid))
+        assert np.all(np.abs([actual.mu_1, actual.mu_2[0]]) <= steepest)
         # Differences of two such means, added to a third.
-        assert abs(found.mu_1 + found.jump[0]) <= 3.0 * steepest
-        assert np.all(np.abs(found.curves[0]) <= 3.0 * steepest)
-        assert 0.0 < found.contact_fraction <= 1.0 + 1e-12
-        assert np.isfinite(found.indentation)
+        assert abs(actual.mu_1 + actual.jump[0]) <= 3.0 * steepest
+        assert np.all(np.abs(actual.curves[0]) <= 3.0 * steepest)
+        assert 0.0 < actual.contact_fraction <= 1.0 + 1e-12
+        assert np.isfinite(actual.indentation)
 
 
 @pytest.mark.skipif(PLAIN_PYTHON, reason="NUMBA_DISABLE_JIT=1: too many samples")
@@ -71,10 +71,10 @@ def test_results_are_finite_and_within_the_slopes(name, scheme, rigid, every):
 @pytest.mark.parametrize(("load", "scheme"), [(1e-6, "exponential"), (1e4, "implicit-euler")])
 def test_a_very_long_line_is_stable(load, scheme, elements):
     motion = Motion(random_line(1.0, elements, 1, 1, 0), load, 10.0, 2.0, scheme)
-    found = probe(motion, 2)
-    assert_stable(motion, found)
-    assert found["passes"] <= 20
-    assert found["sweeps"] <= 40
+    actual = probe(motion, 2)
+    assert_stable(motion, actual)
+    assert actual["passes"] <= 20
+    assert actual["sweeps"] <= 40
 
 
 @pytest.mark.parametrize("hurst", HURST)
@@ -83,12 +83,12 @@ def test_full_contact_has_no_edge_and_relaxes_nothing(hurst, speed):
     """mu = vbar grad z^2 / Fbar at any speed: zeta = xi = 1."""
     line = random_line(hurst, 64, 2, 1, 0)
     case = Case(1e4, speed, (3.0,), (np.array([1, 10, 100]),), "exponential")
-    found = run_case(line, case, Quantities())
+    actual = run_case(line, case, Quantities())
     # mu is of order v / Fbar, summed from pressures of order Fbar: eps Fbar^2 / v is lost.
     lost = 1e-14 * (1.0 + 1e4 / speed)
     expected = speed * np.mean(line.slope**2) / 1e4
-    assert found.contact_fraction == 1.0
-    assert found.mu_1 == pytest.approx(expected, rel=lost)
-    assert found.mu_2[0] == pytest.approx(3.0 * expected, rel=lost)
-    assert found.jump[0] == pytest.approx(2.0 * expected, rel=lost)
-    assert np.ptp(found.curves[0]) <= (lost + 1e-6) * abs(found.mu_2[0])
+    assert actual.contact_fraction == 1.0
+    assert actual.mu_1 == pytest.approx(expected, rel=lost)
+    assert actual.mu_2[0] == pytest.approx(3.0 * expected, rel=lost)
+    assert actual.jump[0] == pytest.approx(2.0 * expected, rel=lost)
+    assert np.ptp(actual.curves[0]) <= (lost + 1e-6) * abs(actual.mu_2[0])

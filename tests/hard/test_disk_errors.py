@@ -88,21 +88,21 @@ def after_a_while(disk, process, folder, what):
     """Let the disk refuse until the process says so, then a moment longer; return what it said."""
     disk.flag.touch()
     tell(process, folder, 60, what)
-    said = process.stderr.readline()
+    message = process.stderr.readline()
     time.sleep(0.5)
     disk.flag.unlink()
     for line in iter(process.stderr.readline, "over\n"):
-        assert line, said
-        said += line
-    return said
+        assert line, message
+        message += line
+    return message
 
 
 @pytest.mark.parametrize("fault", WRITING)
 def test_what_waits_for_the_disk_is_stored_when_it_is_back(disk, process, stores, fault):
     store = stores["write", fault]
-    said = after_a_while(disk, process, store, "write")
+    message = after_a_while(disk, process, store, "write")
     assert re.match(
-        r"warning: .*cannot be (written|read): .*; tried again for 60 s at most\n", said
+        r"warning: .*cannot be (written|read): .*; tried again for 60 s at most\n", message
     )
     assert checked(Store(store)) == TRUTH.keys()
     assert not list(store.glob("*.damaged"))
@@ -114,8 +114,8 @@ def test_what_waits_for_the_disk_is_stored_when_it_is_back(disk, process, stores
 def test_a_shard_that_cannot_be_read_for_a_while_is_no_damaged_one(disk, process, stores, fault):
     store = stores["read", fault]
     fill(reopened(store))
-    said = after_a_while(disk, process, store, "read")
-    assert "cannot be read:" in said
+    message = after_a_while(disk, process, store, "read")
+    assert "cannot be read:" in message
     assert checked(Store(store)) == TRUTH.keys()
     assert not list(store.glob("*.damaged"))
 
@@ -123,9 +123,9 @@ def test_a_shard_that_cannot_be_read_for_a_while_is_no_damaged_one(disk, process
 def test_a_full_disk_ends_it_with_one_error_once_patience_is_over(disk, tmp_path):
     process = started(disk, f"write ENOSPC {tmp_path}/. always")
     tell(process, tmp_path, 1, "write")
-    _, said = process.communicate(timeout=PATIENCE)
+    _, message = process.communicate(timeout=PATIENCE)
     assert process.returncode == 2
-    lines = said.splitlines()
+    lines = message.splitlines()
     assert len(lines) == 2
     assert lines[0].endswith("No space left on device; tried again for 1 s at most")
     assert re.search(r"No space left on device; given up after \d+ s$", lines[1])

@@ -48,9 +48,9 @@ def numbers(motion: Motion):
     """Return every number of the case that is a coefficient of friction, and the others."""
     kept_steps = np.array([1, 2, 4, 9])
     case = Case(motion.load, motion.speed, (motion.ratio,), (kept_steps,), motion.scheme)
-    found = run_case(motion.line, case, Quantities())
-    mu = np.array([found.mu_1, *found.mu_2, *found.jump, *found.curves[0]])
-    return mu, found.indentation, found.contact_fraction
+    actual = run_case(motion.line, case, Quantities())
+    mu = np.array([actual.mu_1, *actual.mu_2, *actual.jump, *actual.curves[0]])
+    return mu, actual.indentation, actual.contact_fraction
 
 
 def indentation(motion: Motion) -> float:

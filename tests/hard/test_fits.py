@@ -125,9 +125,9 @@ def test_pulls_follow_students_t(name, seeds):
     if name == "usual":  # its window determines the free rate as well
         truth["rate_free"] = data.rate
     for estimate, true in truth.items():
-        found = pulls(data.fits(seeds), estimate, true)
-        assert found.size > 0.95 * seeds
-        assert_students(found, data.blocks)
+        actual = pulls(data.fits(seeds), estimate, true)
+        assert actual.size > 0.95 * seeds
+        assert_students(actual, data.blocks)
 
 
 @SEEDS
@@ -157,9 +157,9 @@ def test_pure_noise_is_hardly_ever_fitted(blocks, noise):
 @pytest.mark.parametrize("factor", [10.0, -10.0])
 def test_an_outlier_among_the_blocks_widens_the_error(factor, seeds):
     fits = Data(outlier=factor).fits(seeds)
-    found = np.abs([pulls(fits, name, 1.0) for name in ("rate", "amplitude")])
-    assert found.size >= seeds or factor < 0.0
-    assert found.max(initial=0.0) < 4.0
+    actual = np.abs([pulls(fits, name, 1.0) for name in ("rate", "amplitude")])
+    assert actual.size >= seeds or factor < 0.0
+    assert actual.max(initial=0.0) < 4.0
 
 
 def test_few_blocks_need_more_standard_errors():
@@ -170,15 +170,15 @@ def test_few_blocks_need_more_standard_errors():
 @SEEDS
 def test_exponent_of_eq_13_is_within_its_stated_error(seeds):
     x = np.geomspace(2.0, 300.0, 12)
-    found = []
+    actual = []
     for seed in range(seeds):
         rng = np.random.default_rng(seed)
         line = rng.standard_normal((1, 20))  # blocks share their lines between points
         noise = 0.1 * rng.standard_normal((x.size, 20)) + 0.1 * line
         rates = replicates(np.exp(0.4 * np.log(x))[:, None] * (1.0 + noise), 1)
         fit = fit_power_law(x, rates, np.zeros(x.size))
-        found.append((fit.alpha[0] - 0.4) / standard_error(fit.alpha, 0))
-    assert_students(np.array(found), 20)
+        actual.append((fit.alpha[0] - 0.4) / standard_error(fit.alpha, 0))
+    assert_students(np.array(actual), 20)
 
 
 SHAPES = {
@@ -196,9 +196,9 @@ SHAPES = {
 def test_models_beyond_eq_6_claim_no_number_they_cannot_know(name, seeds):
     for seed in range(seeds):
         blocks = SHAPES[name](TIME, np.random.default_rng(seed))
-        found = compare_models(TIME, replicates(blocks, 0), blocks, 1.3)
-        for values in (found.stretched_rate, found.stretched_exponent, found.fast_rate):
+        actual = compare_models(TIME, replicates(blocks, 0), blocks, 1.3)
+        for values in (actual.stretched_rate, actual.stretched_exponent, actual.fast_rate):
             assert np.isfinite(values).all() or np.isnan(values).all()
             assert np.isnan(values[0]) or values[0] > 3.0 * standard_error(values, 0)
-        claimed = np.isfinite([found.fast_rate[0], found.stretched_rate[0]]).any()
+        claimed = np.isfinite([actual.fast_rate[0], actual.stretched_rate[0]]).any()
         assert not (claimed and name in ("exact", "constant"))

@@ -32,8 +32,8 @@ def test_thirty_branches_over_fourteen_decades(scheme, start):
     """Some relax within a step and some not in the whole programme."""
     requested = ANY_MOTION if scheme == "exponential" else ("trace",)
     options = {"scheme": scheme, "start": start, "requested": requested}
-    found = trace(a_line(size(40, 12)), PROGRAMME, THIRTY, **options)
-    assert_sound(found)
+    actual = trace(a_line(size(40, 12)), PROGRAMME, THIRTY, **options)
+    assert_sound(actual)
 
 
 @pytest.mark.parametrize("apart", [1e-2, 1e-4])
@@ -61,10 +61,10 @@ def test_an_indentation_that_lifts_off_and_returns(name):
     line = a_line()
     history = ((0.0, 4.0, 5.0, 1e6, 1e6 + 1.0), (1.0, 1.0, -9.0, -9.0, 1.0))
     programme = (Slide(0.5, 2.0), Hold(1e6 - 3.0), Slide(0.5, 2.0))
-    found = trace(line, programme, MATERIALS[name], indentation=history)
-    touching = found["trace_contact_fraction"] > 0.0
-    np.testing.assert_array_equal(np.isfinite(found["trace_mu"]), touching)
-    np.testing.assert_array_equal(found["trace_normal_force"] > 0.0, touching)
+    actual = trace(line, programme, MATERIALS[name], indentation=history)
+    touching = actual["trace_contact_fraction"] > 0.0
+    np.testing.assert_array_equal(np.isfinite(actual["trace_mu"]), touching)
+    np.testing.assert_array_equal(actual["trace_normal_force"] > 0.0, touching)
     assert touching[0]
     assert touching[-1]
     assert not touching.all()
@@ -76,14 +76,14 @@ def test_an_indentation_that_lifts_off_and_returns(name):
         line, (Hold(1.0), Slide(0.5, 2.0)), MATERIALS[name], indentation=late, start="relaxed"
     )
     assert again["trace_normal_force"][-1] == pytest.approx(
-        found["trace_normal_force"][-1], rel=1e-2
+        actual["trace_normal_force"][-1], rel=1e-2
     )
 
 
 def test_a_reversal_within_a_contact_turns_friction_round():
     """By the time the line has gone back by the size of a contact, and not at once."""
-    found = trace(a_line(), (Slide(0.5, 10.25), Slide(-0.5, 30.0)), SOLID)
-    mu = found["trace_mu"]
+    actual = trace(a_line(), (Slide(0.5, 10.25), Slide(-0.5, 30.0)), SOLID)
+    mu = actual["trace_mu"]
     assert mu[-1] < 0.0 < mu[0]
     assert np.isfinite(mu).all()
     back = trace(a_line(), (Slide(-0.5, 1.0),), SOLID)
@@ -93,8 +93,8 @@ def test_a_reversal_within_a_contact_turns_friction_round():
 @pytest.mark.parametrize("omega", [3.0, 30.0])
 def test_an_oscillation_of_a_thousandth_of_a_sample_shows_the_complex_modulus(omega):
     expected = (complex_modulus(SOLID, omega) - 1.0) * 0.5 * Q**2
-    found = response(SOLID, omega, 4, 8, samples=1e-3)
-    assert abs(found / expected - 1.0) < 5e-3
+    actual = response(SOLID, omega, 4, 8, samples=1e-3)
+    assert abs(actual / expected - 1.0) < 5e-3
 
 
 @pytest.mark.parametrize("name", MATERIALS)
@@ -120,7 +120,7 @@ PROFILES = {
 @pytest.mark.parametrize("name", MATERIALS)
 def test_profiles_with_spikes_and_plateaus(profile, name):
     line = Line.measured(PROFILES[profile], 1)
-    found = trace(line, PROGRAMME, MATERIALS[name], requested=ANY_MOTION)
-    assert_sound(found)
+    actual = trace(line, PROGRAMME, MATERIALS[name], requested=ANY_MOTION)
+    assert_sound(actual)
     between = Line.measured(PROFILES[profile], 16).slope  # the line turns at fractions of samples
-    assert np.abs(found["trace_mu"]).max() <= 1.02 * np.abs(between).max()
+    assert np.abs(actual["trace_mu"]).max() <= 1.02 * np.abs(between).max()

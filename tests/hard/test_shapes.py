@@ -25,22 +25,22 @@ def run(line, load, speed, scheme="exponential"):
 @pytest.mark.parametrize("load", LOADS)
 @pytest.mark.parametrize("speed", SPEEDS)
 def test_a_flat_line_has_no_friction_and_no_jump(load, speed, scheme):
-    found = run(SHAPES["flat"], load, speed, scheme)
-    assert not np.any([found.mu_1, *found.mu_2, *found.jump, *np.ravel(found.curves)])
-    assert found.contact_fraction == 1.0
+    actual = run(SHAPES["flat"], load, speed, scheme)
+    assert not np.any([actual.mu_1, *actual.mu_2, *actual.jump, *np.ravel(actual.curves)])
+    assert actual.contact_fraction == 1.0
     # u = -d for all: d = Fbar; K (1 - E) = 1 to eps K.
     step = SCHEMES[scheme](0.5 / speed)
-    assert found.indentation == pytest.approx(load, rel=4e-16 * (4.0 + step.stiffness))
+    assert actual.indentation == pytest.approx(load, rel=4e-16 * (4.0 + step.stiffness))
 
 
 def test_a_symmetric_tooth_has_the_friction_of_its_flanks():
     """v -> 0: mu = vbar mean(z'^2 in contact) n_c / (n Fbar), on straight flanks exact."""
     load, speed = 0.5, 1e-6
-    found = run(line_through(np.abs(np.arange(64) - 32.0), 1), load, speed)
+    actual = run(line_through(np.abs(np.arange(64) - 32.0), 1), load, speed)
     d = np.sqrt(load * 64.0)  # F = sum of a triangle of depth d: d^2 = 64 Fbar
     # The one sample at the vertex has slope 0 instead of 1: 1 of 2 d = 11.
-    assert found.contact_fraction == pytest.approx(2.0 * d / 64.0, rel=0.02)
-    assert found.mu_1 == pytest.approx(speed * (2.0 * d - 1.0) / (64.0 * load), rel=0.02)
+    assert actual.contact_fraction == pytest.approx(2.0 * d / 64.0, rel=0.02)
+    assert actual.mu_1 == pytest.approx(speed * (2.0 * d - 1.0) / (64.0 * load), rel=0.02)
 
 
 @pytest.mark.parametrize("name", ["ties at the bottom", "quantised", "step", "comb"])

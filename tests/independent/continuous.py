@@ -78,11 +78,11 @@ class Sliding:
         accuracy = {"rtol": ACCURACY, "atol": 1e-3 * ACCURACY}
         while self.time < end:
             span, y = (self.time, end), [self.depth, self.work]
-            found = solve_ivp(self.derivatives, span, y, "DOP853", events=event, **accuracy)
-            assert found.success
-            self.time = float(found.t[-1])
-            self.depth, self.work = found.y[:, -1]
-            if found.status == 1:
+            actual = solve_ivp(self.derivatives, span, y, "DOP853", events=event, **accuracy)
+            assert actual.success
+            self.time = float(actual.t[-1])
+            self.depth, self.work = actual.y[:, -1]
+            if actual.status == 1:
                 self._change()
         return (self.work - before) / (self.load * (end - start))
 

@@ -89,8 +89,10 @@ class Steady(NamedTuple):
 
 def steady(scheme, z, load):
     """Return the steady state by trying every set of touching samples: one alone must fit."""
-    found = [_steady_with(scheme, z, load, touching) for touching in product((0, 1), repeat=len(z))]
-    fitting = [state for state in found if state is not None]
+    actual = [
+        _steady_with(scheme, z, load, touching) for touching in product((0, 1), repeat=len(z))
+    ]
+    fitting = [state for state in actual if state is not None]
     assert len(fitting) == 1, "the steady state must be unique"
     return fitting[0]
 

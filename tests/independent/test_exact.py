@@ -97,13 +97,13 @@ class Both(NamedTuple):
         """Return the same from the kernels."""
         kept_steps = np.arange(1, STEPS + 1)
         case = Case(self.load, self.speed, (self.ratio,), (kept_steps,), self.scheme)
-        found = run_case(self.line, case, Quantities())
+        actual = run_case(self.line, case, Quantities())
         motion = Motion(self.line, self.load, self.speed, self.ratio, self.scheme)
         state, _ = motion.steady(motion.step(1.0)[1])
         law = motion.step(self.ratio)[1]
         weight, control = lagged_slope(self.line.slope, law.lag), ConstantForce(motion.total)
         _, depth, _, _ = march(law, control, self.line.z, weight, state, kept_steps, np.inf)
-        return found.mu_1, found.mu_2[0], found.jump[0], found.curves[0], state.d, depth
+        return actual.mu_1, actual.mu_2[0], actual.jump[0], actual.curves[0], state.d, depth
 
 
 def assert_equal(both):
@@ -112,8 +112,8 @@ def assert_equal(both):
     height = float(np.ptp(both.line.z)) + both.load
     names = ("mu_1", "mu_2", "jump", "mu after the jump", "d", "d after the jump")
     units = (steepest,) * 4 + (height,) * 2
-    for name, unit, exact, found in zip(names, units, both.exact(), both.kernels(), strict=True):
-        difference = np.abs(np.array(exact, dtype=float) - np.array(found))
+    for name, unit, exact, actual in zip(names, units, both.exact(), both.kernels(), strict=True):
+        difference = np.abs(np.array(exact, dtype=float) - np.array(actual))
         assert difference.max() <= TOLERANCE * unit, name
 
 

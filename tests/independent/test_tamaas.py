@@ -71,9 +71,9 @@ def test_a_whole_velocity_step(hurst):
     assert mu_1 == pytest.approx(step_average(slope, z - w, d), rel=TOLERANCE)
 
     forces = [foundation.advance(RATIO * SPEED) for _ in range(AFTER)]
-    found = [float(f @ slope / f.sum()) for f in forces]
+    actual = [float(f @ slope / f.sum()) for f in forces]
     weight = lagged_slope(slope, two.lag)
     kept_steps = np.arange(1, AFTER + 1)
     mu, _, _, _ = march(two, ConstantForce(load), z, weight, state, kept_steps, np.inf)
-    np.testing.assert_allclose(found, mu, rtol=TOLERANCE)
+    np.testing.assert_allclose(actual, mu, rtol=TOLERANCE)
     assert np.ptp(mu) > 1e3 * TOLERANCE * mu[-1]  # there is something to follow

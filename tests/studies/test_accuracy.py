@@ -86,12 +86,12 @@ def test_choice_balances_bias_and_realizations():
         },
         {"quantity": ["mu_1", "jump", "rate"], "steps": [1, 2, 4], "part": [0, 1]},
     )
-    found = cheapest(data.assign_coords(target=[0.2, 0.01, 0.004])).isel(point=0)
-    mu_1 = found.sel(sampled="mu_1")
+    actual = cheapest(data.assign_coords(target=[0.2, 0.01, 0.004])).isel(point=0)
+    mu_1 = actual.sel(sampled="mu_1")
     np.testing.assert_array_equal(mu_1.steps, [1, 4, np.nan])
     assert mu_1.realizations[1] == np.ceil(0.25 / (1e-4 - 2.5e-5))
-    assert found.realizations.sel(sampled="jump")[0] == 10
-    assert found.sel(sampled="rate").steps.isnull().all()
+    assert actual.realizations.sel(sampled="jump")[0] == 10
+    assert actual.sel(sampled="rate").steps.isnull().all()
 
 
 @pytest.fixture(scope="module")

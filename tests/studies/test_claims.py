@@ -32,10 +32,10 @@ def slow(zeta=1.0, xi=1.0, covariance=1.0, error=0.03):
     ("ratio", "verdict"), [(0.996, "holds"), (0.93, "holds within 7 %"), (0.6, "not found")]
 )
 def test_slow_sliding(claim, ratio, verdict):
-    found = claim({"fig3": slow(zeta=ratio, xi=ratio)})
-    assert found.verdict == verdict
-    assert found.found.startswith(f"{ratio:.4f} (")
-    assert "points with x < 0.5, fig3" in found.found
+    actual = claim({"fig3": slow(zeta=ratio, xi=ratio)})
+    assert actual.verdict == verdict
+    assert actual.found.startswith(f"{ratio:.4f} (")
+    assert "points with x < 0.5, fig3" in actual.found
 
 
 def test_error_of_a_ratio_uses_the_covariance():
@@ -51,9 +51,9 @@ def test_uncertain_ratio_is_no_verdict():
 
 
 def test_figure_5_alone_has_no_error_of_the_ratio():
-    found = fig5.slow_jump({"fig5": slow(0.95).drop_vars(["mu", "mu_error"])})
-    assert found.verdict == "holds within 5 %"
-    assert found.error == "not known without the curves of fig3"
+    actual = fig5.slow_jump({"fig5": slow(0.95).drop_vars(["mu", "mu_error"])})
+    assert actual.verdict == "holds within 5 %"
+    assert actual.error == "not known without the curves of fig3"
 
 
 def jumps(level):
@@ -66,17 +66,17 @@ def jumps(level):
 
 @pytest.mark.parametrize(("level", "verdict"), [(1.0, "holds"), (0.5, "not found")])
 def test_plateau_and_interpolation(level, verdict):
-    found = fig6.interpolation({"fig6": jumps(level)})
-    assert (found.verdict, found.error) == (verdict, "0.1 % a point")
+    actual = fig6.interpolation({"fig6": jumps(level)})
+    assert (actual.verdict, actual.error) == (verdict, "0.1 % a point")
     assert fig6.plateau({"fig6": jumps(1.05 * level)}).verdict == verdict
 
 
 def test_interpolation_names_the_worst_point():
     dataset = jumps(1.0)
     dataset.jump[0, 0, 0, 0, 3, 0] *= 0.6
-    found = fig6.interpolation({"fig6": dataset})
-    assert found.verdict.endswith("% (rms), 40 % at worst")
-    assert "largest 40 % at H = 0, v₁ = 0.0032 m/s" in found.found
+    actual = fig6.interpolation({"fig6": dataset})
+    assert actual.verdict.endswith("% (rms), 40 % at worst")
+    assert "largest 40 % at H = 0, v₁ = 0.0032 m/s" in actual.found
 
 
 @pytest.mark.parametrize(
@@ -135,9 +135,9 @@ def test_left_branch(converged, coarse, verdict):
         "fig7": with_rates(dataset.copy(), LEFT[converged](dataset)),
         "fig7/paper_step": with_rates(dataset.copy(), LEFT[coarse](dataset)),
     }
-    found = fig7.slow_rate(results)
-    assert found.verdict == verdict
-    assert "b ∝ x^0.00" in found.found or converged != "1"
+    actual = fig7.slow_rate(results)
+    assert actual.verdict == verdict
+    assert "b ∝ x^0.00" in actual.found or converged != "1"
 
 
 def test_points_with_large_errors_or_near_full_contact_are_left_out():
@@ -175,9 +175,9 @@ def test_relaxation_time(factor, verdict):
 def test_force_independence(ratio, verdict):
     dataset = result()
     rate = xr.where(dataset.normal_force > 0.5, ratio, 1.0) * dataset.speed_ratio
-    found = fig7.force_independence({"fig7": with_rates(dataset, rate)})
-    assert found.verdict.startswith(verdict)
-    assert f"largest ratio {ratio:.2f}" in found.found
+    actual = fig7.force_independence({"fig7": with_rates(dataset, rate)})
+    assert actual.verdict.startswith(verdict)
+    assert f"largest ratio {ratio:.2f}" in actual.found
 
 
 @pytest.mark.parametrize(("light", "verdict"), [(1.0, "holds"), (0.2, "not found")])
@@ -187,9 +187,9 @@ def test_plateau_over_the_normal_force(light, verdict):
     mu = 1.3 * dataset.speed_ratio / (1.0 + dataset.speed_ratio)
     level = xr.where(dataset.normal_force < 0.1, light, 1.0)
     dataset = add(dataset, 0.001, mu_1=SLOPE * mu, jump=SLOPE * 0.2 * 0.4 * level)
-    found = fig5.plateau_over_force({"fig5": dataset})
-    assert found.verdict == verdict
-    assert f"{0.4 * light:.3f} at F_N = 0.01 N" in found.found
+    actual = fig5.plateau_over_force({"fig5": dataset})
+    assert actual.verdict == verdict
+    assert f"{0.4 * light:.3f} at F_N = 0.01 N" in actual.found
     assert evaluate([fig5.plateau_over_force], {"fig5": dataset.isel(normal_force=[0])}) == []
 
 
@@ -199,9 +199,9 @@ def test_plateau_over_the_normal_force(light, verdict):
 def test_exponent_over_the_normal_force(shift, verdict):
     dataset = result(hurst=[0.3, 0.7], velocity=np.geomspace(1e-3, 0.1, 7))
     alpha = 1.0 - dataset.hurst + xr.where(dataset.normal_force > 0.5, shift, 0.0)
-    found = fig7.exponent_over_force({"fig7": with_rates(dataset, dataset.speed_ratio**alpha)})
-    assert found.verdict == verdict
-    assert f"spreads by {shift:.2f} at H = " in found.found
+    actual = fig7.exponent_over_force({"fig7": with_rates(dataset, dataset.speed_ratio**alpha)})
+    assert actual.verdict == verdict
+    assert f"spreads by {shift:.2f} at H = " in actual.found
 
 
 def steps(jump=None, at="v2"):
@@ -217,13 +217,13 @@ def steps(jump=None, at="v2"):
 
 @pytest.mark.parametrize(("jump", "verdict"), [("linear", "holds"), ("summed", "not found")])
 def test_jump_over_the_size_of_the_step(jump, verdict):
-    found = grid6d.jump_over_step({"grid6d": steps(jump)})
-    assert found.verdict == verdict
-    assert "0.78 would be small steps summed up" in found.found
+    actual = grid6d.jump_over_step({"grid6d": steps(jump)})
+    assert actual.verdict == verdict
+    assert "0.78 would be small steps summed up" in actual.found
 
 
 @pytest.mark.parametrize(("at", "verdict"), [("v1", "holds"), ("v2", "not found")])
 def test_rate_after_steps_up_and_down(at, verdict):
-    found = grid6d.rate_after_step({"grid6d": steps(at=at)})
-    assert found.verdict == verdict
-    assert f"s = {1.0 if at == 'v2' else 0.0:.2f} (" in found.found
+    actual = grid6d.rate_after_step({"grid6d": steps(at=at)})
+    assert actual.verdict == verdict
+    assert f"s = {1.0 if at == 'v2' else 0.0:.2f} (" in actual.found

@@ -66,8 +66,8 @@ def test_the_study_shows_the_physics(study):
 def _bodies(groups):
     """Alike where little touches, far too little on the foundation where much does."""
     for half in ("", "broad"):
-        found = ratios(groups, half)
-        light, heavy = (found.isel(normal_force=row).ratio for row in (0, -1))
+        actual = ratios(groups, half)
+        light, heavy = (actual.isel(normal_force=row).ratio for row in (0, -1))
         assert np.all((light > 0.6) & (light < 1.7))
         assert np.all(heavy < 0.3)
     whole = groups[""].squeeze()

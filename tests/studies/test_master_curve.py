@@ -32,12 +32,12 @@ def bell(x, along=0.0, lift=0.0, noise=0.0):
 
 def test_known_shifts_come_back():
     curves = [bell(X), bell(X, along=1.37), bell(X, along=-0.82, lift=0.4)]
-    found = collapse(curves, curves[0], ALONG_BOTH)
-    assert [shift.along_speed for shift in found.shifts] == pytest.approx([0.0, 1.37, -0.82])
-    assert [s.along_friction for s in found.shifts] == pytest.approx([0.0, 0.0, 0.4], abs=0.01)
-    assert found.rms < 0.01
-    assert found.left_out == 3 + 2  # beyond the ends of the reference
-    assert collapse(curves, curves[0], ALONG_SPEED).rms > 10.0 * found.rms
+    actual = collapse(curves, curves[0], ALONG_BOTH)
+    assert [shift.along_speed for shift in actual.shifts] == pytest.approx([0.0, 1.37, -0.82])
+    assert [s.along_friction for s in actual.shifts] == pytest.approx([0.0, 0.0, 0.4], abs=0.01)
+    assert actual.rms < 0.01
+    assert actual.left_out == 3 + 2  # beyond the ends of the reference
+    assert collapse(curves, curves[0], ALONG_SPEED).rms > 10.0 * actual.rms
     assert collapse(curves, curves[0], UNSHIFTED).rms > 0.3
 
 
@@ -53,9 +53,9 @@ def test_error_of_a_shift_is_its_scatter():
 
 def test_a_curve_without_overlap_is_left_out():
     far = bell(X[:MIN_POINTS] + 40.0)
-    found = collapse([far], bell(X), ALONG_BOTH)
-    assert found.left_out == MIN_POINTS
-    assert np.isnan(found.rms)
+    actual = collapse([far], bell(X), ALONG_BOTH)
+    assert actual.left_out == MIN_POINTS
+    assert np.isnan(actual.rms)
 
 
 @pytest.fixture(scope="module")

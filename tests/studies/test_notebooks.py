@@ -74,8 +74,8 @@ def test_it_gives_in_an_empty_folder_what_it_is_stored_with(name, tmp_path, monk
     assert kinds(outputs) == kinds(known)
     now, before = (re.split(NUMBER, text_of(each)) for each in (outputs, known))
     assert [words.split() for words in now] == [words.split() for words in before]
-    found, told = ([float(n) for n in re.findall(NUMBER, text_of(o))] for o in (outputs, known))
-    assert found == pytest.approx(told, rel=0.02, abs=2e-4)
+    actual, told = ([float(n) for n in re.findall(NUMBER, text_of(o))] for o in (outputs, known))
+    assert actual == pytest.approx(told, rel=0.02, abs=2e-4)
 
 
 @pytest.mark.parametrize("name", PLOTS)

@@ -56,8 +56,8 @@ def test_temperature_shifts_the_speed_exactly(groups):
     data = groups[""]
     cold, warm = (data.mu_1.isel(temperature=k).values for k in (0, 1))
     np.testing.assert_allclose(cold[:-DECADES], warm[DECADES:], rtol=1e-9)
-    found, _ = master(data, read_study("rheology").material)
-    assert found.rms < 0.1
+    actual, _ = master(data, read_study("rheology").material)
+    assert actual.rms < 0.1
 
 
 def test_linear_solid_has_a_bell_and_kelvin_loses_its_contact(groups):

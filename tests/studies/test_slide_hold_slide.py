@@ -73,7 +73,7 @@ def test_the_stiffest_spring_holds_the_line_as_a_programme_of_the_line_does(slow
     """The same lines, slid and held themselves; to errors of a step by the drive."""
     study = read_study("slide_hold_slide", "smoke")
     point = slow["rubber"]
-    found = scene.run(
+    actual = scene.run(
         surface={"hurst": 0.7, "roughness": 1e-5, "spacing": 1e-4, "length": 0.01},
         material={"shear_modulus": 1e7, "branches": [[7e6, t] for t in np.geomspace(1e-5, 0.1, 9)]},
         normal_force=0.4,
@@ -89,7 +89,7 @@ def test_the_stiffest_spring_holds_the_line_as_a_programme_of_the_line_does(slow
     )
     for name in ("healing", "mu_end_of_hold"):
         atol = 0.01 * float(point.mu_1[0])
-        np.testing.assert_allclose(point[name], found[name], rtol=0.02, atol=atol, err_msg=name)
+        np.testing.assert_allclose(point[name], actual[name], rtol=0.02, atol=atol, err_msg=name)
 
 
 def test_on_a_softer_spring_more_friction_is_left_and_less_is_healed(groups):

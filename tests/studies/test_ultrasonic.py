@@ -64,5 +64,5 @@ def test_a_share_is_known_better_than_what_it_is_made_of(rubber):
     relative = rubber.mu_cycle_mean_error / rubber.mu_cycle_mean
     slow = {"temperature": TOP, "frequency": FAST}
     assert (rubber.mu_cycle_share_error.sel(slow) < 0.05 * relative.sel(slow)).all()
-    found = rubber.mu_cycle_mean / rubber.mu_1
-    np.testing.assert_allclose(rubber.mu_cycle_share, found, rtol=1e-12)
+    actual = rubber.mu_cycle_mean / rubber.mu_1
+    np.testing.assert_allclose(rubber.mu_cycle_share, actual, rtol=1e-12)

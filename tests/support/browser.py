@@ -22,6 +22,6 @@ def told_by(page, profile, *names, width=1280):
     how = f"--window-size={width},900", f"--user-data-dir={profile}"
     command = [BROWSER, *QUIET, *how, "--dump-dom", page.as_uri()]
     done = subprocess.run(command, capture_output=True, text=True, timeout=300, check=True)
-    found = [re.search(f'data-{name}="([^"]*)"', done.stdout) for name in names]
-    assert all(found), done.stderr
-    return [each[1] for each in found]
+    actual = [re.search(f'data-{name}="([^"]*)"', done.stdout) for name in names]
+    assert all(actual), done.stderr
+    return [each[1] for each in actual]

@@ -61,4 +61,4 @@ def complaints(path: Path) -> list[str]:
         dataset.close()
     assert not errors, errors
     breached = [r for r in results if r.weight > OPTIONAL and r.value[0] < r.value[1]]
-    return [said for result in breached for said in result.msgs]
+    return [message for result in breached for message in result.msgs]

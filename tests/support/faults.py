@@ -67,7 +67,7 @@ def fill(store: Store) -> None:
 
 def checked(store: Store) -> set[Record]:
     """Assert that every record of a store is true; return those that are there."""
-    found = set()
+    actual = set()
     for record in held(store):
         with contextlib.suppress(DamagedShard, UserError):
             if record not in store:
@@ -75,8 +75,8 @@ def checked(store: Store) -> set[Record]:
             scalars, curves = store.read([record], SAMPLES)
             assert scalars.tobytes() == TRUTH[record].scalars.tobytes()
             assert curves.tobytes() == TRUTH[record].curves.tobytes()
-            found.add(record)
-    return found
+            actual.add(record)
+    return actual
 
 
 def readable(folder: Path) -> set[Record]:
@@ -86,9 +86,9 @@ def readable(folder: Path) -> set[Record]:
     shutil.copytree(folder, untouched)
     checked(Store(untouched))
     mended = reopened(folder)
-    found = checked(mended)
-    assert checked(Store(folder)) == found  # and so does the one after
-    return found
+    actual = checked(mended)
+    assert checked(Store(folder)) == actual  # and so does the one after
+    return actual
 
 
 def copies(sound: Path, path: Path, contents: list[bytes]) -> Iterator[Path]:

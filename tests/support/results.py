@@ -40,9 +40,9 @@ def contents(folder: Path) -> dict[str, bytes]:
 def assert_refused(capsys, command: str, folder: Path, *more: str) -> str:
     """Assert exit status 2, one line, and that no file has changed; return the line."""
     before = contents(folder)
-    said = refusal(capsys, command, str(folder / "small.toml"), "--out", str(folder), *more)
+    message = refusal(capsys, command, str(folder / "small.toml"), "--out", str(folder), *more)
     assert contents(folder) == before
-    return said
+    return message
 
 
 def rewritten(folder: Path, change) -> None:

@@ -19,13 +19,13 @@ def strangers(config: pytest.Config) -> list[str]:
         return []
     lines = (config.rootpath / os.environ[LIST]).read_text(encoding="utf-8").splitlines()
     allowed = [line.split(": ", 1) for line in lines if line and not line.startswith("#")]
-    found = []
+    actual = []
     for report in reporter.stats.get("skipped", ()):
-        said = report.longrepr[2] if isinstance(report.longrepr, tuple) else str(report.longrepr)
-        reason = said.removeprefix("Skipped: ")
+        message = report.longrepr[2] if isinstance(report.longrepr, tuple) else str(report.longrepr)
+        reason = message.removeprefix("Skipped: ")
         if not any(report.nodeid.startswith(a) and reason.startswith(b) for a, b in allowed):
-            found.append(f"{report.nodeid}: {reason}")
-    return found
+            actual.append(f"{report.nodeid}: {reason}")
+    return actual
 
 
 def pytest_sessionfinish(session: pytest.Session) -> None:

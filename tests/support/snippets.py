@@ -44,13 +44,13 @@ class Block(NamedTuple):
 def blocks(page: Path) -> list[Block]:
     """Return the fenced blocks of a page, in order."""
     text = page.read_text(encoding="utf-8")
-    found = []
+    actual = []
     for match in BLOCK.finditer(text):
         mark, _, value = (match["mark"] or "").partition(": ")
         line = text.count("\n", 0, match.start()) + 1
         name = page.relative_to(ROOT).as_posix()
-        found.append(Block(name, line, mark, value, match["language"], match["text"]))
-    return found
+        actual.append(Block(name, line, mark, value, match["language"], match["text"]))
+    return actual
 
 
 def commands(text: str) -> list[str]:

@@ -17,8 +17,8 @@ from tests.support.python import PATIENCE, standing
 
 @pytest.mark.parametrize("items", [range(100), [4, 4, 4], []], ids=["many", "equal", "none"])
 def test_each_item_comes_back_once_with_its_result(client, items):
-    found = list(stream(Pool(client, math.sqrt), items))
-    assert sorted(found) == [(i, math.sqrt(i)) for i in items]
+    actual = list(stream(Pool(client, math.sqrt), items))
+    assert sorted(actual) == [(i, math.sqrt(i)) for i in items]
 
 
 @pytest.fixture
@@ -45,10 +45,10 @@ def test_few_items_are_in_flight(client, counted):
 
 def test_after_a_stop_only_what_is_running_is_awaited(client, counted):
     items, drawn = counted
-    found = []
-    for item, _ in stream(Pool(client, abs), items, Watch(lambda: bool(found))):
-        found.append(item)
-    assert 1 <= len(set(found)) == len(found) <= len(drawn) <= 24
+    actual = []
+    for item, _ in stream(Pool(client, abs), items, Watch(lambda: bool(actual))):
+        actual.append(item)
+    assert 1 <= len(set(actual)) == len(actual) <= len(drawn) <= 24
 
 
 def test_an_error_on_a_worker_is_raised_here(client):
@@ -58,8 +58,8 @@ def test_an_error_on_a_worker_is_raised_here(client):
 
 def test_what_failed_is_replaced_and_the_rest_goes_on(client):
     twice = {"retry": lambda item, error, alone: [abs(item) / 2.0] * 2}
-    found = list(stream(Pool(client, math.sqrt), [4.0, -2.0, 9.0], **twice))
-    assert sorted(found) == [(1.0, 1.0), (1.0, 1.0), (4.0, 2.0), (9.0, 3.0)]
+    actual = list(stream(Pool(client, math.sqrt), [4.0, -2.0, 9.0], **twice))
+    assert sorted(actual) == [(1.0, 1.0), (1.0, 1.0), (4.0, 2.0), (9.0, 3.0)]
 
 
 def sick(item):

@@ -16,8 +16,8 @@ from tests.support.python import PATIENCE
 
 def arrival(pool):
     """Return what comes next."""
-    (found,) = pool.take(PATIENCE)
-    return found
+    (actual,) = pool.take(PATIENCE)
+    return actual
 
 
 def reciprocal(value):
@@ -29,10 +29,10 @@ def test_what_is_for_one_worker_is_computed_there_and_what_is_dropped_does_not_c
     pool, (first, _) = Pool(client, reciprocal), client.nthreads()
     keys = pool.submit([1.0, 2.0, 3.0], [first])
     pool.drop(keys[:1])
-    found = []
-    while len(found) < 2:
-        found += pool.take(PATIENCE)
-    assert {one.key: one.address for one in found} == dict.fromkeys(keys[1:], first)
+    actual = []
+    while len(actual) < 2:
+        actual += pool.take(PATIENCE)
+    assert {one.key: one.address for one in actual} == dict.fromkeys(keys[1:], first)
     assert pool.take(0.05) == []
 
 
@@ -55,16 +55,16 @@ def test_a_snapshot_tells_who_is_there_who_takes_up_work_and_what_has_running(cl
     SEEN.clear()
     client.run_on_scheduler(change, "paused", first)
     try:
-        found = pool.request_snapshot().result(PATIENCE)
-        assert (found.threads, [*found.ready], {*found.running}) == (
+        actual = pool.request_snapshot().result(PATIENCE)
+        assert (actual.threads, [*actual.ready], {*actual.running}) == (
             client.nthreads(),
             [second],
             set(),
         )
         running, waiting = (*pool.submit([1], [second]), *pool.submit([2], [first]))
-        while not (found := pool.request_snapshot().result(PATIENCE)).running:
+        while not (actual := pool.request_snapshot().result(PATIENCE)).running:
             time.sleep(0.01)
-        assert {*found.running} == {running}
+        assert {*actual.running} == {running}
         assert pool.pending(running)
         assert pool.pending(waiting)
         pool.drop([running, waiting])

@@ -68,8 +68,8 @@ def test_without_certificates_a_scheduler_that_asks_for_them_is_refused():
 @pytest.mark.parametrize("name", ["tls_ca_file", "tls_cert", "tls_key"])
 def test_certificates_that_cannot_be_read_are_refused_by_name(files, name, tmp_path):
     files[name] = str(tmp_path / "none.pem")
-    said = rf"cluster\.{name} = '{files[name]}'.*: cannot be used for TLS: .*No such file"
-    with pytest.raises(UserError, match=said):
+    message = rf"cluster\.{name} = '{files[name]}'.*: cannot be used for TLS: .*No such file"
+    with pytest.raises(UserError, match=message):
         security_of(Cluster(THERE, **files))
 
 

@@ -124,8 +124,8 @@ def test_where_the_sound_worker_pauses_another_does_what_is_for_it():
 def test_what_two_sick_workers_fail_is_given_up_though_a_third_is_sound():
     cluster, given = Cluster(a=sick, b=sick, c=first(50.0)), Given()
     streamed(cluster, range(10), retry=given)
-    for item, said, alone in given:
-        assert (said, alone) == (str(ERROR), False)
+    for item, message, alone in given:
+        assert (message, alone) == (str(ERROR), False)
         assert (tries(cluster, "a")[item], tries(cluster, "b")[item]) == (1, 1)
 
 
@@ -163,8 +163,8 @@ def test_what_kills_its_workers_is_blamed_alone_though_another_is_sick():
     cluster.replaced = poisoned
     others = [(i, i) for i in range(20) if i != 3]
     assert sorted(streamed(cluster, range(20), retry=once_more)) == others
-    ((item, said, alone),) = given
+    ((item, message, alone),) = given
     assert (item, alone) == (3, True)
-    assert "4 different workers" in said
+    assert "4 different workers" in message
     assert len(cluster.workers) == 3
     assert sum(tries(cluster, name)[3] for name in {name for _, name in cluster.tried}) <= 16

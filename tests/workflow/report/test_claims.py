@@ -28,9 +28,9 @@ def test_claims_without_their_study_are_left_out():
     assert evaluate(CLAIMS, {"fig7": result()}) == []  # no estimates at all
     dataset = result()
     both = with_alpha(with_rates(dataset, dataset.speed_ratio), 1.0 - dataset.hurst)
-    found = evaluate(CLAIMS, {"fig7": both})
-    assert 0 < len(found) < len(CLAIMS)
-    assert all(text for claim in found for text in claim)
+    actual = evaluate(CLAIMS, {"fig7": both})
+    assert 0 < len(actual) < len(CLAIMS)
+    assert all(text for claim in actual for text in claim)
 
 
 def test_claims_leave_unresolved_points_out_and_say_how_many():
@@ -43,12 +43,12 @@ def test_claims_leave_unresolved_points_out_and_say_how_many():
         relaxation_rate=wrong, resolution_status=(dataset.rms_slope.dims, status)
     )
     sound = {claim.text: claim.found for claim in evaluate(CLAIMS, {"fig7": dataset})}
-    found = {claim.text: claim.found for claim in evaluate(CLAIMS, {"fig7": spoilt})}
-    assert len(found) == len(sound) > 0
-    said = "; 3 points with unresolved contacts left out"
-    assert all(text.endswith(said) for text in found.values())
+    actual = {claim.text: claim.found for claim in evaluate(CLAIMS, {"fig7": spoilt})}
+    assert len(actual) == len(sound) > 0
+    message = "; 3 points with unresolved contacts left out"
+    assert all(text.endswith(message) for text in actual.values())
     assert not any("left out" in text for text in sound.values())
-    assert not any("1e+03" in text or "1000" in text for text in found.values())
+    assert not any("1e+03" in text or "1000" in text for text in actual.values())
 
 
 def test_deviations_within_two_errors_are_chance():
@@ -139,9 +139,9 @@ def test_exponents_and_the_units_of_columns_are_tables_of_their_own(shown, finis
     assert list(exponents.hurst) == [*dataset.hurst.values] * 2
     assert exponents.alpha[:2].to_numpy() == pytest.approx(dataset.alpha.values, nan_ok=True)
     assert set(columns.column) == set(table.columns) | set(exponents.columns)
-    said = columns.set_index("column")
-    assert said.unit["indentation"] == "m"
-    assert said.meaning["jump"] == "instantaneous jump of the coefficient of friction"
+    message = columns.set_index("column")
+    assert message.unit["indentation"] == "m"
+    assert message.meaning["jump"] == "instantaneous jump of the coefficient of friction"
 
 
 def test_a_measured_study_without_a_table_says_so(powers, tmp_path):

@@ -90,8 +90,8 @@ def test_a_legend_says_what_hollow_markers_are_and_how_many():
     (legend,) = figure.legends
     (text,) = legend.get_texts()
     assert text.get_text() == "hollow: not resolved"
-    said = "Hollow markers (2 of the points shown) have contacts of fewer than 4 samples."
-    assert figure.get_label().endswith(said)
+    message = "Hollow markers (2 of the points shown) have contacts of fewer than 4 samples."
+    assert figure.get_label().endswith(message)
     plain, ax = plt.subplots(layout="constrained")
     error_bars(ax, points.isel(point=slice(2, None)), "rms_slope", "velocity", fmt="s")
     foot_line(plain, points)
@@ -238,14 +238,14 @@ def test_traces_that_are_not_resolved_are_dotted_and_the_caption_says_so():
     data = result("fig7", hurst=[0.7], normal_force=[0.1, 1.0], velocity=[0.1])
     shape = tuple(data.sizes[axis] for axis in COMMON_AXES)
     trace = np.full((*shape, 4), [0.1, 0.2, 0.3, 0.2])
-    found = {"trace_mu": trace, "trace_mu_error": 0.1 * trace, "trace_time": trace.cumsum(-1)}
-    data = data.assign({name: ((*COMMON_AXES, "event"), values) for name, values in found.items()})
+    actual = {"trace_mu": trace, "trace_mu_error": 0.1 * trace, "trace_time": trace.cumsum(-1)}
+    data = data.assign({name: ((*COMMON_AXES, "event"), values) for name, values in actual.items()})
     for status, dotted in (([RESOLVED] * 2, 0), ([UNRESOLVED, RESOLVED], 1), ([COARSE] * 2, 2)):
         flags = xr.DataArray(np.reshape(status, shape).astype(np.int8), dims=COMMON_AXES)
         figure = draw({"": data.assign(trace_resolution_status=flags)})
         assert sum(line.get_linestyle() == ":" for line in figure.axes[0].lines) == dotted
-        said = f"Dotted curves ({dotted}) are not resolved: contacts of fewer than 4 samples"
-        assert (said in figure.get_label()) == bool(dotted)
+        message = f"Dotted curves ({dotted}) are not resolved: contacts of fewer than 4 samples"
+        assert (message in figure.get_label()) == bool(dotted)
 
 
 def test_points_that_failed_leave_gaps_and_what_failed_everywhere_is_not_drawn():
@@ -343,8 +343,8 @@ def test_a_script_that_is_asked_for_draws_instead(capsys, shown, tmp_path):
     usual = (shown / "small.png").read_bytes()
     assert call(capsys, "figure", shown, "--script", str(script))[0] == 0
     assert (shown / "small.png").read_bytes() != usual
-    said = assert_refused(capsys, "figure", shown, "--script", str(tmp_path / "none.py"))
-    assert f"{tmp_path}/none.py: not found" in said
+    message = assert_refused(capsys, "figure", shown, "--script", str(tmp_path / "none.py"))
+    assert f"{tmp_path}/none.py: not found" in message
 
 
 def test_several_figures_go_by_their_names(tmp_path):

@@ -56,8 +56,8 @@ def test_the_numbers_of_the_page_are_those_of_the_result(file, page):
         assert variables.keys() >= {"relaxation_rate", "relaxation_rate_error", "mu", "time"}
         for name, variable in variables.items():
             assert variable["dims"] == list(data[name].dims)
-            found = np.array(variable["values"], dtype=float).reshape(variable["shape"])
-            np.testing.assert_allclose(found, data[name].values, rtol=1e-5)
+            actual = np.array(variable["values"], dtype=float).reshape(variable["shape"])
+            np.testing.assert_allclose(actual, data[name].values, rtol=1e-5)
     assert [axis["values"] for axis in held["axes"]] == [
         pytest.approx(tree[axis["name"]].values) for axis in held["axes"]
     ]
@@ -85,18 +85,18 @@ def test_the_command_writes_the_page_and_refuses_in_a_line(file, capsys, tmp_pat
     out = tmp_path / "new" / "page.html"
     assert output(capsys, "explore", str(file), "--out", str(out)) == f"{out}\n"
     assert "</html>" in out.read_text(encoding="utf-8")
-    said = refusal(capsys, "explore", str(file), "--out", str(file))
-    assert said == f"error: --out {file}: is the result itself; name another file\n"
-    said = refusal(capsys, "explore", str(tmp_path / "no.nc"))
-    assert said == f"error: {tmp_path / 'no.nc'}: not found\n"
+    message = refusal(capsys, "explore", str(file), "--out", str(file))
+    assert message == f"error: --out {file}: is the result itself; name another file\n"
+    message = refusal(capsys, "explore", str(tmp_path / "no.nc"))
+    assert message == f"error: {tmp_path / 'no.nc'}: not found\n"
 
 
 def test_a_result_of_one_point_has_nothing_to_explore(capsys, tmp_path):
     one = {axis: values[:1] for axis, values in result().coords.items() if values.ndim}
     data = add(result(**{axis: values.values for axis, values in one.items()}), mu_1=0.1)
     write_datasets(tmp_path / "one.nc", {"": data})
-    said = refusal(capsys, "explore", str(tmp_path / "one.nc"))
-    assert "one.nc: holds nothing that varies" in said
+    message = refusal(capsys, "explore", str(tmp_path / "one.nc"))
+    assert "one.nc: holds nothing that varies" in message
 
 
 CONTROLS = """

@@ -106,8 +106,8 @@ def test_the_page_and_python_have_one_law(data, page, tmp_path):
             asked.append([rubber, steps])
             expected.append([[*numbers(law, *step), law.fastest] for step in steps])
     script = f"{ASK} told.found = {json.dumps(asked)}.map(([r, s]) => ask(r, s));"
-    found = in_browser(page, tmp_path, script)["found"]
-    np.testing.assert_allclose(found, np.array(expected, dtype=float), rtol=1e-9)
+    actual = in_browser(page, tmp_path, script)["found"]
+    np.testing.assert_allclose(actual, np.array(expected, dtype=float), rtol=1e-9)
 
 
 @in_a_browser
@@ -142,7 +142,7 @@ told.keys = [...document.querySelectorAll("section :is(input, select)")]
     one, between, ten = told["friction"]
     assert between == pytest.approx(one * 3.0**-0.2)
     assert ten == pytest.approx(one * 10.0**-0.2)
-    assert all("Outside what was computed" in said for said in told["refused"])
+    assert all("Outside what was computed" in message for message in told["refused"])
     assert "standard error is 3 %" in told["said"]
     assert "Outside what was computed: for this τ" in told["fast"]
     assert "Outside what was computed: for this τ" in told["cold"]
@@ -171,8 +171,8 @@ def with_branches(data, temperatures=(20.0, 30.0)):
 
 def one_rubber(data):
     """Return the only rubber of a result."""
-    (found,) = scaled_friction({"": data})["rubbers"]
-    return found
+    (actual,) = scaled_friction({"": data})["rubbers"]
+    return actual
 
 
 @in_a_browser
@@ -240,9 +240,9 @@ told.said = $("my-said").textContent;
 )
 def test_the_rubber_shown_first_has_the_steepest_slope_that_is_small(data, slopes, hurst):
     steep = data.rms_slope * 0 + xr.DataArray(list(slopes), {"hurst": data.hurst}, "hurst")
-    found = one_rubber(data.assign(rms_slope=steep))
-    assert found["own"]["hurst"] == hurst
-    assert found["own"]["family"] == found["curves"][0]["family"]
+    actual = one_rubber(data.assign(rms_slope=steep))
+    assert actual["own"]["hurst"] == hurst
+    assert actual["own"]["family"] == actual["curves"][0]["family"]
 
 
 def test_what_is_not_scaled_has_a_sentence(data):
@@ -258,9 +258,9 @@ def test_what_is_not_scaled_has_a_sentence(data):
         (data.assign(mu_1=data.mu_1.expand_dims("stiffness")), "depends on stiffness as well"),
         (data.assign(mu_1=np.nan * data.mu_1), "is known nowhere at all velocities"),
     ]:
-        found = scaled_friction({"": other})
-        assert found["rubbers"] == []
-        assert why in found["without"][0]
+        actual = scaled_friction({"": other})
+        assert actual["rubbers"] == []
+        assert why in actual["without"][0]
 
 
 def test_temperatures_are_those_of_the_material(data):
@@ -275,6 +275,6 @@ def test_temperatures_are_those_of_the_material(data):
     study = json.loads(rubber.attrs["study"])
     study["material"]["shifts_file"] = "shifts.csv"
     del study["material"]["wlf"]
-    found = one_rubber(rubber.assign_attrs(study=json.dumps(study)))["temperature"]
-    assert found["degrees"] == [20.0, 30.0]
-    assert found["factors"] == pytest.approx([1.0, factor])
+    actual = one_rubber(rubber.assign_attrs(study=json.dumps(study)))["temperature"]
+    assert actual["degrees"] == [20.0, 30.0]
+    assert actual["factors"] == pytest.approx([1.0, factor])

@@ -45,8 +45,8 @@ def test_page_in_a_browser(folder, tmp_path):
     outer = folder / "measure.html"
     outer.write_text("<!DOCTYPE html><html><body>" + "".join(frames) + MEASURE, encoding="utf-8")
     measured, told = told_by(outer, tmp_path, "found", "told")
-    for (width, least_font), found in zip(SCREENS.items(), measured.split(";"), strict=True):
-        scroll_width, images, shown, font = (float(value) for value in found.split())
+    for (width, least_font), actual in zip(SCREENS.items(), measured.split(";"), strict=True):
+        scroll_width, images, shown, font = (float(value) for value in actual.split())
         assert scroll_width <= width
         assert images == shown == 2
         assert font >= least_font

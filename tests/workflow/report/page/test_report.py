@@ -59,9 +59,9 @@ def test_links_lead_to_files_beside_the_page(folder, page):
 
 
 def test_page_holds_the_figures(folder, page):
-    found = re.findall(r"data:image/png;base64,([^\"]+)", page)
+    actual = re.findall(r"data:image/png;base64,([^\"]+)", page)
     drawn = [(folder / f"{name}.png").read_bytes() for name in REPORTED]
-    assert [base64.b64decode(image) for image in found] == drawn
+    assert [base64.b64decode(image) for image in actual] == drawn
     for name in REPORTED:
         study = read_study(name)
         assert f'alt="{escape(f"{study.title}. {CAPTION}")}"' in page
@@ -81,9 +81,9 @@ def test_page_says_where_a_result_comes_from(page):
 
 
 def test_a_heading_says_at_which_scale_and_how_large_a_study_was(page):
-    found = re.findall(r'<h2 id="fig\d">(.+?) <span class="extent">(.*?)</span></h2>', page)
-    assert [extent for _, extent in found] == ["default scale, 10 realizations"] * len(REPORTED)
-    assert "Jump and steady friction over velocity for many normal forces" in found[0][0]
+    actual = re.findall(r'<h2 id="fig\d">(.+?) <span class="extent">(.*?)</span></h2>', page)
+    assert [extent for _, extent in actual] == ["default scale, 10 realizations"] * len(REPORTED)
+    assert "Jump and steady friction over velocity for many normal forces" in actual[0][0]
     assert 'id="smoke"' not in page
 
 
