@@ -129,7 +129,9 @@ def decode(name: str, content: bytes) -> Contents:
         raise ForeignFile("is not a shard of this program")
     try:
         arrays = _unpacked(content)
-        makers = [Maker(*map(_text, maker)) for maker in json.loads(bytes(arrays["makers"]))]
+        makers = [Maker(*maker) for maker in json.loads(bytes(arrays["makers"]))]
+        if not all(isinstance(text, str) for maker in makers for text in maker):
+            raise ValueError("a maker is not text")
         table, keys = arrays["batches"].tolist(), bytes(arrays["keys"]).hex()
         scalars, curves = arrays["scalars"], arrays["curves"]
         _check_counts(table, len(keys) // KEY_LENGTH, len(scalars), len(curves))
@@ -185,12 +187,6 @@ def _check_counts(table: list[list[int]], tasks: int, *records: int) -> None:
     for rows in records:
         if sums != (tasks, rows):
             raise ValueError(f"its batches have (tasks, records) {sums}, its arrays {tasks, rows}")
-
-
-def _text(value: object) -> str:
-    if not isinstance(value, str):
-        raise TypeError(f"{value!r:.40} is not text")
-    return value
 
 
 def shard_sizes(sizes: Mapping[str, int], suffix: str = SHARD_SUFFIX) -> dict[str, int]:
