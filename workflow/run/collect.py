@@ -1,8 +1,8 @@
-"""Collect stored block means, round after round, reduce them on the workers, assemble the datasets.
+"""Reduction of stored block means on the workers, in rounds, and assembly of the datasets.
 
-Points that miss the accuracy get more realizations, up to the cap. A decision rests on the block
-means of the round alone, never on what else the store holds: the same study takes the same rounds,
-with the same bits, whatever the workers, and after any crash.
+Points that miss the accuracy get more realizations, up to the limit. Decisions depend only on the
+block means of the round, not on other stored records: the same study takes the same rounds with
+the same bits, for all workers and after a crash.
 """
 
 import math
@@ -26,21 +26,18 @@ if TYPE_CHECKING:
     from ..result import Groups
 
 
-# Slow to import: what is needed of them is, when it is used.
-
-
 TASKS_PER_REDUCTION = 32
-MARGIN = 1.1  # over the extrapolated need, or every other point would miss it by a hair
-GROWTH = (1.25, 4.0)  # of the realizations from one round to the next
+NEED_MARGIN = 1.1  # over the extrapolated need, which half of the points would miss narrowly
+GROWTH_LIMITS = (1.25, 4.0)  # of the realizations from one round to the next
 
 
 class Collector:
-    """Reduces stored block means on the workers, those of a task once."""
+    """Reducer of stored block means on the workers; each task is fitted once per round."""
 
     def __init__(
         self, workers: Workers, store: Store, plan: Plan, summary: Summary, watch: Watch
     ) -> None:
-        """``watch`` : tells when to give up."""
+        """Create a collector. watch : callable that returns True to give up."""
         self.workers, self.store, self.plan = workers, store, plan
         self.summary, self.watch = summary, watch
         self.widths = {variant.label: plan.widest_row(variant) for variant in plan.variants}
@@ -49,8 +46,8 @@ class Collector:
     def datasets(self, blocks: dict[str, int]) -> "Groups":
         """Return label -> dataset of every variant, from ``blocks`` of each task (by key).
 
-        Tasks that failed are marked: estimates NaN, flags -1, realizations 0. Empty if
-        ``watch()`` turned true meanwhile.
+        Failed tasks have estimates NaN, flags -1 and realizations 0. The result is empty if
+        ``watch()`` turned true.
         """
         datasets = {}
         sound = [(variant, self._sound(variant)) for variant in self.plan.variants]
@@ -65,24 +62,24 @@ class Collector:
         return datasets
 
     def _sound(self, variant: Variant) -> list[int]:
-        """Return the rows of the tasks that did not fail. Raises UserError where none is left."""
+        """Return the rows of the tasks that did not fail. Raises UserError if all failed."""
         rows = [row for row, t in enumerate(variant.tasks) if t.key not in self.store.failed]
         if not rows:
             where = variant.label or "the study"
-            raise UserError(f"nothing is left of {where}: every problem failed")
+            raise UserError(f"{where}: all problems failed, so that no result remains")
         return rows
 
     def reporter(
-        self, what: str, work: list[tuple[Variant, list[int]]], blocks: dict[str, int]
+        self, title: str, work: list[tuple[Variant, list[int]]], blocks: dict[str, int]
     ) -> Reporter:
-        """Return what reports on fits at rows of variants, one for all of them."""
+        """Return a progress reporter for the fits at rows of variants."""
         seconds = (self._seconds(variant, rows, blocks).values() for variant, rows in work)
-        return Reporter(what, sum(map(sum, seconds)))
+        return Reporter(title, sum(map(sum, seconds)))
 
     def _seconds(
         self, variant: Variant, rows: list[int], blocks: dict[str, int]
     ) -> dict[int, float]:
-        """Return the predicted time of the fits that are open at some rows of a variant."""
+        """Return the predicted times of the pending fits, by row of a variant."""
         fitted = self.fitted[variant.label].blocks
         counts = {row: blocks[variant.tasks[row].key] for row in rows}
         groups = {r: min(n, JACKKNIFE_GROUPS) for r, n in counts.items() if fitted[r] != n}
@@ -91,10 +88,10 @@ class Collector:
     def fit(
         self, variant: Variant, rows: list[int], blocks: dict[str, int], reporter: Reporter
     ) -> bool:
-        """Fit the tasks at some rows of a variant, from ``blocks`` of each; tell the reporter.
+        """Fit the tasks at rows of a variant from ``blocks`` of each, and report progress.
 
-        Those that are fitted from so many blocks already stay as they are. Returns whether all
-        are fitted now: not where ``watch()`` turned true meanwhile.
+        Tasks already fitted from the same number of blocks are skipped. Returns False if
+        ``watch()`` turned true before all were fitted.
         """
         fitted = self.fitted[variant.label]
         counts = [blocks[task.key] for task in variant.tasks]
@@ -115,51 +112,51 @@ class Collector:
         return not self.watch()
 
     def attained(self, variant: Variant, rows: list[int]) -> "Attained":
-        """Return which accuracy the fitted tasks at some rows have; for a variant with goals."""
+        """Return the accuracy reached by fitted tasks at rows of a variant with goals."""
         tasks = [variant.tasks[row] for row in rows]
         estimates = self.fitted[variant.label].at(rows)
         expected = [variant.goals[task.key] for task in tasks]
         goals = reduce.with_found_bias(expected, tasks, estimates, variant.numerics)
         ratios = np.array([task.problem.ratio for task in tasks])
-        each = self.plan.study.realizations_per_block
-        realizations = each * self.fitted[variant.label].blocks[rows]
-        wanted = variant.numerics.accuracy or 0.0
-        return reduce.attained(estimates, goals, ratios, wanted, realizations)
+        per_block = self.plan.study.realizations_per_block
+        realizations = per_block * self.fitted[variant.label].blocks[rows]
+        accuracy = variant.numerics.accuracy or 0.0
+        return reduce.attained(estimates, goals, ratios, accuracy, realizations)
 
     def _complete(self, variant: Variant, sound: np.ndarray, blocks: dict[str, int]) -> "Estimates":
-        """Return all that the result says of each task, sound rows from their fits."""
+        """Return the estimates of all tasks; failed ones are marked."""
         rows, tasks = sound.tolist(), variant.tasks
         estimates = self.fitted[variant.label].at(rows)
         if variant.goals:
-            found = self.attained(variant, rows)
-            estimates["accuracy_reached"] = found.reached
-            estimates["accuracy_status"] = found.status
-        each = self.plan.study.realizations_per_block
+            accuracy = self.attained(variant, rows)
+            estimates["accuracy_reached"] = accuracy.reached
+            estimates["accuracy_status"] = accuracy.status
+        per_block = self.plan.study.realizations_per_block
         counts = np.zeros(len(tasks), np.int32)
-        counts[sound] = [blocks[tasks[row].key] * each for row in rows]
+        counts[sound] = [blocks[tasks[row].key] * per_block for row in rows]
         return reduce.completed(self.plan, variant, estimates, sound, counts)
 
     def _load(self, variant: Variant, tasks: list[Task], blocks: dict[str, int]) -> "Blocks":
-        groups = min(blocks[tasks[0].key], JACKKNIFE_GROUPS)  # of all, see _portions
+        groups = min(blocks[tasks[0].key], JACKKNIFE_GROUPS)  # equal for all tasks of a portion
         records = [(task.key, block) for task in tasks for block in range(blocks[task.key])]
         ends = np.cumsum([blocks[task.key] for task in tasks])[:-1]
         read = self.store.read(records, self.widths[variant.label])
         scalars, rows = (
-            np.stack([reduce.grouped_means(own, groups) for own in np.split(whole, ends)])
+            np.stack([reduce.grouped_means(means, groups) for means in np.split(whole, ends)])
             for whole in read
         )
         return reduce.blocks_of(self.plan, variant, tasks, scalars, rows)
 
 
 class Fitted:
-    """Estimates of the tasks of a variant, as far as they are fitted."""
+    """Estimates of the fitted tasks of a variant."""
 
     def __init__(self, variant: Variant) -> None:
-        self.blocks = np.zeros(len(variant.tasks), int)  # from how many; 0: not fitted
+        self.blocks = np.zeros(len(variant.tasks), int)  # in the fit of each task; 0: not fitted
         self.arrays: Estimates = {}
 
     def enter(self, rows: list[int], estimates: "Estimates", blocks: list[int]) -> None:
-        """Take the estimates of some tasks."""
+        """Enter the estimates of tasks."""
         for name, values in estimates.items():
             if name not in self.arrays:
                 self.arrays[name] = np.empty((self.blocks.size, *values.shape[1:]), values.dtype)
@@ -167,22 +164,24 @@ class Fitted:
         self.blocks[rows] = blocks
 
     def at(self, rows: list[int]) -> "Estimates":
-        """Return the estimates of some tasks, all fitted; not to be written to."""
+        """Return the estimates of fitted tasks, as read-only arrays."""
         if rows == list(range(self.blocks.size)):
-            return dict(self.arrays)  # not copied: curves of 1e5 points are large
+            return dict(self.arrays)  # a copy of the curves of 1e5 points would be large
         return {name: values[rows] for name, values in self.arrays.items()}
 
 
 def _portions(groups: dict[int, int]) -> list[list[int]]:
-    """Return the rows of tasks in portions of as many jackknife groups each.
+    """Return the rows of tasks in portions with equal numbers of jackknife groups.
 
-    groups : by row. A portion is reduced in one call.
+    groups : numbers of groups by row. A portion is reduced in one call.
     """
-    alike: dict[int, list[int]] = {}
+    rows_by_count: dict[int, list[int]] = {}
     for row, count in groups.items():
-        alike.setdefault(count, []).append(row)
+        rows_by_count.setdefault(count, []).append(row)
     size = TASKS_PER_REDUCTION
-    return [rows[i : i + size] for rows in alike.values() for i in range(0, len(rows), size)]
+    return [
+        rows[i : i + size] for rows in rows_by_count.values() for i in range(0, len(rows), size)
+    ]
 
 
 def _reduce_portion(portion: "tuple[list[int], Blocks]") -> "tuple[Estimates, float]":
@@ -192,48 +191,48 @@ def _reduce_portion(portion: "tuple[list[int], Blocks]") -> "tuple[Estimates, fl
 
 
 def next_blocks(now: int, growth: float, most: int) -> int:
-    """Return the blocks of the next round; ``now`` where no more are needed or allowed.
+    """Return the number of blocks of the next round, which is ``now`` if no more are needed.
 
-    growth : factor that is lacking by the measured standard errors (attained.py).
+    growth : missing factor by the measured standard errors. most : the limit.
     """
     if growth <= 1.0:
         return now
-    least, largest = GROWTH
-    factor = min(max(MARGIN * growth, least), largest)
+    smallest, largest = GROWTH_LIMITS
+    factor = min(max(NEED_MARGIN * growth, smallest), largest)
     return min(math.ceil(now * factor), most)
 
 
 class Rounds:
-    """The number of blocks of every task, round after round."""
+    """Numbers of blocks of all tasks in successive rounds."""
 
     def __init__(self, plan: Plan) -> None:
-        """Begin with the first round of the plan."""
+        """Start with the first round of the plan."""
         self.plan = plan
         self.blocks = dict(plan.first)  # by key of the task
         self.open = {v.label: list(range(len(v.tasks))) for v in plan.variants if v.goals}
         self.number = 1
 
-    def go_on(self, collector: Collector) -> bool:
-        """Judge the tasks of the round; return whether any needs more realizations."""
+    def advance(self, collector: Collector) -> bool:
+        """Judge the tasks of the round; return whether a further round is needed."""
         for variant in self.plan.variants:
             if self.open.get(variant.label):
-                self.open[variant.label] = self._short(collector, variant)
+                self.open[variant.label] = self._raise_blocks(collector, variant)
         self.number += 1
         return any(self.open.values())
 
-    def _short(self, collector: Collector, variant: Variant) -> list[int]:
-        """Return the rows of the tasks that go on, with their blocks raised."""
+    def _raise_blocks(self, collector: Collector, variant: Variant) -> list[int]:
+        """Raise the blocks of tasks that miss the accuracy, and return their rows."""
         failed, tasks = collector.store.failed, variant.tasks
         rows = [row for row in self.open[variant.label] if tasks[row].key not in failed]
         with collector.reporter(f"round {self.number}", [(variant, rows)], self.blocks) as reporter:
             if not (rows and collector.fit(variant, rows, self.blocks, reporter)):
                 return []  # all failed, or stopped
         most = most_blocks(self.plan.study, variant.numerics.max_realizations)
-        going = []
+        continued = []
         for row, growth in zip(rows, collector.attained(variant, rows).growth, strict=True):
             key = tasks[row].key
             blocks = next_blocks(self.blocks[key], float(growth), most)
             if blocks > self.blocks[key]:
                 self.blocks[key] = blocks
-                going.append(row)
-        return going
+                continued.append(row)
+        return continued

@@ -37,7 +37,7 @@ from ..system import (
 from .collect import Collector, Rounds
 from .failures import Failures
 from .status import Status, StatusWriter, status_file, study_digest
-from .store_key import KEY, is_unchanged, result_key
+from .store_key import KEY_ATTRIBUTE, is_unchanged, result_key
 from .summary import Summary
 from .workers import RunOptions, Workers, fit_seconds, open_workers
 
@@ -147,7 +147,7 @@ class _Run:
                     missing = None
                     if self._stops():
                         return {}
-                    if not rounds.go_on(collector):
+                    if not rounds.advance(collector):
                         return self._marked(collector.datasets(rounds.blocks), rounds.blocks)
             except DamagedShard:
                 continue
@@ -160,7 +160,9 @@ class _Run:
         sound = {key: count for key, count in blocks.items() if key not in self.store.failed}
         makers = self.store.index.makers_of(sound)
         require_one(makers, self.how.one_kind)
-        said = results.maker_attributes(makers) | {KEY: result_key(self.plan, self.store, blocks)}
+        said = results.maker_attributes(makers) | {
+            KEY_ATTRIBUTE: result_key(self.plan, self.store, blocks)
+        }
         return {label: data.assign_attrs(said) for label, data in datasets.items()}
 
     def _compute(self, workers: Workers, missing: list[Missing]) -> None:

@@ -1,4 +1,4 @@
-"""What tells a result from any other: a run that would write the same one again leaves it."""
+"""Key of a result, by which a run recognises a result that it would write again."""
 
 import hashlib
 from collections.abc import Container
@@ -13,14 +13,14 @@ from ..store import Store
 from ..system import our_sources, package_versions
 from .status import study_digest
 
-KEY = "key"  # attribute of the result file
+KEY_ATTRIBUTE = "key"  # of the result file
 
 
 def result_key(plan: Plan, store: Store, blocks: dict[str, int]) -> str:
-    """Return what a result of so many blocks of each task (by key) is known by.
+    """Return the key of a result. blocks : number of blocks of each task, by its key.
 
-    It follows from the study, all of our code, the packages that fit and write, the records and
-    what computed them, and the tasks that failed. Records are known by the keys of their tasks.
+    The key depends on the study, the code of the program, the packages that fit and write, the
+    keys and makers of the records, and the failed tasks.
     """
     digest = hashlib.sha256()
     makers = sorted(store.index.makers_of(blocks))
@@ -28,40 +28,47 @@ def result_key(plan: Plan, store: Store, blocks: dict[str, int]) -> str:
         repr((study_digest(plan.study), our_sources(), package_versions(), makers)).encode()
     )
     for variant in plan.variants:
-        told = [f"{t.key}{0 if t.key in store.failed else blocks[t.key]}" for t in variant.tasks]
-        digest.update(variant.point_task.tobytes() + "\n".join([variant.label, *told]).encode())
+        task_keys = [
+            f"{t.key}{0 if t.key in store.failed else blocks[t.key]}" for t in variant.tasks
+        ]
+        digest.update(
+            variant.point_task.tobytes() + "\n".join([variant.label, *task_keys]).encode()
+        )
     return digest.hexdigest()[:32]
 
 
 def is_unchanged(
     plan: Plan, store: Store, settled: Container[Record], result: Path, missing: list[Missing]
 ) -> bool:
-    """Return whether a result is there that a run would write the same again.
+    """Return whether a run would write the existing result again.
 
-    settled : the records that are stored or of failed tasks. missing : of the blocks expected.
+    settled : records that are stored or belong to failed tasks. missing : missing records of the
+    expected blocks.
     """
     rounds = plan.first != plan.expected
     if missing and not rounds:
         return False
-    found = peek(result) if store.wrote(result) else None
-    blocks = found and _blocks(plan, found.realizations)
-    if not (found and blocks) or found.attributes.get(KEY) != result_key(plan, store, blocks):
+    present = peek(result) if store.wrote(result) else None
+    blocks = present and _blocks(plan, present.realizations)
+    if not (present and blocks) or present.attributes.get(KEY_ATTRIBUTE) != result_key(
+        plan, store, blocks
+    ):
         return False
     return not (missing_work(plan, settled, blocks) if rounds else missing)
 
 
 def _blocks(plan: Plan, realizations: dict[str, np.ndarray]) -> dict[str, int] | None:
-    """Return the blocks of each task (by key) of a result with so many realizations at each point.
+    """Return the blocks of each task (by key), given the realizations of a result at each point.
 
-    None where it is of another grid. A task that failed counts as planned.
+    Returns None if the result is of another grid. Failed tasks count as planned.
     """
     blocks = dict(plan.first)
     for variant in plan.variants:
         counts = realizations.get(variant.label)
         if counts is None or counts.shape != variant.point_task.shape:
             return None
-        each = np.zeros(len(variant.tasks), int)
-        each[variant.point_task] = counts // plan.study.realizations_per_block
-        told = zip(variant.tasks, each.tolist(), strict=True)
-        blocks |= {task.key: count for task, count in told if count}
+        task_blocks = np.zeros(len(variant.tasks), int)
+        task_blocks[variant.point_task] = counts // plan.study.realizations_per_block
+        pairs = zip(variant.tasks, task_blocks.tolist(), strict=True)
+        blocks |= {task.key: count for task, count in pairs if count}
     return blocks

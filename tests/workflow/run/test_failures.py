@@ -60,7 +60,9 @@ def test_a_failure_is_recorded_by_point_and_said_at_once(failures, capsys):
 
 
 def test_a_worker_that_cannot_import_us_ends_the_run(failures):
-    with pytest.raises(UserError, match="a worker cannot work: No module named 'workflow'"):
+    with pytest.raises(
+        UserError, match="a worker cannot import its code: No module named 'workflow'"
+    ):
         failures(BATCH, ModuleNotFoundError("No module named 'workflow'"), False)
 
 
