@@ -25,7 +25,7 @@ from elastomer_friction.workflow.report import COLOURS, band, error_bars, foot_l
 from elastomer_friction.workflow.result import Groups
 
 CAPTION = (
-    "The drive of a sliding line is held for a while and then moves on. Panels (a) and (b) show "
+    "The drive of a sliding line is held for a while and then moves on; panels (a) and (b) show "
     "the static peak after the hold minus the friction before it, over the duration of the hold, "
     "for two materials, on springs and at a fixed position. Panel (c) shows the share of friction "
     "that remains at the end of the hold, and panel (d) friction over the distance slid after it."
