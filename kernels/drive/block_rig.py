@@ -101,11 +101,11 @@ def _choose(rig, begin, d, before):
 def _balance(rig, law, begin, t):
     """Find the indentation of a step at whose end element 0 is at t of interval ``begin``."""
     state = rig.state[0]
-    memory, seen, scales = rig.blocks
+    memory, known_steps, scales = rig.blocks
     c, _, sums, evaluation = rig.rows
     some, old, stale = rig.rows.some[: state["count"]], state["d"], law.stale.sum()
     rows = SpringRows(c, some, sums, evaluation)
-    rescale_blocks(scales, memory, seen, some, state["steps"])
+    rescale_blocks(scales, memory, known_steps, some, state["steps"])
     share, w = law.decay * scales.scale, np.empty(BLOCK_ELEMENTS)
     forget_evaluation(rows)
     for b in some:
@@ -120,11 +120,11 @@ def _balance(rig, law, begin, t):
 @accept.register(BlockRig)
 def _accept(rig, dt):
     law, state = law_of(rig.form, dt), rig.state[0]
-    memory, seen, scales = rig.blocks
+    memory, known_steps, scales = rig.blocks
     state["steps"] += 1
     advance_scales(law, scales, state["steps"])
     some = rig.rows.some[: state["count"]]
-    rescale_blocks(scales, memory, seen, some, state["steps"])
+    rescale_blocks(scales, memory, known_steps, some, state["steps"])
     fresh, stale = law.fresh / scales.scale, law.stale / scales.scale
     for b in some:
         for i in range(BLOCK_ELEMENTS):

@@ -92,7 +92,7 @@ def _attempt(rig, places, dt):
 def trial_friction(rig, places, lag, touching, p):
     """Return the friction of a step between two places (eq. 5), and store the other sums.
 
-    touching : numbers of the elements that touch, p : their forces. lag : as of ``attempt``.
+    touching : numbers of the elements that touch, p : their forces. lag : see ``attempt``.
     """
     line, n = rig.line, rig.line.polynomials.shape[1] // 2
     (before, s), (after, t) = interval_at(line, places.before), interval_at(line, places.after)

@@ -12,7 +12,7 @@ SEARCH_STATE = np.dtype(
         ("last_x", np.float64),
         ("last_value", np.float64),
         ("slope", np.float64),  # of the last secant that rises; 0 while it is unknown
-        ("max_step", np.float64),  # while there is no bracket
+        ("max_step", np.float64),  # until the root is bracketed
         ("bracketed_steps", np.int64),
     ]
 )

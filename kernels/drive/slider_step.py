@@ -66,7 +66,7 @@ class SliderProgress(NamedTuple):
 class BalancedStep(NamedTuple):
     """The step that was tried last, with balanced forces."""
 
-    dt: float  # NaN where there is none
+    dt: float  # NaN for a step that would be too long
     balance: ForceBalance
     friction: float
 

@@ -6,14 +6,7 @@ Recorders are chosen by type: quantities that a scene does not request are not c
 from .energy import ENERGIES
 from .records import MOTION_TRACES, TRACES
 from .run import run_scene
-from .scene_case import (
-    SCENE_QUANTITIES,
-    ZERO_ORIGIN,
-    Origin,
-    SavedState,
-    SceneCase,
-    scene_steps,
-)
+from .scene_case import SCENE_QUANTITIES, ZERO_ORIGIN, Origin, SavedState, SceneCase, scene_steps
 
 __all__ = [
     "ENERGIES",

@@ -59,7 +59,7 @@ class ElementBlocks(NamedTuple):
     """Memory of elements in blocks; elements that never touch fill up the last block."""
 
     memory: np.ndarray  # scaled, shape (blocks, K, BLOCK_ELEMENTS)
-    seen: np.ndarray  # shape (blocks,): last step included in the memory
+    known_steps: np.ndarray  # shape (blocks,): last step included in the memory
     scales: Scales
 
 
@@ -273,11 +273,11 @@ def _step(march, law, t, old, last, choice):
 @inlined_kernel
 def _balance(march, law, t, old, last, count):
     """Return (d, passes) of a step of the first ``count`` chosen blocks."""
-    (memory, seen, scales), settling, track = march.blocks, march.settling, march.track
+    (memory, known_steps, scales), settling, track = march.blocks, march.settling, march.track
     c, some, sums, evaluation = march.rows
     rows, begin = SpringRows(c, some[:count], sums, evaluation), track.begin[t + 1]
     step, z = march.done + t + 1, track.z[track.line[t + 1], begin : begin + track.z.shape[1] // 2]
-    rescale_blocks(scales, memory, seen, rows.some, step)
+    rescale_blocks(scales, memory, known_steps, rows.some, step)
     forget_evaluation(rows)
     for b in rows.some:
         advance_and_predict(scales.due, scales.scale, memory, b, last, c[b], settling)
@@ -290,7 +290,7 @@ def _balance(march, law, t, old, last, count):
 
 @kernel
 def _lowest(z):
-    """Return the minimum over all lines in each cell of two periods; z : as of a Track."""
+    """Return the minimum over all lines in each cell of two periods; z : of a Track."""
     lowest = np.full((z.shape[1] + CELL_SAMPLES - 1) // CELL_SAMPLES, np.inf)
     for line in range(z.shape[0]):
         for j in range(z.shape[1]):
@@ -349,9 +349,9 @@ def _choose(rows, lowest, begin, n, cap, level):
 @kernel
 def _unscale(blocks, p, step):
     """Unscale the memory of all blocks and include the last step; p : its forces."""
-    memory, seen, scales = blocks
-    rescale_blocks(scales, memory, seen, np.arange(seen.size), step)
-    for b in range(seen.size):
+    memory, known_steps, scales = blocks
+    rescale_blocks(scales, memory, known_steps, np.arange(known_steps.size), step)
+    for b in range(known_steps.size):
         block_p = p[b * BLOCK_ELEMENTS : (b + 1) * BLOCK_ELEMENTS]
         for k in range(scales.scale.size):
             scale, fresh = scales.scale[k], scales.fresh[k]
@@ -416,9 +416,11 @@ def _sums(march, now, s):
 @kernel
 def _record_snapshot(snapshots, frame, blocks, step, p, z, d, stiffness):
     """Record line and elements at the end of a step, whose forces no memory includes yet."""
-    rescale_blocks(blocks.scales, blocks.memory, blocks.seen, np.arange(blocks.seen.size), step)
+    rescale_blocks(
+        blocks.scales, blocks.memory, blocks.known_steps, np.arange(blocks.known_steps.size), step
+    )
     u = np.empty(p.size)
-    for b in range(blocks.seen.size):
+    for b in range(blocks.known_steps.size):
         block_u = u[b * BLOCK_ELEMENTS : (b + 1) * BLOCK_ELEMENTS]
         predict_block(blocks.scales.scale, blocks.memory, b, block_u)
     for i in range(z.size):

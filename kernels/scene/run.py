@@ -24,14 +24,7 @@ from .records import (
     record_snapshot,
     record_trace,
 )
-from .scene_case import (
-    ZERO_ORIGIN,
-    SavedState,
-    SceneCase,
-    check_scene,
-    indentation_at,
-    scene_steps,
-)
+from .scene_case import ZERO_ORIGIN, SavedState, SceneCase, check_scene, indentation_at, scene_steps
 
 
 class Recorders:
@@ -83,7 +76,7 @@ class Recorders:
         return self.recorded, self.frames, *recorders
 
     def values(self, datum: float) -> dict[str, np.ndarray]:
-        """Return the recorded values by name; datum : as of a Line."""
+        """Return the recorded values by name; datum : of the Line."""
         values: dict[str, np.ndarray] = {}
         if self.trace is not None:
             values |= zip(TRACES, self.trace, strict=True)

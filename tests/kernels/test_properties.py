@@ -320,11 +320,3 @@ def test_order_and_splitting_of_branches_change_no_bit_of_a_march(name):
     for spectrum in rearranged(MATERIALS["prony"]):
         for key, values in march_of(name, PULLS[:2], spectrum).items():
             np.testing.assert_array_equal(values, plain[key], err_msg=key)
-
-
-@pytest.mark.parametrize("material", MATERIALS)
-def test_no_step_gains_energy(material):
-    """Dissipation never decreases, and the line does no less work than is stored and dissipated."""
-    values = march_of("blocks", EVERY_LEG, material, start="relaxed", requested=("trace", "energy"))
-    assert np.all(np.diff(values["dissipated_energy"]) >= 0.0)
-    assert np.all(values["stored_energy"] > 0.0)

@@ -1,4 +1,4 @@
-"""The border of steady sliding on a spring: what velocity steps foretell, a pulled line does."""
+"""Stability of steady sliding on a spring, against the prediction from velocity steps."""
 
 import math
 
@@ -15,7 +15,7 @@ from tests.sizes import PLAIN_PYTHON
 
 M, LOAD = 4, 0.1
 SPEED = 50.0  # five spacings in the time of the branch: friction falls
-ROLLOFF = 50  # spacings, beyond which the line has no longer waves: a long one is many in one
+ROLLOFF = 50  # spacings: longest wave, so that a long line averages over many
 
 
 def a_long_line(elements, seed=100):
@@ -26,13 +26,15 @@ def a_long_line(elements, seed=100):
 
 def response(lines):
     """Return (t, d mu/d ln v) after small steps of the velocity up and down, and its end."""
-    ratios, way = (1.05, 0.95), 12.0 * SOLID.times[0] * SPEED
+    ratios, distance = (1.05, 0.95), 12.0 * SOLID.times[0] * SPEED
 
     def mu(line, *legs):
         return run_scene(line, a_scene(legs, SOLID, M, load=LOAD))["trace_mu"]
 
     up, down = (
-        np.mean([mu(line, Slide(SPEED, 1.0), Slide(SPEED * r, way))[M:] for line in lines], axis=0)
+        np.mean(
+            [mu(line, Slide(SPEED, 1.0), Slide(SPEED * r, distance))[M:] for line in lines], axis=0
+        )
         for r in ratios
     )
     ends = [np.mean([mu(line, Slide(SPEED * r, 1.0))[0] for line in lines]) for r in ratios]
@@ -41,27 +43,30 @@ def response(lines):
     return t, (up[:n] - down[:n]) / scale, (ends[0] - ends[1]) / scale
 
 
-def felt_of_a_pulse(line, stiffness, way):
-    """Return what is left in the force of a drive that was quicker, or slower, over a spacing.
+def force_after_a_pulse(line, stiffness, distance):
+    """Return the response of the drive's force to a faster or slower motion over one spacing.
 
-    Both are compared where the drive is at one place, so that the line's own noise goes.
+    Forces are subtracted at the same place of the drive, which removes the noise of the line.
     """
     forces = []
     for r in (1.005, 0.995):
-        scene = a_scene((Slide(SPEED * r, 1.0), Slide(SPEED, way)), SOLID, M, load=LOAD)
+        scene = a_scene((Slide(SPEED * r, 1.0), Slide(SPEED, distance)), SOLID, M, load=LOAD)
         forces.append(run_pulled(line, scene, Drive(stiffness * LOAD))["trace_drive_force"])
     return (forces[0] - forces[1])[M:]
 
 
-def fitted_rate_state(way, step):
+def fitted_rate_state(distance, step):
     """Return a, b and D_c of a - b (1 - exp(-s/D_c)), fitted to the response to a step."""
     (a, b, length), _ = curve_fit(
-        lambda s, a, b, length: a - b * (1.0 - np.exp(-s / length)), way, step, (0.0, 0.01, 5.0)
+        lambda s, a, b, length: a - b * (1.0 - np.exp(-s / length)),
+        distance,
+        step,
+        (0.0, 0.01, 5.0),
     )
     return a, b, length
 
 
-def border(t, step, end):
+def critical_stiffness(t, step, end):
     """Return k_c/F_N: a root of k + s F_N T(s) = 0 on the imaginary axis, s = i w.
 
     T(s) = s/v times the Laplace transform of the response to a step.
@@ -74,24 +79,29 @@ def border(t, step, end):
 
 
 @pytest.mark.skipif(PLAIN_PYTHON, reason="NUMBA_DISABLE_JIT=1: ways of 20 000 elements")
-def test_steady_sliding_is_stable_above_the_border_that_steps_of_the_velocity_foretell():
+def test_steady_sliding_is_stable_above_the_stiffness_predicted_from_velocity_steps():
     """Source: J. R. Rice, A. L. Ruina, J. Appl. Mech. 50, 343 (1983), doi:10.1115/1.3167042."""
     lines = [a_long_line(20000, seed) for seed in (100, 101, 102)]
     t, step, end = response(lines)
-    critical, w = border(t, step, end)
+    critical, w = critical_stiffness(t, step, end)
     period = 2.0 * math.pi / w
 
     def growth(stiffness):
-        """Return how much larger the second of two periods is than the first."""
-        way, one = 2.6 * period * SPEED, round(period * SPEED * M)
-        felt = np.mean([felt_of_a_pulse(line, stiffness, way) for line in lines], axis=0)
-        first, second = felt[one // 2 :][:one], felt[one // 2 + one :][:one]
+        """Return the amplitude ratio of the second period to the first."""
+        distance, one = 2.6 * period * SPEED, round(period * SPEED * M)
+        response_to_pulse = np.mean(
+            [force_after_a_pulse(line, stiffness, distance) for line in lines], axis=0
+        )
+        first, second = (
+            response_to_pulse[one // 2 :][:one],
+            response_to_pulse[one // 2 + one :][:one],
+        )
         return math.sqrt(np.mean(second**2) / np.mean(first**2))
 
     soft, stiff = growth(0.75 * critical), growth(1.3 * critical)
     assert soft > 2.0
     assert stiff < 0.5
-    # The length in k_c = -(d mu/d ln v) F_N/D_c is that of a step, not the v t_b of the branch.
+    # D_c in k_c = -(d mu/d ln v) F_N/D_c is that of a velocity step, not v t_b of the branch.
     a, b, length = fitted_rate_state(SPEED * t, step)
     assert (b - a) / length == pytest.approx(critical, rel=0.2)
     assert length < 0.75 * SPEED * SOLID.times[0]

@@ -34,31 +34,33 @@ def scale_of(line):
 
 
 def pulled(line, programme, drive, spectrum=SOLID, m=M, **changes):
-    """Pull a line; the drive's numbers are over load times slope."""
+    """Pull a line; stiffness, mass and damping are over load times rms slope."""
     scene = a_scene(programme, spectrum, m, **changes)
     return run_pulled(line, scene, Drive(*(scale_of(line) * np.array(drive))))
 
 
 @MATERIALS
-def test_steady_sliding_stays_what_it_is(spectrum):
+def test_steady_sliding_equals_that_of_a_line_that_is_moved(spectrum):
     line = a_line(20)
     steady = run_scene(line, a_scene((Slide(1.3, 4.0),), spectrum))
-    found = pulled(line, (Slide(1.3, 4.0),), (0.3, 0.5, 0.2), spectrum)
+    result = pulled(line, (Slide(1.3, 4.0),), (0.3, 0.5, 0.2), spectrum)
     for name in TRACES:
         if name not in ("trace_time", "trace_distance"):
-            np.testing.assert_allclose(found[name], steady[name][0], rtol=1e-4, err_msg=name)
-    # With a damper that moves along the spring alone carries the friction.
-    np.testing.assert_allclose(found["trace_drive_force"], found["trace_friction_force"], rtol=1e-4)
+            np.testing.assert_allclose(result[name], steady[name][0], rtol=1e-4, err_msg=name)
+    # The damper moves with the slider: only the spring carries the friction.
+    np.testing.assert_allclose(
+        result["trace_drive_force"], result["trace_friction_force"], rtol=1e-4
+    )
 
 
 @MATERIALS
 def test_a_stiff_drive_takes_the_slider_along(spectrum):
-    """Held by the drive it moves as a line that is moved, to the errors of its steps."""
+    """The pulled line follows the line that is moved, to the errors of its steps."""
     legs = (Sampled((0.0, 1.0, 2.0, 4.0, 6.0), (2.0, 2.0, 1.0, 3.0, -1.0)),)
     at = np.linspace(0.1, 5.7, 100)
 
-    def mu(found):
-        return np.interp(at, found["trace_time"], found["trace_mu"])
+    def mu(result):
+        return np.interp(at, result["trace_time"], result["trace_mu"])
 
     def error(m):
         line = a_line(12, m=m)
@@ -74,14 +76,14 @@ def test_a_stiff_drive_takes_the_slider_along(spectrum):
 
 @pytest.mark.parametrize("drive", [(1.0,), (1.0, 0.3, 0.1)], ids=["spring", "mass"])
 @MATERIALS
-def test_errors_fall_as_the_steps(spectrum, drive):
+def test_errors_fall_with_the_steps(spectrum, drive):
     legs = (Sampled((0.0, 1.0, 2.0, 3.0), (2.0, 2.0, 1.0, 2.5)),)
     at = np.linspace(0.1, 2.7, 100)
 
     def force(m):
         line = a_line(12, m=m)
-        found = pulled(line, legs, drive, spectrum, m)
-        force = np.interp(at, found["trace_time"], found["trace_drive_force"])
+        result = pulled(line, legs, drive, spectrum, m)
+        force = np.interp(at, result["trace_time"], result["trace_drive_force"])
         return force / scale_of(line)
 
     best = force(64)
@@ -90,12 +92,12 @@ def test_errors_fall_as_the_steps(spectrum, drive):
     assert errors[1] < 0.01
 
 
-def test_the_drive_works_for_friction_spring_damper_and_mass():
+def test_the_work_of_the_drive_is_that_of_friction_spring_damper_and_mass():
     line = a_line(20, m=16)
     k, mass, damping = drive = (1.0, 0.3, 0.1)
-    found = pulled(line, (Slide(1.3, 4.0), Slide(2.6, 4.0)), drive, PRONY, 16)
+    result = pulled(line, (Slide(1.3, 4.0), Slide(2.6, 4.0)), drive, PRONY, 16)
     time, place, speed, force, friction = (
-        found[f"trace_{name}"]
+        result[f"trace_{name}"]
         for name in ("time", "distance", "velocity", "drive_force", "friction_force")
     )
     scale = scale_of(line)
@@ -108,14 +110,14 @@ def test_the_drive_works_for_friction_spring_damper_and_mass():
     driven = np.where(time < 4.0 / 1.3, 1.3, 2.6)
     stretch = (force / scale - damping * (driven - speed)) / k
     stored = [0.5 * k * stretch[i] ** 2 + 0.5 * mass * speed[i] ** 2 for i in (0, -1)]
-    given = work(force / scale, driven)
+    supplied = work(force / scale, driven)
     lost = work(friction / scale, speed) + work(damping * (driven - speed), driven - speed)
-    assert given == pytest.approx(lost + stored[1] - stored[0], rel=2e-3)
+    assert supplied == pytest.approx(lost + stored[1] - stored[0], rel=2e-3)
     assert place[-1] == pytest.approx(8.0, abs=0.5)
 
 
 @pytest.mark.skipif(PLAIN_PYTHON, reason="NUMBA_DISABLE_JIT=1: two ways of 3000 spacings")
-def test_it_sticks_and_slips_below_the_critical_stiffness_alone():
+def test_stick_and_slip_occurs_only_below_the_critical_stiffness():
     """k_c = -(d mu/d ln v) F_N / (v t_b), t_b the branch's time (Rice & Ruina, 1983)."""
     line = a_line(100, 0.7)
     speeds = 30.0 * np.array([0.97, 1.0, 1.03])
@@ -123,22 +125,22 @@ def test_it_sticks_and_slips_below_the_critical_stiffness_alone():
     weakening = -(mu[2] - mu[0]) / math.log(speeds[2] / speeds[0])
     assert weakening > 0.0
     critical = weakening * LOAD / (speeds[1] * SOLID.times[0]) / scale_of(line)
-    found = []
+    result = []
     for share in (5.0, 0.3):
         legs = (Slide(speeds[1], 3000.0),)
         asked = ("trace", "stick_slip", "slip_events")
-        found.append(pulled(line, legs, (share * critical,), start="relaxed", requested=asked))
-    steady, slipping = found
+        result.append(pulled(line, legs, (share * critical,), start="relaxed", requested=asked))
+    steady, slipping = result
     assert steady["drive_swing"] < 0.02 * slipping["drive_swing"]
     assert steady["peak_velocity"] < 1.1 * speeds[1] < 2.0 * speeds[1] < slipping["peak_velocity"]
     assert np.isnan(steady["slip_period"])
-    # Between slips the spring is stretched at the velocity of the drive, nearly.
+    # Between slips the spring stretches nearly at the velocity of the drive.
     swing = float(slipping["drive_swing"]) * LOAD
     loading = swing / (0.3 * critical * scale_of(line) * speeds[1])
     assert 0.2 * loading < float(slipping["slip_period"]) < 4.0 * loading
-    assert SLIP_ENDS not in steady["slip_event_kind"]  # it comes free once, and goes on
+    assert SLIP_ENDS not in steady["slip_event_kind"]  # it breaks loose once and keeps sliding
     time, kind = slipping["slip_event_time"], slipping["slip_event_kind"]
-    begins, ends = (time[kind == each] for each in (SLIP_BEGINS, SLIP_ENDS))
+    begins, ends = (time[kind == event] for event in (SLIP_BEGINS, SLIP_ENDS))
     assert (begins[: ends.size] < ends).all()
     assert (ends[: begins.size - 1] < begins[1:]).all()
     late = begins[begins > 0.5 * 3000.0 / speeds[1]]
@@ -147,9 +149,9 @@ def test_it_sticks_and_slips_below_the_critical_stiffness_alone():
 
 @pytest.mark.skipif(PLAIN_PYTHON, reason="NUMBA_DISABLE_JIT=1: six ways of 400 spacings")
 def test_stick_and_slip_without_a_mass_converges_at_second_order():
-    """The force of a wave that jumps by its length: its errors are those of the samples.
+    """A wave jumps by its length; the errors of its force are those of the samples.
 
-    Each jump is one slip, however many steps it takes.
+    Each jump is one slip, whatever its number of steps.
     """
     speed, length = 30.0, 8
 
@@ -157,92 +159,94 @@ def test_stick_and_slip_without_a_mass_converges_at_second_order():
         x = 2.0 * np.pi * np.arange(length * m) / (length * m)
         line = Line.from_samples(np.cos(x), -2.0 * np.pi / length * np.sin(x), m)
         legs, asked = (Slide(speed, 400.0),), ("trace", "stick_slip", "slip_events")
-        found = pulled(line, legs, (stiffness,), m=m, start="relaxed", requested=asked)
-        way = speed * found["trace_time"]
-        way, force = (each[way > 200.0] for each in (way, found["trace_drive_force"]))
+        result = pulled(line, legs, (stiffness,), m=m, start="relaxed", requested=asked)
+        distance = speed * result["trace_time"]
+        distance, force = (
+            series[distance > 200.0] for series in (distance, result["trace_drive_force"])
+        )
         force = force - 0.5 * (force.max() + force.min())
         i = np.flatnonzero((force[:-1] < 0.0) & (force[1:] >= 0.0))
-        rises = way[i] - force[i] / (force[i + 1] - force[i]) * (way[i + 1] - way[i])
+        rises = distance[i] - force[i] / (force[i + 1] - force[i]) * (distance[i + 1] - distance[i])
         assert rises.size > 10
         rise = np.mean(np.diff(rises))
-        assert speed * float(found["slip_period"]) == pytest.approx(rise, rel=2e-3)
-        time, kind = found["slip_event_time"], found["slip_event_kind"]
-        begins, ends = (time[kind == each] for each in (SLIP_BEGINS, SLIP_ENDS))
+        assert speed * float(result["slip_period"]) == pytest.approx(rise, rel=2e-3)
+        time, kind = result["slip_event_time"], result["slip_event_kind"]
+        begins, ends = (time[kind == event] for event in (SLIP_BEGINS, SLIP_ENDS))
         assert (begins[: ends.size] < ends).all()
         assert (ends[: begins.size - 1] < begins[1:]).all()
         late = begins[speed * begins > 200.0]
         assert speed * np.mean(np.diff(late)) == pytest.approx(rise, rel=0.02)
-        return float(found["drive_swing"]), rise
+        return float(result["drive_swing"]), rise
 
     coarse, fine, best = (
         np.array([swing_and_period(m, stiffness) for stiffness in (0.02, 0.03)])
         for m in (8, 32, 64)
     )
-    errors = [np.sqrt(np.mean((each / best - 1.0) ** 2, axis=0)) for each in (coarse, fine)]
+    errors = [np.sqrt(np.mean((run / best - 1.0) ** 2, axis=0)) for run in (coarse, fine)]
     assert (best[:, 1] > length).all()
-    # Of first order the ratio of these errors were (1/8 - 1/64)/(1/32 - 1/64) = 7, of second 21.
+    # The ratio of errors is (1/8 - 1/64)/(1/32 - 1/64) = 7 at first order, and 21 at second.
     assert (errors[1] < errors[0] / 12.0).all()
     assert (errors[1] < 1e-3).all()
 
 
-def test_a_slider_turns_when_its_stiff_drive_does():
+def test_a_slider_on_a_stiff_drive_turns_with_it():
     legs = (Sampled((0.0, 2.0, 4.0, 6.0), (1.5, 1.5, -1.5, 1.5)),)
-    found = pulled(a_line(20, m=16), legs, (1e4,), KELVIN, 16, requested=("trace", "slip_events"))
-    known = np.isfinite(found["slip_event_time"])
-    assert found["slip_event_kind"][known].tolist() == [SLIDER_TURNS, SLIDER_TURNS]
-    assert found["slip_event_time"][known] == pytest.approx([3.0, 5.0], abs=0.05)
+    result = pulled(a_line(20, m=16), legs, (1e4,), KELVIN, 16, requested=("trace", "slip_events"))
+    known = np.isfinite(result["slip_event_time"])
+    assert result["slip_event_kind"][known].tolist() == [SLIDER_TURNS, SLIDER_TURNS]
+    assert result["slip_event_time"][known] == pytest.approx([3.0, 5.0], abs=0.05)
 
 
 @pytest.mark.parametrize("amplitude", [1.5, 8.0])
 def test_a_mass_that_rings_about_steady_sliding_does_not_slip(amplitude):
-    """Friction is nearly none: the speed is V + A V cos(w t), w^2 = k/M, nearly to the end."""
+    """Friction is negligible: the speed is V + A V cos(w t), w^2 = k/M, nearly to the end."""
     line, speed, frequency, stiffness = a_line(12, m=16), 2.0, 4.0, 1e3
     swings = Sampled((0.0, 1e-3, 40.0), ((1.0 - amplitude) * speed, speed, speed))
     drive = stiffness, stiffness / frequency**2
-    found = pulled(line, (swings,), drive, SOLID, 16, requested=("trace", "stick_slip"))
+    result = pulled(line, (swings,), drive, SOLID, 16, requested=("trace", "stick_slip"))
     force = 2.0 * amplitude * speed * stiffness / frequency * scale_of(line) / LOAD
-    assert 0.6 * force < found["drive_swing"] < 1.05 * force
-    assert found["peak_velocity"] > 2.0 * speed
-    assert np.isnan(found["slip_period"])
+    assert 0.6 * force < result["drive_swing"] < 1.05 * force
+    assert result["peak_velocity"] > 2.0 * speed
+    assert np.isnan(result["slip_period"])
 
 
-def test_what_is_kept_at_the_end_of_a_hold_is_of_the_hold():
-    """With a dashpot friction jumps as the drive goes on: no share of that is in the hold."""
+def test_values_at_the_end_of_a_hold_belong_to_the_hold():
+    """With a dashpot friction jumps when the drive moves again; the hold must not include it."""
     legs = (Slide(1.3, 3.0), Hold(30.0), Slide(1.3, 3.0))
     line = a_line(20)
     scene = a_scene(legs, KELVIN, M)
     steps = scene_steps(scene, M)
-    end = int(np.flatnonzero(steps.leg == 1)[-1]) + 1  # the number of the last step of the hold
+    end = int(np.flatnonzero(steps.leg == 1)[-1]) + 1  # number of the last step of the hold
     mu = run_pulled(line, scene, Drive(1e5 * scale_of(line)))["trace_mu"]
     assert abs(mu[end]) < 1e-2 * mu[0]
     assert mu[end + 1] > 0.1 * mu[0]
 
 
-def test_a_spring_that_is_slack_is_stretched_before_anything_slides():
+def test_a_slack_spring_is_stretched_before_the_line_slides():
     line = a_line(40)
-    found = pulled(line, (Slide(1.0, 8.0),), (0.1,), KELVIN, start="relaxed")
-    assert found["trace_drive_force"][0] == 0.0
-    early = found["trace_time"] < 0.5
-    np.testing.assert_array_less(found["trace_distance"][early], 0.5)
+    result = pulled(line, (Slide(1.0, 8.0),), (0.1,), KELVIN, start="relaxed")
+    assert result["trace_drive_force"][0] == 0.0
+    early = result["trace_time"] < 0.5
+    np.testing.assert_array_less(result["trace_distance"][early], 0.5)
 
 
-def test_its_own_time_is_that_of_the_drive_whatever_the_line():
+def test_recorded_times_depend_on_the_drive_only():
     scene = a_scene(THERE_AND_BACK, SOLID)
     times = [run_pulled(a_line(20, seed=seed), scene, Drive(0.1))["trace_time"] for seed in (1, 2)]
     np.testing.assert_array_equal(*times)
 
 
-def test_both_schemes_go_to_one_limit():
+def test_both_schemes_have_the_same_limit():
     line = a_line(12, m=32)
-    found = [
-        pulled(line, (Slide(1.3, 2.0), Slide(2.6, 3.0)), (1.0,), m=32, scheme=each)
-        for each in ("exponential", "implicit-euler")
+    result = [
+        pulled(line, (Slide(1.3, 2.0), Slide(2.6, 3.0)), (1.0,), m=32, scheme=scheme)
+        for scheme in ("exponential", "implicit-euler")
     ]
-    np.testing.assert_allclose(found[0]["trace_mu"], found[1]["trace_mu"], atol=0.02)
+    np.testing.assert_allclose(result[0]["trace_mu"], result[1]["trace_mu"], atol=0.02)
 
 
 @MATERIALS
-def test_where_all_waves_are_as_stiff_a_half_space_is_pulled_as_the_line(spectrum):
+def test_a_half_space_of_equal_stiffness_is_pulled_like_a_line(spectrum):
     line = a_line(12)
     n = line.z.size
     surface = Surface.from_samples((line.z + line.datum)[None], line.slope[None], M)
@@ -251,22 +255,22 @@ def test_where_all_waves_are_as_stiff_a_half_space_is_pulled_as_the_line(spectru
     drive = Drive(*(scale_of(line) * np.array((2.0, 0.1, 0.05))))
     expected = run_pulled(line, scene, drive)
     equal = np.full((1, n // 2 + 1), M / n)
-    found = run_pulled_on_half_space(surface, scene, drive, stiffness=equal)
+    result = run_pulled_on_half_space(surface, scene, drive, stiffness=equal)
     for name in PULLED_TRACES:
-        if name == "trace_samples_per_contact":  # of a patch in the mean there, in the median here
+        if name == "trace_samples_per_contact":  # mean on the map, median on the line
             continue
         shift = scene.load if name == "trace_indentation" else 0.0
-        np.testing.assert_allclose(found[name] + shift, expected[name], atol=1e-3, err_msg=name)
+        np.testing.assert_allclose(result[name] + shift, expected[name], atol=1e-3, err_msg=name)
 
 
 @MATERIALS
-def test_elements_that_cannot_touch_change_nothing(monkeypatch, spectrum):
-    """But the rounding, of which a slider that nearly sticks makes more."""
+def test_elements_that_cannot_touch_change_rounding_only(monkeypatch, spectrum):
+    """A slider that nearly sticks amplifies rounding."""
     line = a_line(20)
 
     def traces():
-        found = pulled(line, THERE_AND_BACK, (0.3, 0.5, 0.2), spectrum, load=0.03)
-        return [found[name] for name in PULLED_TRACES]
+        result = pulled(line, THERE_AND_BACK, (0.3, 0.5, 0.2), spectrum, load=0.03)
+        return [result[name] for name in PULLED_TRACES]
 
     some = traces()
     monkeypatch.setattr(pulled_line, "block_rig", pulled_line.plain_rig)

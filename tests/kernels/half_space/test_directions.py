@@ -1,4 +1,4 @@
-"""Directions of search that no longer lead on are begun anew: a map on which they once stalled."""
+"""Restart of stalled search directions, on a map on which they once stalled."""
 
 import numba
 import numpy as np
@@ -13,10 +13,10 @@ from elastomer_friction.workflow.simulate.drawing import line_generator
 @pytest.mark.skipif(
     bool(numba.config.DISABLE_JIT), reason="NUMBA_DISABLE_JIT=1: 30 million samples"
 )
-def test_a_step_in_which_directions_stall_is_solved():
-    """H = 0.8, x = 30, one of 1296 maps of the study bodies: 20 000 passes did not end it."""
+def test_a_contact_with_stalling_directions_is_solved():
+    """H = 0.8, x = 30, one of 1296 maps of the study bodies: no convergence in 20 000 passes."""
     surface = Surface.drawn(line_generator(3, 0.8, 32, 8), ring_amplitudes(0.8, 32, 2), 32, 4)
     case = Case(1.5, 9.60000000000582, (1.0,), (), "exponential")
-    found = run_case(surface, case, Quantities(jump=False, relaxation=False))
-    assert np.isfinite(found.mu_1)
-    assert found.work < 6000 * surface.z.size
+    result = run_case(surface, case, Quantities(jump=False, relaxation=False))
+    assert np.isfinite(result.mu_1)
+    assert result.work < 6000 * surface.z.size

@@ -1,4 +1,4 @@
-"""Contacts and friction that others have solved: Hertz, Westergaard, spheres, cylinders, losses.
+"""Published solutions of contacts and friction: Hertz, Westergaard, spheres, cylinders, losses.
 
 Sources: K. L. Johnson, Contact Mechanics (Cambridge, 1985), ch. 4 and 13; K. L. Johnson,
 J. A. Greenwood, J. G. Higginson, Int. J. Mech. Sci. 27, 383 (1985); G. Wang and K. Knothe,
@@ -29,19 +29,19 @@ STEADY = Quantities(jump=False, relaxation=False)
 
 
 def centred(n: int) -> np.ndarray:
-    """Distances from the middle, between two samples, in samples."""
+    """Return distances from the middle, which lies between two samples, in samples."""
     return np.arange(n) - 0.5 * (n - 1)
 
 
 def sphere(n: int, side: float, radius: float = 1.0) -> Surface:
-    """x^2 + y^2 over 2 R on a square; lengths in the unit of side, which becomes n elements."""
+    """Return (x^2 + y^2)/(2 R) on a square of n elements; lengths in the unit of side."""
     x = centred(n) * side / n
     z = (x[:, None] ** 2 + x[None, :] ** 2) / (2.0 * radius)
     return Surface.from_samples(z, np.broadcast_to(x / radius * side / n, z.shape), 1)
 
 
 def elastic_loss(p: np.ndarray, m: int, loss) -> float:
-    """Sum of (|q|/2) q_x loss(q_x) |u_q|^2 over the mean pressure, of displacements u = -A p."""
+    """Return the sum of (|q|/2) q_x loss(q_x) |u_q|^2 over the mean pressure, u = -A p."""
     _, q_x = wave_numbers(p.shape, m)
     stiffness = half_space_stiffness(p.shape, m)
     stiffness[0, 0] = np.inf
@@ -50,7 +50,7 @@ def elastic_loss(p: np.ndarray, m: int, loss) -> float:
     return float(np.sum(stiffness * q_x * loss(q_x) * power)) / float(p.mean())
 
 
-def test_a_sphere_is_pressed_as_hertz_says() -> None:
+def test_a_sphere_has_the_pressures_of_hertz() -> None:
     """Side 10 contact radii; the radius of the sphere, E* and the side are 1, 1 and n samples."""
     errors = []
     for n in (32, 64, 128):
@@ -67,7 +67,7 @@ def test_a_sphere_is_pressed_as_hertz_says() -> None:
     assert errors[2] < 0.01
 
 
-def test_a_wave_is_pressed_as_westergaard_says() -> None:
+def test_a_wave_has_the_pressures_of_westergaard() -> None:
     """Line contact: one row, plane strain."""
     errors = []
     for n in (64, 256):
@@ -98,7 +98,7 @@ def test_two_waves_close_at_the_pressure_of_johnson_greenwood_and_higginson(
 
 
 def test_slow_friction_is_the_loss_of_the_elastic_contact() -> None:
-    """mu/(v tau) of a sphere is 1/R, and that of a rough surface what its march gives."""
+    """mu/(v tau) is 1/R for a sphere, and agrees with the march for a rough surface."""
     errors = []
     for n in (64, 128):
         side = 6.0
@@ -122,32 +122,32 @@ def steadily(surface: Surface, load: float, speed: float, spectrum: Spectrum) ->
 @pytest.mark.parametrize(
     ("time", "peak"), [(1e-9, 60.32), (0.009, 78.74), (0.045, 84.72), (2.0, 85.31)]
 )
-def test_rolling_cylinders_are_pressed_as_wang_and_knothe_say(time: float, peak: float) -> None:
+def test_rolling_cylinders_have_the_pressures_of_wang_and_knothe(time: float, peak: float) -> None:
     """Both R = 100 mm, G = 1143 N/mm^2, nu = 0.4, f = 1, 600 N/mm, 1000 mm/s: one body of E*/2."""
     n, dx, radius, stiffness = 1024, 0.25, 50.0, 0.5 * 2.0 * (1143.0 / 2.0) / (1.0 - 0.4)
     x = centred(n) * dx
     surface = Surface.from_samples((x**2 / (2.0 * radius))[None], (x / radius * dx)[None], 1)
     spectrum = Spectrum((1.0,), (time / 2.0,), 0.0)
-    found = steadily(surface, 600.0 / stiffness, 1000.0 / dx, spectrum)
-    assert found.body.p.max() * stiffness / dx == pytest.approx(peak, rel=0.005)
+    result = steadily(surface, 600.0 / stiffness, 1000.0 / dx, spectrum)
+    assert result.body.p.max() * stiffness / dx == pytest.approx(peak, rel=0.005)
 
 
 @pytest.mark.parametrize("spectrum", [KELVIN, BRANCHES], ids=["kelvin", "branches"])
-def test_the_work_of_friction_is_what_is_lost(spectrum: Spectrum) -> None:
-    """By modes, from the displacements: never negative, and the same but for the samples."""
+def test_the_work_of_friction_is_the_dissipation(spectrum: Spectrum) -> None:
+    """The dissipation is a sum over modes of the displacements, to errors of the samples."""
     apart = []
     for m in (4, 8):
         surface = rough(16, m)
-        found = steadily(surface, 0.3, 0.5, spectrum)
-        assert min(found.mu, found.step_mu) > 0.0
-        u = found.body
+        result = steadily(surface, 0.3, 0.5, spectrum)
+        assert min(result.mu, result.step_mu) > 0.0
+        u = result.body
         n = surface.z.shape[1]
         depth = -np.fft.rfft2(displacement_of(spectrum, u, surface)) / surface.z.size
         q_y, q_x = wave_numbers(surface.z.shape, m)
         loss = complex_modulus(spectrum, q_x * 0.5).imag
         power = np.abs(depth) ** 2 * two_sided((n, n))
         lost = np.sum(0.5 * np.hypot(q_y, q_x) * q_x * loss * power) / (0.3 / 16)
-        apart.append(abs(lost / found.step_mu - 1.0))
+        apart.append(abs(lost / result.step_mu - 1.0))
     assert max(apart) < 0.02
 
 
@@ -157,7 +157,7 @@ def displacement_of(spectrum: Spectrum, body, surface: Surface) -> np.ndarray:
     return at_samples(u, body.offset, surface.z.shape)
 
 
-def test_marching_long_branches_keeps_the_state_found_without_it() -> None:
+def test_the_direct_solution_is_a_fixed_point_of_the_march() -> None:
     """The direct solution of many decades is a fixed point of the march."""
     wide = Spectrum((3.0, 10.0, 2.0), (1e-2, 1.0, 1e3), 0.0)
     curve = run_case(
@@ -173,7 +173,7 @@ def test_marching_long_branches_keeps_the_state_found_without_it() -> None:
     ("speed", "side", "mu", "within"),
     [(0.106, 9.0, 0.00851, 0.07), (1.169, 12.0, 0.0403, 0.03), (7.943, 36.0, 0.0159, 0.03)],
 )
-def test_a_sphere_of_one_branch_slides_as_carbone_and_putignano_say(
+def test_a_sphere_of_one_branch_has_the_friction_of_carbone_and_putignano(
     speed: float, side: float, mu: float, within: float
 ) -> None:
     """R = 1 cm, E = 1 MPa and a branch of 9 MPa and 1 ms, nu = 0.3, 0.15 N.
@@ -185,8 +185,8 @@ def test_a_sphere_of_one_branch_slides_as_carbone_and_putignano_say(
     surface = sphere(n, side * a, radius)
     dx = side * a / n
     load = 0.15 / (modulus * side * a)  # in m, as the heights are
-    found = steadily(surface, load, speed * a / 0.01 * 1e-3 / dx, Spectrum((9.0,), (1.0,), 0.0))
-    assert found.mu / dx == pytest.approx(mu, rel=within)
+    result = steadily(surface, load, speed * a / 0.01 * 1e-3 / dx, Spectrum((9.0,), (1.0,), 0.0))
+    assert result.mu / dx == pytest.approx(mu, rel=within)
 
 
 @pytest.mark.exhaustive
@@ -210,7 +210,7 @@ def test_friction_does_not_depend_on_the_number_of_rolloff_lengths() -> None:
     assert abs(one / four - 1.0) < 0.1
 
 
-def test_the_closed_form_is_that_of_the_text() -> None:
+def test_the_closed_form_holds_for_one_wave() -> None:
     """One wave along x: mu sigma_0 = (q/2) q E''(q v) h^2, h the rms height."""
     x = 2.0 * np.pi * np.arange(32) / 32
     z = np.sqrt(2.0) * np.cos(x)[None, :].repeat(32, axis=0)

@@ -1,4 +1,4 @@
-"""The half-space where its answer is known: full contact, the foundation, symmetries."""
+"""Limits of the half-space: full contact and the foundation."""
 
 import numpy as np
 import pytest
@@ -38,7 +38,7 @@ def rough(elements: int, m: int, cutoff: int = 0, seed: int = 1) -> Surface:
 
 
 def closed_friction(surface: Surface, spectrum: Spectrum, speed: float, load: float) -> float:
-    """Sum of (|q|/2) q_x E''(q_x v) |h_q|^2 over the mean pressure: full contact."""
+    """Return the sum of (|q|/2) q_x E''(q_x v) |h_q|^2 over the mean pressure: full contact."""
     m, shape = surface.steps_per_spacing, surface.z.shape
     q_y, q_x = wave_numbers(shape, m)
     power = np.abs(np.fft.rfft2(surface.z) / surface.z.size) ** 2 * two_sided(shape)
@@ -48,7 +48,11 @@ def closed_friction(surface: Surface, spectrum: Spectrum, speed: float, load: fl
 
 @pytest.mark.parametrize(
     ("spectrum", "least"),
-    [(KELVIN, 1.9), (BRANCHES, 1.9), (BOTH, 1.6)],  # beside a dashpot branches order late (prony)
+    [
+        (KELVIN, 1.9),
+        (BRANCHES, 1.9),
+        (BOTH, 1.6),
+    ],  # with a dashpot branches reach second order late (prony)
     ids=["kelvin", "branches", "both"],
 )
 def test_friction_in_full_contact_is_the_closed_form_to_second_order(
@@ -57,10 +61,10 @@ def test_friction_in_full_contact_is_the_closed_form_to_second_order(
     errors = []
     for m in (8, 16, 32):
         surface, load = rough(8, m, cutoff=2), 100.0
-        found = run_case(surface, Case(load, 0.4, (), (), "exponential", spectrum), Quantities())
-        assert found.contact_fraction == 1.0
+        result = run_case(surface, Case(load, 0.4, (), (), "exponential", spectrum), Quantities())
+        assert result.contact_fraction == 1.0
         closed = closed_friction(surface, spectrum, 0.4, load)
-        assert found.mu_1 == pytest.approx(closed, rel=1e-9)
+        assert result.mu_1 == pytest.approx(closed, rel=1e-9)
         space = HalfSpace.under(form_of(spectrum, "exponential"), surface, load)
         errors.append(slide_steadily(space, spectrum, 0.4).step_mu / closed - 1.0)
     orders = np.log2(np.abs(errors[:-1]) / np.abs(errors[1:]))
@@ -69,7 +73,7 @@ def test_friction_in_full_contact_is_the_closed_form_to_second_order(
 
 
 def line_and_surfaces() -> tuple[Line, list[Surface]]:
-    """A line, and surfaces that are uniform across: of one row and of a square."""
+    """Return a line, and surfaces that are uniform across it: one row and a square."""
     amplitude = np.array([1.0, 0.5, 0.3, 0.2, 0.0, 0.0, 0.0, 0.0])
     line = Line.self_affine(amplitude, np.arange(8.0), 16, 4)
     fields = [(line.z + line.datum)[None], line.slope[None]]
@@ -80,44 +84,44 @@ def line_and_surfaces() -> tuple[Line, list[Surface]]:
 
 
 def equal_stiffness(surface: Surface, elements: int = 16) -> np.ndarray:
-    """1/L for every wave, in place of |q|/2."""
+    """Return 1/L for every wave, in place of |q|/2."""
     rows, n = surface.z.shape
     return np.full((rows, n // 2 + 1), 1.0 / elements)
 
 
 @pytest.mark.parametrize("spectrum", [BRANCHES, BOTH], ids=["branches", "both"])
-def test_a_stiffness_that_is_the_same_for_all_waves_is_the_foundation(spectrum: Spectrum) -> None:
-    """Friction, indentation and relaxation of a line, whose elements remember all branches."""
+def test_a_half_space_of_equal_stiffness_is_the_foundation(spectrum: Spectrum) -> None:
+    """Friction, indentation and relaxation agree with a line whose elements have all branches."""
     line, surfaces = line_and_surfaces()
     case = Case(0.3, 0.7, (1.2, -0.8), (STEPS, STEPS), "exponential", spectrum, refine=False)
     foundation = run_foundation(line, case, Quantities())
     for surface in surfaces:
-        found = run_case(surface, case, Quantities(), equal_stiffness(surface))
+        result = run_case(surface, case, Quantities(), equal_stiffness(surface))
         space = HalfSpace.under(
             form_of(spectrum, "exponential"), surface, case.load, equal_stiffness(surface)
         )
         touching = slide_steadily(space, spectrum, case.speed).body.p > 0.0
         assert np.mean(touching) == foundation.contact_fraction
-        assert found.indentation + case.load == pytest.approx(foundation.indentation, abs=1e-6)
+        assert result.indentation + case.load == pytest.approx(foundation.indentation, abs=1e-6)
         for curve, two, expected, settled in zip(
-            found.curves, found.mu_2, foundation.curves, foundation.mu_2, strict=True
+            result.curves, result.mu_2, foundation.curves, foundation.mu_2, strict=True
         ):
             assert np.allclose(curve - two, expected - settled, atol=1e-5)
 
 
 def test_the_initial_rate_is_that_of_the_foundation() -> None:
-    """Without a dashpot, where all waves are as stiff; behind one mu jumps."""
+    """All waves have equal stiffness. With a dashpot mu jumps and has no initial rate."""
     asked, (line, surfaces) = Quantities(initial_rate=True), line_and_surfaces()
     case = Case(0.3, 0.7, (1.2,), (STEPS,), "exponential", BRANCHES, refine=False)
     expected = run_foundation(line, case, asked).initial_rate
     for surface in surfaces:
-        found = run_case(surface, case, asked, equal_stiffness(surface))
-        assert found.initial_rate == pytest.approx(expected, rel=1e-5)
+        result = run_case(surface, case, asked, equal_stiffness(surface))
+        assert result.initial_rate == pytest.approx(expected, rel=1e-5)
     assert np.isnan(run_case(rough(8, 4), case._replace(spectrum=KELVIN), asked).initial_rate)
 
 
-def test_kelvin_elements_of_the_same_stiffness_are_the_foundation() -> None:
-    """Steady pressures and the jump, summed sample by sample as the half-space does."""
+def test_kelvin_elements_of_equal_stiffness_are_the_foundation() -> None:
+    """Steady pressures and the jump are summed over samples as on the half-space."""
     line, surfaces = line_and_surfaces()
     load, speed, ratio = 0.3, 0.7, 1.2
     law = exponential(1.0 / (4 * speed))
@@ -131,20 +135,20 @@ def test_kelvin_elements_of_the_same_stiffness_are_the_foundation() -> None:
         instant.append(mean_slope(np.maximum(rate - threshold, 0.0), line.slope[touching]))
     case = Case(load, speed, (ratio,), (STEPS,), "exponential")
     for surface in surfaces:
-        found = run_case(surface, case, Quantities(), equal_stiffness(surface))
+        result = run_case(surface, case, Quantities(), equal_stiffness(surface))
         space = HalfSpace.under(
             form_of(KELVIN, "exponential"), surface, load, equal_stiffness(surface)
         )
         sliding = slide_steadily(space, KELVIN, speed)
         assert sliding.step_mu == pytest.approx(mu, abs=1e-6)
         assert np.mean(sliding.body.p > 0.0) == np.mean(touching)
-        assert found.mu_1 == pytest.approx(mu, rel=0.02)  # the foundation's edges are sharp
-        assert 0.8 < found.contact_fraction / np.mean(touching) < 1.0
-        assert found.indentation + load == pytest.approx(state.d + line.datum, abs=1e-6)
-        assert found.jump[0] == pytest.approx(instant[1] - instant[0], abs=1e-6)
+        assert result.mu_1 == pytest.approx(mu, rel=0.02)  # the foundation's edges are sharp
+        assert 0.8 < result.contact_fraction / np.mean(touching) < 1.0
+        assert result.indentation + load == pytest.approx(state.d + line.datum, abs=1e-6)
+        assert result.jump[0] == pytest.approx(instant[1] - instant[0], abs=1e-6)
 
 
-def test_what_is_not_asked_for_is_not_computed() -> None:
+def test_quantities_that_are_not_requested_are_not_computed() -> None:
     surface, case = rough(8, 4), Case(0.5, 0.7, (1.2,), (STEPS,), "exponential")
     steady = run_case(surface, case, Quantities(jump=False, relaxation=False))
     everything = run_case(surface, case, Quantities())
@@ -155,32 +159,32 @@ def test_what_is_not_asked_for_is_not_computed() -> None:
 
 
 @pytest.mark.parametrize(("elements", "seed", "load"), [(8, 9, 0.1), (8, 11, 0.05)])
-def test_a_state_that_was_marched_to_stands_still(elements: int, seed: int, load: float) -> None:
-    """mu of these passes through the same value twice, or rests until contacts come round again."""
+def test_the_result_of_a_march_is_steady(elements: int, seed: int, load: float) -> None:
+    """In these cases mu has one value twice, or rests until contacts return after a period."""
     surface, speed = rough(elements, 4, seed=seed), 10.0 / np.pi
     space = HalfSpace.under(form_of(KELVIN, "exponential"), surface, load)
-    found = slide_steadily(space, KELVIN, speed)
-    body = found.body
+    result = slide_steadily(space, KELVIN, speed)
+    body = result.body
     for _ in range(2 * surface.z.shape[1]):
-        body, _ = take_step(space, body, found.step, 1e-7)
-    assert found.step_mu == pytest.approx(mean_slope(body.p, found.step.weight), rel=1e-5)
+        body, _ = take_step(space, body, result.step, 1e-7)
+    assert result.step_mu == pytest.approx(mean_slope(body.p, result.step.weight), rel=1e-5)
 
 
-def test_few_passes_of_a_step_keep_the_friction_of_many() -> None:
-    """Over two and a half times tau after a velocity step; the first steps take more passes."""
+def test_few_passes_per_step_give_the_friction_of_many() -> None:
+    """Compared over 2.5 tau after a velocity step; the first steps take more passes."""
     surface, speed = rough(32, 4), 10.0 / np.pi
     amplitudes = ring_amplitudes(0.7, 32)
     load = 0.3 * rms_slope_of(amplitudes, 32) * 32.0
     space = HalfSpace.under(form_of(KELVIN, "exponential"), surface, load)
     start = slide_steadily(space, KELVIN, speed).body
     step = Step.of(space.form, surface, 1.2 * speed)
-    found, passes = [], []
+    result, passes = [], []
     for tolerance in (step_tolerance(KELVIN, step.law), 1e-8):
         body, mu = start._replace(memory=start.memory.copy()), []
         for _ in range(30):
             body, used = take_step(space, body, step, tolerance)
             mu.append(mean_slope(body.p, step.weight))
             passes.append(used)
-        found.append(np.array(mu))
+        result.append(np.array(mu))
     assert np.median(passes[:30]) <= 5
-    np.testing.assert_allclose(*found, rtol=1e-4)
+    np.testing.assert_allclose(*result, rtol=1e-4)

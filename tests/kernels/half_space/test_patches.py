@@ -1,4 +1,4 @@
-"""Patches of contact on maps drawn by hand, and the area of contacts at several samples."""
+"""Contact patches on small maps, and the contact area at different resolutions."""
 
 import numba
 import numpy as np
@@ -10,7 +10,7 @@ from elastomer_friction.kernels.quick.case import Case, Quantities
 from tests.kernels.half_space.test_limits import rough
 
 
-def test_patches_are_connected_by_sides_round_the_period() -> None:
+def test_patches_are_connected_by_periodic_sides() -> None:
     p = np.zeros((4, 6))
     p[0, 0] = p[0, 5] = p[3, 0] = 1.0  # one, round both edges
     p[2, 2] = p[1, 3] = 2.0  # two: only corners meet
@@ -21,7 +21,7 @@ def test_patches_are_connected_by_sides_round_the_period() -> None:
 
 @pytest.mark.skipif(bool(numba.config.DISABLE_JIT), reason="NUMBA_DISABLE_JIT=1: large maps")
 @pytest.mark.parametrize("speed", [0.3, 1.0])
-def test_the_contact_area_hardly_depends_on_the_samples(speed: float) -> None:
+def test_the_contact_area_depends_little_on_the_samples(speed: float) -> None:
     asked = Quantities(jump=False, relaxation=False)
     coarse, fine = (
         run_case(rough(8, m, seed=3), Case(0.4, speed, (), (), "exponential"), asked)
@@ -30,5 +30,5 @@ def test_the_contact_area_hardly_depends_on_the_samples(speed: float) -> None:
     assert coarse.contact_fraction == pytest.approx(fine.contact_fraction, rel=0.03)
 
 
-def test_in_full_contact_nothing_is_corrected() -> None:
+def test_full_contact_is_not_corrected() -> None:
     assert real_contact(np.ones((8, 8)), 1.0) == 1.0

@@ -1,4 +1,4 @@
-"""Persson's theory: exact in full contact, linear at light loads, whatever the waves come from."""
+"""Persson's theory: exact in full contact, linear at light loads, for maps and lines."""
 
 import numpy as np
 import pytest
@@ -21,19 +21,19 @@ BRANCHES = Spectrum((2.0, 5.0), (0.3, 0.08), 0.0)
 
 @pytest.mark.parametrize("spectrum", [KELVIN, BRANCHES], ids=["kelvin", "branches"])
 @pytest.mark.parametrize("speed", [0.3, -0.3])
-def test_in_full_contact_it_is_the_friction_of_the_half_space(spectrum, speed):
+def test_friction_in_full_contact_is_that_of_the_half_space(spectrum, speed):
     n, load = 8, 400.0
     amplitude = ring_amplitudes(0.7, n, cutoff=2)
     surface = Surface.drawn(np.random.default_rng(1), amplitude, n, 16)
     case = Case(load, speed, (), (), "exponential", spectrum)
-    found = run_case(surface, case, Quantities(jump=False, relaxation=False))
+    result = run_case(surface, case, Quantities(jump=False, relaxation=False))
     mu, area = persson_theory(waves_of_map(amplitude, n), spectrum, load / n, speed)
-    assert found.contact_fraction == 1.0
+    assert result.contact_fraction == 1.0
     assert area == pytest.approx(1.0, abs=1e-12)
-    assert mu == pytest.approx(found.mu_1, rel=0.01)
+    assert mu == pytest.approx(result.mu_1, rel=0.01)
 
 
-def test_at_light_loads_the_area_is_that_of_persson():
+def test_the_area_at_light_loads_is_linear():
     """A/A_0 = sqrt(8/pi) sigma_0/(E* grad z), at rest."""
     amplitude = ring_amplitudes(0.5, 32)
     load = 1e-3 * rms_slope_of(amplitude, 32)
@@ -42,21 +42,21 @@ def test_at_light_loads_the_area_is_that_of_persson():
 
 
 @pytest.mark.parametrize("load", [0.01, 0.2])
-def test_a_line_stands_for_the_surface_whose_equivalent_it_is(load):
-    """Up to how many modes of a square lie in a ring: 8 of the longest wave, not 2 pi."""
+def test_a_line_represents_its_equivalent_surface(load):
+    """They differ by the number of modes in a ring: 8 for the longest wave, not 2 pi."""
     n = 128
     line = persson_theory(waves_of_line(amplitudes(0.3, n), n), KELVIN, load, 0.3)
     ring = persson_theory(waves_of_map(ring_amplitudes(0.3, n), n), KELVIN, load, 0.3)
     assert line == pytest.approx(ring, rel=0.05)
 
 
-def test_a_long_line_in_bands_keeps_its_height_and_its_slope():
+def test_bands_of_a_long_line_keep_its_height_and_slope():
     n = 40_000
     whole = amplitudes(0.8, n)
-    found = waves_of_line(whole, n)
+    result = waves_of_line(whole, n)
     q = 2.0 * np.pi / n * np.arange(1, whole.size + 1)
-    assert found.q.size < whole.size
-    assert found.power.sum() == pytest.approx(0.5 * (whole**2).sum(), rel=1e-12)
-    assert (found.power * found.q**2).sum() == pytest.approx(
+    assert result.q.size < whole.size
+    assert result.power.sum() == pytest.approx(0.5 * (whole**2).sum(), rel=1e-12)
+    assert (result.power * result.q**2).sum() == pytest.approx(
         0.5 * (whole**2 * q**2).sum(), rel=1e-12
     )

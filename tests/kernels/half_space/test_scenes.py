@@ -1,4 +1,4 @@
-"""Programmes on a half-space: those of a line where all waves are as stiff, and its symmetries."""
+"""Scenes on a half-space, against lines for equal stiffness of all waves, and against cases."""
 
 import numpy as np
 import pytest
@@ -21,44 +21,44 @@ def rough(elements=8, m=M, seed=1):
 @pytest.mark.parametrize(
     "spectrum", [KELVIN, SOLID, PRONY, DAMPED], ids=["kelvin", "solid", "prony", "damped"]
 )
-def test_where_all_waves_are_as_stiff_it_is_the_line(spectrum, start):
-    """Every kind of leg, with ends between samples; only the mean of u is another's."""
+def test_a_half_space_of_equal_stiffness_follows_the_line(spectrum, start):
+    """The programme has every kind of leg and ends between samples. Only the mean of u differs."""
     line = a_line(12)
     n = line.z.size
     surface = Surface.from_samples((line.z + line.datum)[None], line.slope[None], M)
     scene = a_scene(EVERY_LEG, spectrum, M, start=start, requested=("trace", "cycle_mean"))
     expected = run_scene(line, scene)
     equal = np.full((1, n // 2 + 1), M / n)
-    found = run_scene_on_half_space(surface, scene, stiffness=equal)
-    of_lines = "trace_samples_per_contact"  # the median of patches, and the mean on a half-space
+    result = run_scene_on_half_space(surface, scene, stiffness=equal)
+    of_lines = "trace_samples_per_contact"  # median on a line, mean on a half-space
     for name in {*TRACES, "mu_cycle_mean"} - {of_lines}:
         shift = scene.load if name == "trace_indentation" else 0.0
-        np.testing.assert_allclose(found[name] + shift, expected[name], atol=6e-5, err_msg=name)
+        np.testing.assert_allclose(result[name] + shift, expected[name], atol=6e-5, err_msg=name)
 
 
-def test_a_velocity_step_is_that_of_a_case():
+def test_a_velocity_step_agrees_with_a_case():
     surface, steps = rough(), np.arange(1, 30)
     case = Case(0.3, 0.7, (1.2,), (steps,), "exponential", PRONY)
     whole = run_case(surface, case, Quantities())
     legs = (Slide(0.7, 2.0), Slide(0.84, float(steps[-1]) / M))
-    found = run_scene_on_half_space(surface, a_scene(legs, PRONY, M))["trace_mu"]
-    steady = found[0]  # which takes mu from a step of the march
-    np.testing.assert_allclose(found[: 2 * M + 1], steady, rtol=1e-5)
+    result = run_scene_on_half_space(surface, a_scene(legs, PRONY, M))["trace_mu"]
+    steady = result[0]  # mu of a step of the march
+    np.testing.assert_allclose(result[: 2 * M + 1], steady, rtol=1e-5)
     rise = whole.curves[0] - whole.curves[0][0]
-    np.testing.assert_allclose(found[2 * M + 1 :] - found[2 * M + 1], rise, atol=1e-5)
+    np.testing.assert_allclose(result[2 * M + 1 :] - result[2 * M + 1], rise, atol=1e-5)
 
 
-def test_snapshots_carry_the_load_where_the_surface_is():
+def test_snapshots_carry_the_load_and_move_with_the_surface():
     surface = rough()
     scene = a_scene(
         (Slide(0.7, 2.0),), PRONY, M, requested=("trace", "snapshots"), frames=np.array([0, 5])
     )
-    found = run_scene_on_half_space(surface, scene)["snapshot_pressure"]
-    assert found.shape == (2, *surface.z.shape)
-    np.testing.assert_allclose(found.mean(axis=(1, 2)), 0.3 / 8, rtol=1e-12)
-    np.testing.assert_allclose(found[1], np.roll(found[0], 5, axis=1), atol=1e-4)
+    result = run_scene_on_half_space(surface, scene)["snapshot_pressure"]
+    assert result.shape == (2, *surface.z.shape)
+    np.testing.assert_allclose(result.mean(axis=(1, 2)), 0.3 / 8, rtol=1e-12)
+    np.testing.assert_allclose(result[1], np.roll(result[0], 5, axis=1), atol=1e-4)
 
 
-def test_what_it_does_not_keep_is_refused():
+def test_unavailable_quantities_are_refused():
     with pytest.raises(ValueError, match="a half-space has only"):
         run_scene_on_half_space(rough(), a_scene((Slide(0.7, 2.0),), requested=("energy",)))

@@ -27,7 +27,7 @@ EVERY_LEG = (  # every kind of leg, with ends between samples
 
 ANY_MOTION = tuple(
     name for name in SCENE_QUANTITIES if name != "cycle_mean"
-)  # to be asked of any motion
+)  # available for any motion
 
 
 def a_line(elements=None, hurst=0.7, m=4, seed=3):
@@ -36,7 +36,7 @@ def a_line(elements=None, hurst=0.7, m=4, seed=3):
 
 
 def a_scene(programme, spectrum=KELVIN, m=4, **changes):
-    """Return a scene at F̄ = 0.3 or a given indentation, of which every step is kept."""
+    """Return a scene at F̄ = 0.3 or a given indentation, with every step recorded."""
     values = {
         "spectrum": spectrum,
         "scheme": "exponential",

@@ -1,4 +1,4 @@
-"""Friction averaged over cycles: of every step, and as theory says where all of a line touches."""
+"""Mean friction over cycles: against sums over all steps, and against theory in full contact."""
 
 import math
 
@@ -29,7 +29,7 @@ def mean_in_full_contact(spectrum, speed, amplitude, omega):
     rubs alone: F_x = Q/2 sum J_n(Q a)^2 G''(Q v + n omega)/G.
     """
     n = np.arange(-60, 61)
-    weight = np.array([bessel(each, Q * amplitude) for each in n]) ** 2
+    weight = np.array([bessel(order, Q * amplitude) for order in n]) ** 2
     frequency = Q * speed + n * omega
     loss = np.sign(frequency) * complex_modulus(spectrum, np.abs(frequency)).imag
     return 0.5 * Q * float(weight @ loss) / DEEP
@@ -38,7 +38,7 @@ def mean_in_full_contact(spectrum, speed, amplitude, omega):
 @pytest.mark.parametrize("turns", [0.05, 1.0, 6.0])  # Q times amplitude
 @pytest.mark.parametrize("share", [0.5, 3.0])  # velocity amplitude over mean velocity
 @pytest.mark.parametrize("name", ["kelvin", "prony"])
-def test_in_full_contact_it_is_the_sum_over_what_the_oscillation_makes_of_a_wave(
+def test_mean_friction_in_full_contact_is_the_sum_over_frequencies_of_a_modulated_wave(
     name, share, turns
 ):
     m, speed = size(8, 4), 20.0
@@ -57,8 +57,8 @@ def test_in_full_contact_it_is_the_sum_over_what_the_oscillation_makes_of_a_wave
         requested=SCENE_QUANTITIES,
         recorded=np.arange(1),
     )
-    found = float(run_scene(line, scene)["mu_cycle_mean"])
-    assert found == pytest.approx(expected, rel=size(2e-3, 2e-2))
+    result = float(run_scene(line, scene)["mu_cycle_mean"])
+    assert result == pytest.approx(expected, rel=size(2e-3, 2e-2))
     if name == "kelvin":  # the loss is proportional to the velocity
         assert expected == pytest.approx(steady, rel=1e-12)
     elif share > 1.0 and turns > 0.5:
@@ -69,24 +69,24 @@ SWINGS = (Oscillation(0.3, 1.0, 0.2, 2), Oscillation(0.1, 2.3, 0.1, 5), Slide(0.
 
 
 @pytest.mark.parametrize("start", ["steady", "fresh"])
-def test_it_is_the_mean_over_the_later_half_of_the_cycles_of_the_last_oscillation(start):
-    """Of five cycles three; whatever steps are kept."""
+def test_cycle_mean_is_the_mean_over_the_later_half_of_the_last_oscillation(start):
+    """The mean covers three of five cycles and does not depend on the recorded steps."""
     line = a_line()
     scene = a_scene(SWINGS, PRONY, indentation=0.5, start=start, requested=SCENE_QUANTITIES)
-    found, ends = run_scene(line, scene), np.cumsum(scene_steps(scene, 4).dt)
+    result, ends = run_scene(line, scene), np.cumsum(scene_steps(scene, 4).dt)
     begin, end = 2.0 / 0.2 + 2.0 / 0.1, 2.0 / 0.2 + 5.0 / 0.1
     inside = (ends > begin + 1e-6) & (ends < end + 1e-6)
     dt = np.diff(np.append(0.0, ends))[inside]
     force, normal = (
-        found[f"trace_{name}_force"][1:][inside] @ dt for name in ("friction", "normal")
+        result[f"trace_{name}_force"][1:][inside] @ dt for name in ("friction", "normal")
     )
     assert normal > 0.0
-    assert found["mu_cycle_mean"] == pytest.approx(force / normal, rel=1e-12)
+    assert result["mu_cycle_mean"] == pytest.approx(force / normal, rel=1e-12)
     few = run_scene(line, scene._replace(recorded=np.array([0, 7])))
-    assert few["mu_cycle_mean"] == found["mu_cycle_mean"]
+    assert few["mu_cycle_mean"] == result["mu_cycle_mean"]
     assert math.isnan(run_scene(line, scene._replace(indentation=-9.0))["mu_cycle_mean"])
 
 
-def test_without_an_oscillation_it_is_refused():
+def test_cycle_mean_without_an_oscillation_is_refused():
     with pytest.raises(ValueError, match="no leg of the programme oscillates"):
         run_scene(a_line(10), a_scene((Slide(0.7, 1.0),), requested=("cycle_mean",)))

@@ -23,29 +23,29 @@ PROGRAMMES = {
 }
 
 
-def balance(found):
+def balance(result):
     """Return (work - change of stored - dissipated, closing work, dissipated), cumulative."""
-    change = found["stored_energy"] - found["stored_energy"][0]
-    missing = found["work"] - change - found["dissipated_energy"]
-    return missing, found["closing_work"], found["dissipated_energy"]
+    change = result["stored_energy"] - result["stored_energy"][0]
+    missing = result["work"] - change - result["dissipated_energy"]
+    return missing, result["closing_work"], result["dissipated_energy"]
 
 
 def test_with_a_dashpot_alone_the_balance_closes_to_rounding_by_the_closing_work():
-    found = trace(a_line(), EVERY_LEG, KELVIN, start="relaxed", requested=ALL)
-    missing, closing, dissipated = balance(found)
+    result = trace(a_line(), EVERY_LEG, KELVIN, start="relaxed", requested=ALL)
+    missing, closing, dissipated = balance(result)
     np.testing.assert_allclose(missing, closing, rtol=0, atol=1e-12 * dissipated[-1])
     assert closing[-1] > 1e-4 * dissipated[-1]
 
 
 def test_with_branches_beside_a_dashpot_the_balance_closes_with_the_step():
-    """Old forces act on as far as units are faster than the step (rheology/prony.py)."""
+    """Forces of the last step act on units that are faster than the step (rheology/prony.py)."""
     refinements, errors = np.array([4, 8, 16, 32])[: size(4, 2)], []
     for m in refinements:
         line = a_line(size(20, 8), 1.0, m, 0)
-        found = trace(
+        result = trace(
             line, PROGRAMMES["reversal"], MATERIALS["damped"], start="relaxed", requested=ALL
         )
-        missing, closing, dissipated = balance(found)
+        missing, closing, dissipated = balance(result)
         errors.append([(missing[-1] - closing[-1]) / dissipated[-1]])
     assert observed_order(refinements, errors) > 1.2
     assert abs(errors[-1][0]) < size(5e-3, 0.05)
@@ -53,22 +53,22 @@ def test_with_branches_beside_a_dashpot_the_balance_closes_with_the_step():
 
 @pytest.mark.parametrize("name", MATERIALS)
 @pytest.mark.parametrize("programme", PROGRAMMES)
-def test_no_step_gains_energy_by_itself(name, programme):
-    found = trace(a_line(), PROGRAMMES[programme], MATERIALS[name], start="relaxed", requested=ALL)
-    assert np.all(np.diff(found["dissipated_energy"]) >= 0.0)
-    assert np.all(found["stored_energy"] > 0.0)
+def test_no_step_gains_energy(name, programme):
+    result = trace(a_line(), PROGRAMMES[programme], MATERIALS[name], start="relaxed", requested=ALL)
+    assert np.all(np.diff(result["dissipated_energy"]) >= 0.0)
+    assert np.all(result["stored_energy"] > 0.0)
 
 
 def missing_work(name, programme, refinements, seeds):
-    """Return what is missing in the balance, over what is dissipated: (refinements, seeds)."""
+    """Return the residual of the energy balance over the dissipation, (refinements, seeds)."""
     errors = np.empty((len(refinements), seeds))
     for k, m in enumerate(refinements):
         for seed in range(seeds):
             line = a_line(size(20, 8), 1.0, m, seed)
-            found = trace(
+            result = trace(
                 line, PROGRAMMES[programme], MATERIALS[name], start="relaxed", requested=ALL
             )
-            missing, _, dissipated = balance(found)
+            missing, _, dissipated = balance(result)
             errors[k, seed] = missing[-1] / dissipated[-1]
     return errors
 
@@ -76,18 +76,18 @@ def missing_work(name, programme, refinements, seeds):
 @pytest.mark.parametrize(("name", "order"), [("solid", 1.5), ("damped", 0.8)])
 @pytest.mark.parametrize("programme", PROGRAMMES)
 def test_the_balance_closes_at_second_order_with_a_glassy_modulus(programme, name, order):
-    """At first order with a dashpot beside the branches: it makes forces jump at touch-down."""
+    """With a dashpot and branches the order is one, because forces jump at touch-down."""
     refinements = np.array([4, 8, 16, 32])[: size(4, 2)]
     errors = missing_work(name, programme, refinements, size(3, 1))
     assert observed_order(refinements, errors) > size(order, 0.3)
     assert np.abs(errors[-1]).max() < size(3e-3, 0.2)
 
 
-def test_no_motion_of_a_relaxed_line_costs_no_work():
-    found = trace(a_line(), (Hold(3.0),), SOLID, start="relaxed", requested=ALL)
+def test_a_relaxed_line_at_rest_does_no_work():
+    result = trace(a_line(), (Hold(3.0),), SOLID, start="relaxed", requested=ALL)
     for name in ("dissipated_energy", "work", "closing_work"):
-        np.testing.assert_allclose(found[name], 0.0, atol=1e-14)
-    np.testing.assert_allclose(found["stored_energy"], found["stored_energy"][0], rtol=1e-13)
+        np.testing.assert_allclose(result[name], 0.0, atol=1e-14)
+    np.testing.assert_allclose(result["stored_energy"], result["stored_energy"][0], rtol=1e-13)
 
 
 @pytest.mark.parametrize("name", MATERIALS)

@@ -1,4 +1,4 @@
-"""Scenes of which the answer is known: moduli, relaxation and creep of the material."""
+"""Scenes with a known answer: moduli, relaxation and creep of the material."""
 
 import math
 
@@ -24,10 +24,10 @@ def response(spectrum, omega, m, cycles, samples=0.03):
     line = Line.from_samples(np.cos(Q * x), -Q * np.sin(Q * x), m)
     programme = (Oscillation(0.0, amplitude, omega / (2.0 * math.pi), cycles),)
     scene = a_scene(programme, spectrum, m, start="relaxed", indentation=30.0)
-    found = run_scene(line, scene)
+    result = run_scene(line, scene)
     last = slice(-16 * m, None)
-    waves = np.stack([f(omega * found["trace_time"][last]) for f in (np.sin, np.cos)], axis=1)
-    measured, *_ = np.linalg.lstsq(waves, found["trace_friction_force"][last], rcond=None)
+    waves = np.stack([f(omega * result["trace_time"][last]) for f in (np.sin, np.cos)], axis=1)
+    measured, *_ = np.linalg.lstsq(waves, result["trace_friction_force"][last], rcond=None)
     return complex(*measured) / amplitude
 
 
@@ -36,9 +36,9 @@ CYCLES = {3.0: 6, 30.0: 24}  # by omega
 
 def errors_of_moduli(spectrum, refinements):
     """Return errors of F_x = X rms(z')^2 (G*/G - 1), shape (refinements, frequencies)."""
-    found = [[response(spectrum, w, m, n) for w, n in CYCLES.items()] for m in refinements]
+    result = [[response(spectrum, w, m, n) for w, n in CYCLES.items()] for m in refinements]
     expected = [(complex_modulus(spectrum, omega) - 1.0) * 0.5 * Q**2 for omega in CYCLES]
-    return np.abs(np.array(found) / expected - 1.0)
+    return np.abs(np.array(result) / expected - 1.0)
 
 
 @pytest.mark.parametrize("name", MATERIALS)
@@ -56,17 +56,17 @@ def relaxation_errors(spectrum, refinements, scheme="exponential"):
     errors = []
     for m in refinements:
         line = a_line(8, 0.7, m, 1)
-        how = {"start": "fresh", "indentation": 20.0, "scheme": scheme}
-        scene = a_scene((Hold(5.0),), spectrum, m, **how)
-        found = run_scene(line, scene)
-        modulus = relaxation_modulus(spectrum, found["trace_time"])
+        options = {"start": "fresh", "indentation": 20.0, "scheme": scheme}
+        scene = a_scene((Hold(5.0),), spectrum, m, **options)
+        result = run_scene(line, scene)
+        modulus = relaxation_modulus(spectrum, result["trace_time"])
         expected = (20.0 - (line.z.mean() + line.datum)) * modulus
-        errors.append([np.abs(found["trace_normal_force"] / expected - 1.0).max()])
+        errors.append([np.abs(result["trace_normal_force"] / expected - 1.0).max()])
     return np.array(errors)
 
 
 def test_stress_relaxes_as_the_modulus_at_second_order():
-    """At constant indentation from the first moment on; exactly in the relaxation form."""
+    """At constant indentation from the first moment on; exact in the relaxation form."""
     assert relaxation_errors(PRONY, [2], "implicit-euler") < 1e-11
     refinements = np.array([2, 4, 8, 16])
     errors = relaxation_errors(PRONY, refinements)
@@ -77,7 +77,7 @@ def test_stress_relaxes_as_the_modulus_at_second_order():
 @pytest.mark.parametrize("spectrum", [SOLID, PRONY], ids=str)
 @pytest.mark.parametrize("duration", [0.01, 0.3, 20.0])
 def test_creep_under_a_load_is_exact(spectrum, duration):
-    """All elements carry alike: d = F J(t), whatever the steps."""
+    """All elements carry the same force: d = F J(t) for any steps."""
     line = Line.from_samples(np.zeros(8), np.zeros(8), 1)
     form = retardation(spectrum)
     scene = a_scene((Hold(duration),), spectrum, 1, start="fresh", requested=("trace", "state"))

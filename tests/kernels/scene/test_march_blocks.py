@@ -1,4 +1,4 @@
-"""Scenes by blocks: against the plain march of all elements; what is left out changes no bit."""
+"""Scenes in blocks, against the march of all elements."""
 
 import gc
 
@@ -26,27 +26,27 @@ MOTIONS = {
 
 
 def both(monkeypatch, line, scene):
-    """Return the values of a scene by blocks, and by the march that the other form takes."""
-    found = run_scene(line, scene)
+    """Return the values of a scene by the march in blocks and by that of all elements."""
+    result = run_scene(line, scene)
     with monkeypatch.context() as patch:
         patch.setattr(run, "Retardation", RelaxationForm)
-        return found, run_scene(line, scene)
+        return result, run_scene(line, scene)
 
 
-def assert_equal(found, plain):
-    """Assert that values differ by rounding alone, where they do not sum up as much."""
+def assert_equal(result, plain):
+    """Assert that values agree to rounding, with a wider tolerance for a sum over all steps."""
     for name, values in plain.items():
         scale = np.nanmax(np.abs(values), initial=0.0)
         tolerance = 1e-12 if name == "closing_work" else 1e-13
         np.testing.assert_allclose(
-            found[name], values, rtol=0, atol=tolerance * scale, err_msg=name
+            result[name], values, rtol=0, atol=tolerance * scale, err_msg=name
         )
 
 
 @pytest.mark.parametrize("motion", MOTIONS)
 @pytest.mark.parametrize("name", [*MATERIALS, "wide"])
-def test_few_blocks_are_the_plain_march(monkeypatch, name, motion):
-    """A long line of which little can touch."""
+def test_a_march_of_few_blocks_equals_that_of_all_elements(monkeypatch, name, motion):
+    """Most of the long line cannot touch."""
     spectrum = MATERIALS.get(name, WIDE)
     line = a_line(size(400, 40))
     scene = a_scene(
@@ -58,7 +58,9 @@ def test_few_blocks_are_the_plain_march(monkeypatch, name, motion):
 @pytest.mark.parametrize("indentation", [None, LIFTED], ids=["load", "indentation"])
 @pytest.mark.parametrize("start", ["steady", "relaxed", "fresh"])
 @pytest.mark.parametrize("name", MATERIALS)
-def test_all_that_is_kept_is_that_of_the_plain_march(monkeypatch, name, start, indentation):
+def test_all_quantities_equal_those_of_the_march_of_all_elements(
+    monkeypatch, name, start, indentation
+):
     if start == "fresh" and MATERIALS[name].viscosity > 0.0:
         return
     edges = np.array([0.0, 1.0, 2.0, 4.0, 100.0])
@@ -75,8 +77,8 @@ def test_all_that_is_kept_is_that_of_the_plain_march(monkeypatch, name, start, i
 
 
 @pytest.mark.parametrize("motion", MOTIONS)
-def test_what_is_left_out_changes_no_bit(monkeypatch, motion):
-    """Where energies are asked for nothing is left out; in short pieces other blocks are."""
+def test_the_choice_of_blocks_changes_no_bit(monkeypatch, motion):
+    """Energies need all blocks, and shorter stages choose other blocks."""
     line = a_line(size(400, 40))
     scene = a_scene(MOTIONS[motion], WIDE, load=0.05, start="relaxed", requested=("trace", "state"))
     few = run_scene(line, scene)
@@ -89,12 +91,12 @@ def test_what_is_left_out_changes_no_bit(monkeypatch, motion):
 
 
 @pytest.mark.skipif(PLAIN_PYTHON, reason="NUMBA_DISABLE_JIT=1: nothing compiled")
-def test_memory_is_given_back():
-    """Kernels that count no references leave none behind."""
+def test_memory_is_released():
+    """Kernels without reference counts leave no allocation behind."""
     line = a_line()
     scene = a_scene(MOTIONS["oscillation"], WIDE, requested=tuple(SCENE_QUANTITIES))
     run_scene(line, scene)
-    gc.collect()  # what earlier tests left is given back before
+    gc.collect()  # release allocations of earlier tests
     memsys_enable_stats()
     before = rtsys.get_allocation_stats()
     run_scene(line, scene)

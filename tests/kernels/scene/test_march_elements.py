@@ -1,4 +1,4 @@
-"""Following a programme: against the march, analytic answers, symmetries, the other scheme."""
+"""March of all elements through programmes: against other marches, schemes and finer steps."""
 
 import numpy as np
 import pytest
@@ -22,16 +22,16 @@ def after_a_jump(scheme, ratio, steps):
     weight = lagged_slope(line.slope, after.lag)
     control = ConstantForce(0.3 * n)
     mu, d, _, _ = march(after, control, line.z, weight, state, kept, np.inf)
-    # One step at the old speed: it stays in the steady state.
+    # One step at the old speed stays in the steady state.
     programme = (Slide(0.5, 1.0 / m), Slide(0.5 * ratio, kept.size / m))
-    found = trace(line, programme, KELVIN, scheme=scheme)
+    result = trace(line, programme, KELVIN, scheme=scheme)
     acting = d + after.lag * (np.append(state.d, d[:-1]) - d)
-    return (found["trace_mu"][2:], found["trace_indentation"][2:] - line.datum), (mu, acting)
+    return (result["trace_mu"][2:], result["trace_indentation"][2:] - line.datum), (mu, acting)
 
 
 @pytest.mark.parametrize("scheme", SCHEMES)
 @pytest.mark.parametrize("ratio", [0.6, 1.6])
-def test_kelvin_after_a_jump_is_the_march_to_rounding(scheme, ratio):
+def test_kelvin_elements_after_a_jump_follow_the_march_to_rounding(scheme, ratio):
     (mu, indentation), marched = after_a_jump(scheme, ratio, size(600, 60))
     np.testing.assert_allclose(mu, marched[0], rtol=0, atol=1e-13)
     np.testing.assert_allclose(indentation, marched[1], rtol=1e-13)
@@ -79,11 +79,13 @@ def errors_over_time(name, refinements):
         programme = (Slide(2.0, 8.0), Slide(3.0, 8.0))
         for seed in range(lines):
             line = a_line(8, 1.0, m, seed)
-            found = trace(line, programme, MATERIALS[name], start="relaxed")
+            result = trace(line, programme, MATERIALS[name], start="relaxed")
             at = np.linspace(0.25, 6.5, 400)
-            curves.append(np.interp(at, found["trace_time"], found["trace_mu"]))
-    found = np.array(curves).reshape(-1, lines, 400)
-    return np.sqrt(np.mean((found[:-1] - found[-1]) ** 2, axis=2) / np.mean(found[-1] ** 2, axis=1))
+            curves.append(np.interp(at, result["trace_time"], result["trace_mu"]))
+    result = np.array(curves).reshape(-1, lines, 400)
+    return np.sqrt(
+        np.mean((result[:-1] - result[-1]) ** 2, axis=2) / np.mean(result[-1] ** 2, axis=1)
+    )
 
 
 @pytest.mark.parametrize("name", MATERIALS)

@@ -1,4 +1,4 @@
-"""Scenes: their start, their steps, what is kept of a step, cut and resumed to the bit."""
+"""Scenes: their start, their steps and their records."""
 
 import itertools
 import math
@@ -42,9 +42,9 @@ M = 4
 
 
 @pytest.mark.parametrize("scheme", FORMS_BY_SCHEME)
-def test_a_trace_is_where_and_when_the_force_of_a_step_acts(scheme):
-    found = run_scene(a_line(), a_scene(EVERY_LEG, DAMPED, M, scheme=scheme))
-    time, distance, velocity = (found[name] for name in MOTION_TRACES)
+def test_a_trace_has_the_place_and_time_at_which_the_force_of_a_step_acts(scheme):
+    result = run_scene(a_line(), a_scene(EVERY_LEG, DAMPED, M, scheme=scheme))
+    time, distance, velocity = (result[name] for name in MOTION_TRACES)
     steps = steps_of(EVERY_LEG, M)
     lag = np.array([law_of(FORMS_BY_SCHEME[scheme](DAMPED), dt).lag for dt in steps.dt])
     place = np.append(0.0, steps.position) / M
@@ -56,7 +56,7 @@ def test_a_trace_is_where_and_when_the_force_of_a_step_acts(scheme):
 
 
 @pytest.mark.parametrize("piece", [1, 7, 50])
-def test_a_path_in_pieces_is_the_whole_to_the_bit(monkeypatch, piece):
+def test_a_path_in_stages_gives_the_same_bits(monkeypatch, piece):
     scene = a_scene(EVERY_LEG, DAMPED, M)._replace(requested=SCENE_QUANTITIES)
     whole = run_scene(a_line(), scene)
     monkeypatch.setattr("elastomer_friction.kernels.motion.track.MAX_STAGE_STEPS", piece)
@@ -65,7 +65,7 @@ def test_a_path_in_pieces_is_the_whole_to_the_bit(monkeypatch, piece):
         np.testing.assert_array_equal(parts[name], values, err_msg=name)
 
 
-def test_some_kept_steps_are_when_and_where_they_are_among_all():
+def test_recorded_steps_do_not_depend_on_other_recorded_steps():
     every = a_scene(EVERY_LEG, SOLID, M)
     some = every._replace(recorded=np.array([0, 3, 17, 40]))
     whole, part = (run_scene(a_line(), scene) for scene in (every, some))
@@ -73,7 +73,7 @@ def test_some_kept_steps_are_when_and_where_they_are_among_all():
         np.testing.assert_array_equal(part[name], whole[name][some.recorded])
 
 
-def test_steps_at_rest_end_where_the_indentation_history_has_its_times():
+def test_steps_at_rest_end_at_the_times_of_the_indentation_history():
     times = (0.0, 0.3, 2.7, 9.0)
     scene = a_scene((Slide(1.0, 1.0), Hold(5.0)), SOLID, M, indentation=(times, (1.0,) * 4))
     steps, plain = scene_steps(scene, M), steps_of(scene.programme, M)
@@ -111,7 +111,7 @@ REFUSED = [
 
 
 @pytest.mark.parametrize(("changes", "message"), REFUSED, ids=[text for _, text in REFUSED])
-def test_scenes_without_meaning_are_refused(changes, message):
+def test_invalid_scenes_are_refused(changes, message):
     scene = a_scene(**{"programme": SLIDE, "m": M} | changes)
     with pytest.raises(ValueError, match=re.escape(message)):
         run_scene(a_line(10), scene)
@@ -129,7 +129,7 @@ TOTAL = 0.3 * LINE.z.size
 
 @pytest.mark.parametrize("scheme", FORMS_BY_SCHEME)
 @pytest.mark.parametrize("name", MATERIALS)
-def test_relaxed_elements_stay_where_they_are(scheme, name):
+def test_relaxed_elements_are_in_equilibrium(scheme, name):
     form = FORMS_BY_SCHEME[scheme](MATERIALS[name])
     elements = relaxed_elements(form, LINE.z, TOTAL, np.nan)
     np.testing.assert_allclose(elements.p, np.maximum(0.0, elements.d - LINE.z), atol=1e-12)
@@ -183,7 +183,7 @@ def test_friction_is_not_a_number_where_nothing_touches():
 
 
 @pytest.mark.parametrize("share", [0.1, 0.5, 0.9])
-def test_lengths_are_those_of_runs_round_the_period(share):
+def test_contact_lengths_are_those_of_periodic_runs(share):
     pressed = RNG.random(200) < share
     free = int(np.argmin(pressed))
     turned = np.roll(pressed, -free)
@@ -194,14 +194,14 @@ def test_lengths_are_those_of_runs_round_the_period(share):
         np.testing.assert_array_equal(lengths.counts, np.histogram(runs, lengths.edges)[0])
 
 
-def test_full_contact_is_one_and_none_is_none():
+def test_full_contact_counts_one_contact_and_no_contact_none():
     lengths = ContactLengths(np.array([0.0, 9.5, 20.0]), np.zeros(2))
     count_lengths(lengths, np.ones(10))
     count_lengths(lengths, np.zeros(10))
     np.testing.assert_array_equal(lengths.counts, [0.0, 1.0])
 
 
-def test_a_frame_is_the_line_over_the_foundation_and_the_elements():
+def test_a_snapshot_holds_the_line_over_the_foundation_and_the_elements():
     film = Snapshots(*np.zeros((2, 2, 5)))
     z, u = RNG.normal(size=(2, 5))
     record_snapshot(film, 1, z, 0.5, u)
@@ -212,7 +212,7 @@ def test_a_frame_is_the_line_over_the_foundation_and_the_elements():
 ALL = {"requested": ANY_MOTION, "edges": np.array([0.0, 1.0, 2.0, 4.0, 100.0])}
 
 
-def test_what_else_is_asked_for_changes_no_bit():
+def test_other_requested_quantities_change_no_bit():
     alone = run_scene(LINE, a_scene(EVERY_LEG, PRONY, M))
     together = run_scene(LINE, a_scene(EVERY_LEG, PRONY, M, **ALL))
     for name, values in alone.items():
@@ -223,22 +223,22 @@ def test_what_else_is_asked_for_changes_no_bit():
 def test_lengths_and_fractions_of_contact_agree():
     scene = a_scene(EVERY_LEG, PRONY, M, requested=SCENE_QUANTITIES)
     samples = np.arange(LINE.z.size + 2) - 0.5
-    found = run_scene(LINE, scene._replace(edges=samples / M))
-    covered = np.sum(found["contact_length"] * np.arange(LINE.z.size + 1)) / LINE.z.size
-    assert covered == pytest.approx(found["trace_contact_fraction"].mean(), rel=1e-12)
+    result = run_scene(LINE, scene._replace(edges=samples / M))
+    covered = np.sum(result["contact_length"] * np.arange(LINE.z.size + 1)) / LINE.z.size
+    assert covered == pytest.approx(result["trace_contact_fraction"].mean(), rel=1e-12)
 
 
 @pytest.mark.parametrize("start", ["steady", "relaxed"])
 def test_snapshots_show_the_line_pressed_into_the_elements(start):
     scene = a_scene((Slide(0.5, 3.1),), PRONY, M, start=start, requested=ANY_MOTION)
     frames = np.array([0, 1, 5, scene.recorded[-1]])
-    found = run_scene(LINE, scene._replace(frames=frames))
-    height, u = found["snapshot_height"], found["snapshot_displacement"]
+    result = run_scene(LINE, scene._replace(frames=frames))
+    height, u = result["snapshot_height"], result["snapshot_displacement"]
     assert height.shape == u.shape == (4, LINE.z.size)
     gap = height - u
     assert gap.min() > -1e-12
     touching = np.mean(gap < 1e-12, axis=1)
-    np.testing.assert_allclose(touching, found["trace_contact_fraction"][frames])
+    np.testing.assert_allclose(touching, result["trace_contact_fraction"][frames])
     for frame, step in ((0, 0), (1, 1), (2, 5)):  # whole samples: the line itself, less d
         np.testing.assert_allclose(np.ptp(np.roll(LINE.z, step) - height[frame]), 0.0, atol=1e-12)
 
