@@ -27,7 +27,7 @@ def main() -> int:
 
         from elastomer_friction.workflow.cli import main as run  # the streams come first
     except KeyboardInterrupt:  # importing takes seconds
-        print("aborted before anything was begun", file=sys.stderr)
+        print("aborted before the start", file=sys.stderr)
         return 130
     return run()
 

@@ -34,7 +34,7 @@ runpy.run_module("workflow", run_name="__main__")
 def test_ctrl_c_while_packages_are_imported_is_one_line():
     done = python("-c", IMPATIENT, "run", "fig2")
     assert (done.returncode, done.stdout) == (130, "")
-    assert done.stderr == "aborted before anything was begun\n"
+    assert done.stderr == "aborted before the start\n"
 
 
 CONFIGURATIONS = {"broken": "a: [b\n  c", "a list": "- a\n- b\n"}

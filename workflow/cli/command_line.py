@@ -12,36 +12,36 @@ from ..ground import UserError
 from ..system import program, version_of
 from .exit_status import RESUMABLE, WRONG
 
-FORMS_OF_LAWS = ("c", "fortran", "fmu", "json")  # in which `law` writes
-FOR_WHOM = ("study", "abaqus", "ansys")  # Prony series are printed
+LAW_FORMATS = ("c", "fortran", "fmu", "json")  # written by `law`
+PRONY_FORMATS = ("study", "abaqus", "ansys")  # printed by `prony`
 
 
 def main(arguments: list[str] | None = None) -> int:
     """Run one command; return the exit status."""
     words = sys.argv[1:] if arguments is None else arguments
-    ended = "aborted before anything was begun"
+    interruption = "aborted before the start"
     try:
-        if "_ARGCOMPLETE" in os.environ:  # a shell asks what could be typed next
+        if "_ARGCOMPLETE" in os.environ:  # completion for a shell
             import argcomplete
 
             argcomplete.autocomplete(command_parser())
         options = command_parser(words).parse_args(words)
-        from .commands import ACTIONS  # what no help needs, and slow to import
+        from .commands import ACTIONS  # slow to import, and not needed by --help
         from .run_options import resume_line
 
-        ended = resume_line("aborted") if options.command == "run" else "interrupted"
+        interruption = resume_line("aborted") if options.command == "run" else "interrupted"
         return ACTIONS[options.command](options)
     except UserError as error:
-        for each in error.errors:
-            print(f"error: {each}{each.place}", file=sys.stderr)
+        for part in error.errors:
+            print(f"error: {part}{part.place}", file=sys.stderr)
         return WRONG
     except KeyboardInterrupt:
-        print(ended, file=sys.stderr)
+        print(interruption, file=sys.stderr)
         return RESUMABLE
 
 
 class OneLineParser(argparse.ArgumentParser):
-    """Says in one line what is wrong with the options, as with any other input."""
+    """A parser that reports wrong options as a UserError of one line."""
 
     def error(self, message: str) -> NoReturn:
         """Raise UserError."""
@@ -49,9 +49,9 @@ class OneLineParser(argparse.ArgumentParser):
 
 
 def command_parser(words: Sequence[str] | None = None) -> argparse.ArgumentParser:
-    """Return the parser of the command line, with the options of all commands or of those named.
+    """Return the parser, with the options of all commands or only of those in ``words``.
 
-    Options name what rooms know, and some rooms are slow to import.
+    The options of some commands depend on rooms that are slow to import.
     """
     parser = OneLineParser(prog=program(), description=__doc__)
     version = f"elastomer-friction {version_of('elastomer-friction')}"
@@ -65,7 +65,7 @@ def command_parser(words: Sequence[str] | None = None) -> argparse.ArgumentParse
 
 
 def _studies(**_: Any) -> list[str]:
-    """Return the names that a shell completes."""
+    """Return the names of studies for the completion of a shell."""
     from ..study import known_studies
 
     return sorted(known_studies())
@@ -76,7 +76,7 @@ def _no_options(command: argparse.ArgumentParser) -> None:
 
 
 def _study_options(command: argparse.ArgumentParser) -> None:
-    """Add what says which study is meant, and with which settings."""
+    """Add the options that select a study and its settings."""
     add: Any = command.add_argument
     named = add("study", help="a name under studies/ or the path of a TOML file")
     named.completer = _studies
@@ -86,7 +86,7 @@ def _study_options(command: argparse.ArgumentParser) -> None:
 
 
 def _result_options(command: argparse.ArgumentParser) -> None:
-    """Add what says which result of which study is meant."""
+    """Add the options that select a result of a study."""
     _study_options(command)
     command.add_argument("--accuracy", help="as --set numerics.accuracy=0.01: 1%% or 0.01")
     text = "folder of results, or path of the .nc file"
@@ -95,13 +95,13 @@ def _result_options(command: argparse.ArgumentParser) -> None:
 
 def _json_options(command: argparse.ArgumentParser) -> None:
     _result_options(command)
-    text = "print it as JSON: names, numbers in SI units, times in s, memory in bytes"
+    text = "print JSON: names, numbers in SI units, times in s, memory in bytes"
     command.add_argument("--json", action="store_true", help=text)
 
 
 def _figure_options(command: argparse.ArgumentParser) -> None:
     _result_options(command)
-    text = "draws instead of the study's figure.py"
+    text = "script that replaces the study's figure.py"
     command.add_argument("--script", type=Path, help=text)
 
 
@@ -125,7 +125,7 @@ def _report_options(command: argparse.ArgumentParser) -> None:
 
 
 def _new_options(command: argparse.ArgumentParser) -> None:
-    command.add_argument("name", help="of the study; its folder is made in studies/")
+    command.add_argument("name", help="name of the study; its folder is created in studies/")
 
 
 def _verify_options(command: argparse.ArgumentParser) -> None:
@@ -135,9 +135,11 @@ def _verify_options(command: argparse.ArgumentParser) -> None:
 
 
 def _merge_options(command: argparse.ArgumentParser) -> None:
-    command.add_argument("source", help="folder of results whose finished work is taken over")
-    command.add_argument("target", nargs="?", default="results", help="folder that takes it over")
-    text = "go on where the file system of the target has no locks: no run may use it"
+    command.add_argument("source", help="folder of results to copy finished work from")
+    command.add_argument(
+        "target", nargs="?", default="results", help="folder of results to copy it to"
+    )
+    text = "work without locks of the target's file system: no run may use it"
     command.add_argument("--no-lock", action="store_true", help=text)
 
 
@@ -150,14 +152,19 @@ def _run_options(command: argparse.ArgumentParser) -> None:
     for name in BATCH_SYSTEMS:
         text = f"compute in jobs of {name.upper()}, see the table [cluster]"
         add(f"--{name}", action="store_const", const=name, dest="batch_system", help=text)
-    add("--dashboard", action="store_true", help="start dask's dashboard and say where it is")
+    add("--dashboard", action="store_true", help="start dask's dashboard and print its address")
     add("--workers", type=int, help="local worker processes (one per core, none for seconds)")
     add("--batch-seconds", type=float, help="predicted length of a batch (1 to 10)")
-    add("--max-failures", type=int, default=10, help="failed problems to go on with (%(default)s)")
-    add("--retry-failed", action="store_true", help="try what failed in earlier runs again")
+    add(
+        "--max-failures",
+        type=int,
+        default=10,
+        help="largest number of failed problems (%(default)s)",
+    )
+    add("--retry-failed", action="store_true", help="retry problems that failed in earlier runs")
     text = "refuse to mix records of different package versions or processors"
     add("--one-kind", action="store_true", help=text)
-    text = "go on where the file system of the results has no locks: no other run may use it"
+    text = "work without locks of the file system: no other run may use the results"
     add("--no-lock", action="store_true", help=text)
 
 
@@ -166,33 +173,37 @@ def _prony_options(command: argparse.ArgumentParser) -> None:
 
     add = command.add_argument
     add("file", help="text file with frequency, G' and G'' or tan delta, or E; or time and G or E")
-    add("--columns", help="their columns, from 0, as 0,1,2 (by their names, else their order)")
-    # As of -20 argparse must know of -20,0,20 that it is no option, for which it has no other way.
+    add("--columns", help="their columns, from 0, as 0,1,2 (default: by name or order)")
+    # Without this argparse would take a value such as -20,0,20 for an option.
     command._negative_number_matcher = re.compile(r"-[\d.][\d.,eE+-]*$")
-    add("--temperatures", help="of sweeps in their order, as -20,0,20 in °C (as the file says)")
-    add("--reference", type=float, help="temperature to which sweeps are shifted, in °C (middle)")
-    add("--law", choices=SHIFT_KEYS, help="of the shifts (the one that describes them)")
+    add("--temperatures", help="of the sweeps in order, as -20,0,20 in °C (default: from the file)")
+    add("--reference", type=float, help="reference temperature of the master curve, in °C (middle)")
+    add("--law", choices=SHIFT_KEYS, help="law of the shifts (default: the best fit)")
     add("--vertical", action="store_true", help="shift moduli too, by b_T")
     add("--frequency", choices=FREQUENCIES, help="unit of frequencies (header, else rad/s)")
     add("--modulus", choices=MODULI, help="unit of moduli (header, else Pa)")
     add("--poisson", type=float, default=INCOMPRESSIBLE, help="ratio, for moduli E (0.5)")
-    add("--branches", type=int, help="branches at most (as few as describe the data as well)")
-    add("--write", choices=FOR_WHOM, default="study", help="for whom it is printed (study)")
-    add("--out", help="CSV file for the branches, to be named as material.branches_file")
+    add("--branches", type=int, help="largest number of branches (default: as few as possible)")
+    add("--write", choices=PRONY_FORMATS, default="study", help="format of the output (study)")
+    add("--out", help="CSV file for the branches, for material.branches_file")
 
 
 def _fit_options(command: argparse.ArgumentParser) -> None:
     add = command.add_argument
     add("files", nargs="+", metavar="FILE", help="text file with time, velocity and friction")
-    add("--columns", help="their columns, from 0, as 0,1,2 (by their names, else their order)")
+    add("--columns", help="their columns, from 0, as 0,1,2 (default: by name or order)")
     add("--time", metavar="UNIT", help="unit of times, as ms (header, else s)")
     add("--velocity", metavar="UNIT", help="unit of velocities, as mm/min (header, else m/s)")
-    add("--displacement", metavar="UNIT", help="unit of displacements in place of velocities")
+    add(
+        "--displacement",
+        metavar="UNIT",
+        help="unit of displacements, if given instead of velocities",
+    )
     add("--stiffness", type=float, help="of a soft machine, in N/m per N of normal force (1/m)")
-    add("--window", type=float, help="seconds after each step that are fitted, at most (all)")
-    add("--relaxation-time", type=float, help="tau in s, where it is known from elsewhere")
-    add("--hurst", type=float, help="H, where it is known from elsewhere")
-    add("--q-max", type=float, help="q_max in 1/m, where it is known from elsewhere")
+    add("--window", type=float, help="longest time after each step in the fit, in s (all)")
+    add("--relaxation-time", type=float, help="tau in s, if known")
+    add("--hurst", type=float, help="H, if known")
+    add("--q-max", type=float, help="q_max in 1/m, if known")
     add("--out", default="results/fit.png", help="figure, as PNG and PDF (results/fit.png)")
 
 
@@ -200,40 +211,40 @@ def _law_options(command: argparse.ArgumentParser) -> None:
     _study_options(command)
     add = command.add_argument
     add("--results", default="results", help="folder of results of the study")
-    add("--group", help="a comparison of the study, in place of the study itself")
-    text = "a place on an axis of the grid (repeatable; an axis of one value needs none); of a law "
-    text += "already, its normal_force or temperature"
+    add("--group", help="a comparison of the study, instead of the study itself")
+    text = "a value on an axis of the grid (repeatable; not needed for axes of one value); for a "
+    text += "law, its normal_force or temperature"
     add("--at", action="append", metavar="AXIS=VALUE", help=text)
     add("--states", type=int, help="exponential states, 0 to 5 (2)")
-    add("--kind", choices=("states", "rate-state", "lugre"), help="of the law (states)")
-    text = "a result of motions to state the error on, in place of quarters (repeatable)"
+    add("--kind", choices=("states", "rate-state", "lugre"), help="kind of law (states)")
+    text = "a result of motions for the stated error, instead of cross-validation (repeatable)"
     add("--held-out", action="append", metavar="FILE", help=text)
     # `law_command` checks the form: it names the replacement of a removed one.
-    forms = f"{{{','.join(FORMS_OF_LAWS)}}}"
-    add("--write", metavar=forms, help="form of the written law (none: describe the law)")
-    add("--out", help="file for what is written (it is printed)")
+    forms = f"{{{','.join(LAW_FORMATS)}}}"
+    add("--write", metavar=forms, help="format of the written law (default: describe it)")
+    add("--out", help="output file (default: standard output)")
 
 
-# What each command is for, and what adds its options; `commands.py` does it.
+# Description of each command and the function that adds its options.
 COMMANDS: dict[str, tuple[str, Callable[[argparse.ArgumentParser], None]]] = {
     "plan": ("say what a run would do and cost; compute nothing", _json_options),
     "run": ("compute what is missing and write the result file", _run_options),
-    "status": ("say what is done and what is missing", _json_options),
+    "status": ("print the finished and the missing work", _json_options),
     "figure": ("draw the figure of a finished run", _figure_options),
     "table": ("write all coefficients of a finished run as CSV, with units", _result_options),
-    "animate": ("draw one line of a scene on its way, as .gif or .mp4", _animate_options),
+    "animate": ("animate one line of a scene as .gif or .mp4", _animate_options),
     "explore": (
-        "write one page of HTML on which a result is looked through, with sliders and no network",
+        "write an HTML page to explore a result with sliders, without a network",
         _explore_options,
     ),
     "report": (
         "write report.html, or report-SCALE.html: all figures, and the claims of the paper "
-        "beside the results",
+        "with the results",
         _report_options,
     ),
-    "studies": ("list the studies that can be named, with their titles", _no_options),
+    "studies": ("list all studies with their titles", _no_options),
     "new": (
-        "write a commented study.toml to start from, in studies/NAME of the working folder",
+        "write a commented study.toml as a starting point, to studies/NAME",
         _new_options,
     ),
     "schema": (
@@ -245,17 +256,17 @@ COMMANDS: dict[str, tuple[str, Callable[[argparse.ArgumentParser], None]]] = {
         _prony_options,
     ),
     "fit": (
-        "fit the kinetic law to measured velocity steps, and say what they determine of it",
+        "fit the kinetic law to measured velocity steps",
         _fit_options,
     ),
     "law": (
-        "fit a reduced law to the motions of a finished run, or of FILE.nc, and write it for "
-        "others; FILE.json is a law already",
+        "fit a reduced law to the motions of a finished run, or of FILE.nc, and export it; "
+        "FILE.json is a fitted law",
         _law_options,
     ),
     "verify": (
         "check every line of a journal, every shard and key, and the results; change nothing",
         _verify_options,
     ),
-    "merge": ("take over the finished work of another folder of results", _merge_options),
+    "merge": ("copy the finished work of another folder of results", _merge_options),
 }

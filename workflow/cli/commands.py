@@ -1,4 +1,4 @@
-"""What each command does: `command_line.py` has what can be typed."""
+"""Actions of all commands; `command_line.py` defines their options."""
 
 import argparse
 import contextlib
@@ -29,13 +29,13 @@ from .law_command import run_law
 from .outline import outline_grid, outline_measured
 from .run_options import run_grid, run_measured_study
 
-SHOWN = ["trace", "snapshots"]  # what an animation is drawn from
-TEMPLATE = Path(__file__).with_name("study.toml")
+ANIMATED_QUANTITIES = ["trace", "snapshots"]
+STUDY_TEMPLATE = Path(__file__).with_name("study.toml")
 NO_TITLE = "(its study.toml cannot be read)"
 
-# Of each kind of study what `plan` and `status` print, as lines and as data for --json, and what
-# `run` does and returns as exit status; each takes the study and its result file.
-KINDS: dict[str, dict[str, Callable[..., Any]]] = {
+# By kind of study: functions of the study and its result file for `plan` and `status`, which return
+# lines and data for --json, and for `run`, which returns the exit status.
+STUDY_ACTIONS: dict[str, dict[str, Callable[..., Any]]] = {
     "grid": {
         "plan": outline_grid,
         "run": run_grid,
@@ -63,9 +63,9 @@ def _study(options: argparse.Namespace) -> tuple[AnyStudy, Path]:
 
 
 def _lines(options: argparse.Namespace) -> int:
-    """Print what the commands plan and status say."""
+    """Print the output of the commands plan and status."""
     study, result = _study(options)
-    lines, facts = KINDS[study.kind][options.command](study, result)
+    lines, facts = STUDY_ACTIONS[study.kind][options.command](study, result)
     settings = str(find_study(options.study).resolve())
     if options.json:
         head = {"study": study.name, "title": study.title, "result": str(result)}
@@ -77,7 +77,7 @@ def _lines(options: argparse.Namespace) -> int:
 
 def _run(options: argparse.Namespace) -> int:
     study, result = _study(options)
-    return KINDS[study.kind]["run"](options, study, result)
+    return STUDY_ACTIONS[study.kind]["run"](options, study, result)
 
 
 def _figure(options: argparse.Namespace) -> int:
@@ -91,7 +91,7 @@ def _table(options: argparse.Namespace) -> int:
 
 
 def _checked(options: argparse.Namespace) -> tuple[AnyStudy, Path]:
-    """Return the study and its result, which has been found to be one."""
+    """Return the study and its result, which is checked."""
     study, result = _study(options)
     check_result(study, result, strict=bool(options.scale or options.set or options.accuracy))
     return study, result
@@ -114,7 +114,7 @@ def _explore(options: argparse.Namespace) -> int:
 
 def _animate(options: argparse.Namespace) -> int:
     """Compute the first line of a scene in this process and draw it."""
-    study = read_scene(options.study, options.scale, options.set, SHOWN)
+    study = read_scene(options.study, options.scale, options.set, ANIMATED_QUANTITIES)
     path = Path(options.out or f"results/{study.name}.gif")
     report.check_animation(path)
     make_folder(path.parent)
@@ -123,7 +123,7 @@ def _animate(options: argparse.Namespace) -> int:
 
 
 def _studies(_: argparse.Namespace) -> int:
-    """Print name and title of every study that can be named."""
+    """Print the names and titles of all studies."""
     known = known_studies()
     width = max(map(len, known))
     for name, path in sorted(known.items()):
@@ -140,29 +140,31 @@ def _schema(_: argparse.Namespace) -> int:
 
 
 def _new(options: argparse.Namespace) -> int:
-    """Write a study.toml to start from."""
+    """Write a study.toml as a starting point."""
     name = options.name
     if not re.fullmatch(r"[A-Za-z][\w-]*", name, re.ASCII):
-        raise UserError(f"new {name!r}: name it by letters, digits, hyphens and underscores")
+        raise UserError(f"new {name!r}: must be letters, digits, - and _, with a letter first")
     path = Path("studies") / name.replace("-", "_") / "study.toml"
     known = known_studies().get(path.parent.name)
     if path.exists() or known:
-        raise UserError(f"new {name}: there is such a study already, {known or path}")
+        raise UserError(
+            f"new {name}: the study exists already, {known or path}; choose another name"
+        )
     make_folder(path.parent)
-    text = TEMPLATE.read_text(encoding="utf-8").replace("NAME", name)
+    text = STUDY_TEMPLATE.read_text(encoding="utf-8").replace("NAME", name)
     write_durably(path, text.encode())
     print(f"{path}: edit it, then: {program()} plan {name}")
     return DONE
 
 
 def _verify(options: argparse.Namespace) -> int:
-    """Check a store; return the exit status: 3 where a fault is found."""
+    """Check a store; return exit status 3 if a fault is found."""
     folder = options.what
     if not Path(folder).is_dir():
         folder = store_folder(result_file(Path(options.out), read_study(options.what)))
-    found = Verification(_store_in(str(folder)))
-    print("\n".join(found.lines()))
-    return FAILED if found.faults else DONE
+    verification = Verification(_store_in(str(folder)))
+    print("\n".join(verification.lines()))
+    return FAILED if verification.faults else DONE
 
 
 def _merge(options: argparse.Namespace) -> int:
@@ -173,7 +175,7 @@ def _merge(options: argparse.Namespace) -> int:
 
 
 def _store_in(name: str) -> Path:
-    """Return the store that a folder of results has, or that it is. Raises UserError."""
+    """Return the store in a folder of results, or the folder itself. Raises UserError."""
     for folder in (Path(name) / "store", Path(name)):
         if holds_a_store(folder):
             return folder

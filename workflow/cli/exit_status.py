@@ -1,6 +1,6 @@
-"""Exit status of every command."""
+"""Exit statuses of all commands."""
 
 DONE = 0
-WRONG = 2  # input or surroundings
-FAILED = 3  # done, but for problems that failed
+WRONG = 2  # wrong input or environment
+FAILED = 3  # done, except for failed problems
 RESUMABLE = 130  # interrupted

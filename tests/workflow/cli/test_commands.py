@@ -8,7 +8,7 @@ import pytest
 from elastomer_friction.workflow.cli import command_line, main
 from elastomer_friction.workflow.cli import commands as cli
 from elastomer_friction.workflow.cli import run_options as run_command
-from elastomer_friction.workflow.cli.commands import KINDS
+from elastomer_friction.workflow.cli.commands import STUDY_ACTIONS
 from elastomer_friction.workflow.cli.run_options import paced_plan, resume_line
 from elastomer_friction.workflow.plan import TYPICAL, Pace
 from elastomer_friction.workflow.plan.cost.machine import Machine
@@ -43,7 +43,7 @@ def test_ctrl_c_while_options_are_read_is_one_line(capsys, monkeypatch):
 
     monkeypatch.setattr(command_line, "command_parser", interrupted)
     assert main(["run", "fig2"]) == 130
-    assert capsys.readouterr().err == "aborted before anything was begun\n"
+    assert capsys.readouterr().err == "aborted before the start\n"
 
 
 @pytest.mark.parametrize(
@@ -266,5 +266,5 @@ def test_a_measured_study_is_planned_run_and_shown_by_the_same_commands(capsys, 
 
 def test_every_kind_of_study_can_be_told_every_command():
     kinds = {kind.kind for kind in AnyStudy.__subclasses__()}
-    assert kinds == set(KINDS)
-    assert all(callable(command) for kind in KINDS.values() for command in kind.values())
+    assert kinds == set(STUDY_ACTIONS)
+    assert all(callable(command) for kind in STUDY_ACTIONS.values() for command in kind.values())

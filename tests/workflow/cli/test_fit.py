@@ -174,7 +174,7 @@ def test_a_relaxation_test_that_ends_early_says_what_it_leaves_open(capsys, tmp_
 
 def test_the_command_knows_everybody_a_series_is_printed_for():
     """It names them itself, for a help text that imports no laboratory."""
-    assert tuple(laboratory.FORMS) == command_line.FOR_WHOM
+    assert tuple(laboratory.FORMS) == command_line.PRONY_FORMATS
 
 
 @pytest.mark.parametrize("form", ["abaqus", "ansys"])

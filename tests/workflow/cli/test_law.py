@@ -2,7 +2,7 @@
 
 import pytest
 
-from elastomer_friction.workflow.cli.command_line import FORMS_OF_LAWS
+from elastomer_friction.workflow.cli.command_line import LAW_FORMATS
 from elastomer_friction.workflow.law import read
 from elastomer_friction.workflow.law.law_export import FORMS
 from elastomer_friction.workflow.result import write_datasets
@@ -23,7 +23,7 @@ def path(tmp_path_factory):
 
 def test_the_help_names_every_form_of_a_law():
     """The command line repeats the names, to print its help without importing `law`."""
-    assert FORMS == FORMS_OF_LAWS
+    assert FORMS == LAW_FORMATS
 
 
 def test_a_law_is_described_written_and_read_back(capsys, path, tmp_path):

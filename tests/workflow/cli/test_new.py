@@ -8,7 +8,7 @@ import pytest
 from PIL import Image
 
 from elastomer_friction.workflow.cli import main
-from elastomer_friction.workflow.cli.commands import TEMPLATE
+from elastomer_friction.workflow.cli.commands import STUDY_TEMPLATE
 from elastomer_friction.workflow.store.store import Store
 from elastomer_friction.workflow.study import read_scene
 from elastomer_friction.workflow.study.read import known_studies, read_study
@@ -53,12 +53,12 @@ def test_a_new_study_can_be_read_at_every_scale(capsys, tmp_path, monkeypatch):
     assert study.title.startswith("my-rubber: ")
     assert all(set(small.grid[axis]) <= set(study.grid[axis]) for axis in study.axes)
     written = path.read_text()
-    assert "there is such a study already, " in refusal(capsys, "new", "my-rubber")
+    assert "the study exists already, " in refusal(capsys, "new", "my-rubber")
     assert path.read_text() == written
 
 
 @pytest.mark.parametrize(
-    ("name", "reason"), [("fig7", "there is such a study already"), ("../x", "name it by letters")]
+    ("name", "reason"), [("fig7", "the study exists already"), ("../x", "must be letters")]
 )
 def test_a_name_that_is_taken_or_none_is_refused(capsys, tmp_path, monkeypatch, name, reason):
     monkeypatch.chdir(tmp_path)
@@ -68,7 +68,7 @@ def test_a_name_that_is_taken_or_none_is_refused(capsys, tmp_path, monkeypatch, 
 
 def test_values_said_to_be_usual_are_those_that_are_left_out(tmp_path):
     """Keys that are commented out: given as they stand there, the study is the same."""
-    text = TEMPLATE.read_text(encoding="utf-8")
+    text = STUDY_TEMPLATE.read_text(encoding="utf-8")
     given = re.sub(r"^# (\w+ = [^#\n]*)(#.*)?$", _usual, text, flags=re.MULTILINE)
     assert given.count("\n# ") < text.count("\n# ")
     paths = [tmp_path / name for name in ("left_out.toml", "given.toml")]
