@@ -1,4 +1,4 @@
-"""Contents of files that are damaged, and stores to try them on: read true, or missing."""
+"""Damaged contents of files, and stores whose records must be correct or missing."""
 
 import contextlib
 import shutil
@@ -47,12 +47,12 @@ def flipped(content: bytes, place: int, mask: int = 1) -> bytes:
 
 
 def prefixes(content: bytes, stride: int) -> list[bytes]:
-    """Return the content cut at every so many bytes."""
+    """Return the content cut at every ``stride``-th byte."""
     return [content[:length] for length in range(0, len(content), stride)]
 
 
 def flips(content: bytes, stride: int) -> list[bytes]:
-    """Return the content with one byte in so many spoilt, in one bit or in all, by turns."""
+    """Return the content with one byte in ``stride`` spoilt, in one bit or in all, in turn."""
     return [
         flipped(content, place, 0xFF if place // stride % 2 else 1 << place % 8)
         for place in range(0, len(content), stride)
@@ -71,7 +71,7 @@ def checked(store: Store) -> set[Record]:
     for record in held(store):
         with contextlib.suppress(DamagedShard, UserError):
             if record not in store:
-                continue  # it went with the shard that was found damaged just before
+                continue  # dropped with a damaged shard
             scalars, curves = store.read([record], SAMPLES)
             assert scalars.tobytes() == TRUTH[record].scalars.tobytes()
             assert curves.tobytes() == TRUTH[record].curves.tobytes()
@@ -80,7 +80,7 @@ def checked(store: Store) -> set[Record]:
 
 
 def readable(folder: Path) -> set[Record]:
-    """Check a store as a reader finds it, then as the next run does; return what that finds."""
+    """Check a store as a reader opens it, then as a run does; return the records of the run."""
     untouched = folder.with_name("untouched")
     shutil.rmtree(untouched, ignore_errors=True)
     shutil.copytree(folder, untouched)
@@ -102,9 +102,9 @@ def copies(sound: Path, path: Path, contents: list[bytes]) -> Iterator[Path]:
 
 
 def endless(content: bytes) -> bytes:
-    """Return a netCDF file of which the first object of its global heap is its own next.
+    """Return a netCDF file whose first object of the global heap leads to itself.
 
-    The length of an object leads the HDF5 library to the next one, and here for ever to the same.
+    The HDF5 library finds the next object by the length of one, and here loops without end.
     """
     at = content.index(b"GCOL") + 16 + 8  # its head, and the number of the object
     return content[:at] + (2**64 - 16).to_bytes(8, "little") + content[at + 8 :]

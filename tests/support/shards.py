@@ -1,4 +1,4 @@
-"""Stores filled with random results, and what is in them."""
+"""Stores filled with random results, and their records."""
 
 from elastomer_friction.workflow.store.store import Store
 from tests.support.small import cut_batches, random_result, small_plan
@@ -26,7 +26,7 @@ def held(store):
 
 
 def filled(folder, work):
-    """Return a store holding one random result per batch, a shard each, and the results."""
+    """Return a store with a shard of a random result for each batch, and the results."""
     folder.mkdir(parents=True, exist_ok=True)
     store = Store(folder)
     results = [random_result(batch, seed) for seed, batch in enumerate(work)]
@@ -36,7 +36,7 @@ def filled(folder, work):
 
 
 def reopened(folder):
-    """Return the store of a folder, mended as a run does before it begins."""
+    """Return the store of a folder, repaired as at the start of a run."""
     store = Store(folder)
     store.prepare()
     return store
@@ -55,5 +55,5 @@ def contents(folder):
 
 
 def shard_of(store, batch):
-    """Return the file that holds a batch."""
+    """Return the shard file of a batch."""
     return store.folder / f"{store.index.find(records(batch)[0])[0]}.npz"
