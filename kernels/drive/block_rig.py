@@ -99,7 +99,7 @@ def _choose(rig, begin, d, before):
 
 @kernel
 def _balance(rig, law, begin, t):
-    """Find the indentation of a step at whose end element 0 is at t of interval ``begin``."""
+    """Find the indentation of a step that ends with element 0 at t of interval ``begin``."""
     state = rig.state[0]
     memory, known_steps, scales = rig.blocks
     c, _, sums, evaluation = rig.rows

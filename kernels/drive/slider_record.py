@@ -132,7 +132,7 @@ def next_time_is_due(record, time):
 
 @kernel
 def record_between(record, before, now, drive_speed):
-    """Record what lies between two moments: requested times, by linear interpolation, and slips."""
+    """Record slips and requested times between two moments, by linear interpolation."""
     times, moments, tally = record.times, record.moments, record.tally[0]
     follow_slips(record, before, now, drive_speed)
     while next_time_is_due(record, now.time):

@@ -128,8 +128,8 @@ def test_stick_and_slip_occurs_only_below_the_critical_stiffness():
     result = []
     for share in (5.0, 0.3):
         legs = (Slide(speeds[1], 3000.0),)
-        asked = ("trace", "stick_slip", "slip_events")
-        result.append(pulled(line, legs, (share * critical,), start="relaxed", requested=asked))
+        requested = ("trace", "stick_slip", "slip_events")
+        result.append(pulled(line, legs, (share * critical,), start="relaxed", requested=requested))
     steady, slipping = result
     assert steady["drive_swing"] < 0.02 * slipping["drive_swing"]
     assert steady["peak_velocity"] < 1.1 * speeds[1] < 2.0 * speeds[1] < slipping["peak_velocity"]
@@ -158,8 +158,8 @@ def test_stick_and_slip_without_a_mass_converges_at_second_order():
     def swing_and_period(m, stiffness):
         x = 2.0 * np.pi * np.arange(length * m) / (length * m)
         line = Line.from_samples(np.cos(x), -2.0 * np.pi / length * np.sin(x), m)
-        legs, asked = (Slide(speed, 400.0),), ("trace", "stick_slip", "slip_events")
-        result = pulled(line, legs, (stiffness,), m=m, start="relaxed", requested=asked)
+        legs, requested = (Slide(speed, 400.0),), ("trace", "stick_slip", "slip_events")
+        result = pulled(line, legs, (stiffness,), m=m, start="relaxed", requested=requested)
         distance = speed * result["trace_time"]
         distance, force = (
             series[distance > 200.0] for series in (distance, result["trace_drive_force"])

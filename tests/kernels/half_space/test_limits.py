@@ -111,13 +111,13 @@ def test_a_half_space_of_equal_stiffness_is_the_foundation(spectrum: Spectrum) -
 
 def test_the_initial_rate_is_that_of_the_foundation() -> None:
     """All waves have equal stiffness. With a dashpot mu jumps and has no initial rate."""
-    asked, (line, surfaces) = Quantities(initial_rate=True), line_and_surfaces()
+    requested, (line, surfaces) = Quantities(initial_rate=True), line_and_surfaces()
     case = Case(0.3, 0.7, (1.2,), (STEPS,), "exponential", BRANCHES, refine=False)
-    expected = run_foundation(line, case, asked).initial_rate
+    expected = run_foundation(line, case, requested).initial_rate
     for surface in surfaces:
-        result = run_case(surface, case, asked, equal_stiffness(surface))
+        result = run_case(surface, case, requested, equal_stiffness(surface))
         assert result.initial_rate == pytest.approx(expected, rel=1e-5)
-    assert np.isnan(run_case(rough(8, 4), case._replace(spectrum=KELVIN), asked).initial_rate)
+    assert np.isnan(run_case(rough(8, 4), case._replace(spectrum=KELVIN), requested).initial_rate)
 
 
 def test_kelvin_elements_of_equal_stiffness_are_the_foundation() -> None:

@@ -22,9 +22,9 @@ def test_patches_are_connected_by_periodic_sides() -> None:
 @pytest.mark.skipif(bool(numba.config.DISABLE_JIT), reason="NUMBA_DISABLE_JIT=1: large maps")
 @pytest.mark.parametrize("speed", [0.3, 1.0])
 def test_the_contact_area_depends_little_on_the_samples(speed: float) -> None:
-    asked = Quantities(jump=False, relaxation=False)
+    requested = Quantities(jump=False, relaxation=False)
     coarse, fine = (
-        run_case(rough(8, m, seed=3), Case(0.4, speed, (), (), "exponential"), asked)
+        run_case(rough(8, m, seed=3), Case(0.4, speed, (), (), "exponential"), requested)
         for m in (8, 16)
     )
     assert coarse.contact_fraction == pytest.approx(fine.contact_fraction, rel=0.03)

@@ -25,9 +25,8 @@ EVERY_LEG = (  # every kind of leg, with ends between samples
     Sampled((0.0, 3.0, 5.0, 7.0), (0.7, 0.0, 0.0, -0.4)),
 )
 
-ANY_MOTION = tuple(
-    name for name in SCENE_QUANTITIES if name != "cycle_mean"
-)  # available for any motion
+# Quantities that are available for any motion.
+ANY_MOTION = tuple(name for name in SCENE_QUANTITIES if name != "cycle_mean")
 
 
 def a_line(elements=None, hurst=0.7, m=4, seed=3):

@@ -18,12 +18,12 @@ def after_a_jump(scheme, ratio, steps):
     n, m = line.z.size, line.steps_per_spacing
     before, after = (SCHEMES[scheme](1.0 / (m * v)) for v in (0.5, 0.5 * ratio))
     state, _ = steady_sliding(before, line.z, 0.3 * n)
-    kept = np.arange(1, steps + 1)
+    numbers = np.arange(1, steps + 1)
     weight = lagged_slope(line.slope, after.lag)
     control = ConstantForce(0.3 * n)
-    mu, d, _, _ = march(after, control, line.z, weight, state, kept, np.inf)
+    mu, d, _, _ = march(after, control, line.z, weight, state, numbers, np.inf)
     # One step at the old speed stays in the steady state.
-    programme = (Slide(0.5, 1.0 / m), Slide(0.5 * ratio, kept.size / m))
+    programme = (Slide(0.5, 1.0 / m), Slide(0.5 * ratio, numbers.size / m))
     result = trace(line, programme, KELVIN, scheme=scheme)
     acting = d + after.lag * (np.append(state.d, d[:-1]) - d)
     return (result["trace_mu"][2:], result["trace_indentation"][2:] - line.datum), (mu, acting)
