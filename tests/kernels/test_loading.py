@@ -1,121 +1,99 @@
-"""All machine code is there after loading; a second process compiles half of it."""
+"""All machine code of a case exists after loading; a second process compiles half of it."""
 
 import signal
 import subprocess
-from pathlib import Path
+import sys
 
-import numba
 import pytest
-from numba.core import event
 
 from elastomer_friction.kernels import Quantities, loading
-from elastomer_friction.kernels.compile.cache import WAITING_EVENT
 from tests.sizes import PLAIN_PYTHON
 from tests.support.python import printed
 
-ROOT = Path(__file__).resolve().parents[2]
 compiled_only = pytest.mark.skipif(PLAIN_PYTHON, reason="NUMBA_DISABLE_JIT=1: nothing compiled")
 
-HALF = """
-import sys
+MARCHES = """
 from elastomer_friction.kernels import Quantities, loading
 from elastomer_friction.kernels.quick.march.active import active_march
 from elastomer_friction.kernels.quick.relaxation import plain_relaxations
 from elastomer_friction.kernels.quick.steady.spans import add_rises
 from elastomer_friction.kernels.quick.steady.stack import stack_of
 
-rate = sys.argv[1] == "1"
-own = plain_relaxations, add_rises, stack_of, *([active_march] if rate else [])
-loading.load_half("exponential", rate)
-before = [kernel.signatures[:] for kernel in own]
-assert [len(signatures) for signatures in before] == [1] * len(own), before
-loading.load("implicit-euler", Quantities(indentation_rate=rate))
-assert [kernel.signatures[:] for kernel in own] == before
+kernels = plain_relaxations, add_rises, stack_of, active_march
+loading.load_marches("exponential")
+before = [kernel.signatures[:] for kernel in kernels]
+assert [len(signatures) for signatures in before] == [1] * len(kernels), before
+loading.load("implicit-euler", Quantities())
+assert [kernel.signatures[:] for kernel in kernels] == before
 """
 
 
 @compiled_only
-@pytest.mark.parametrize("rate", ["1", "0"])
-def test_the_second_process_compiles_what_the_first_one_needs(rate):
-    printed("-c", HALF, rate)
+def test_the_second_process_compiles_what_the_first_one_needs():
+    printed("-c", MARCHES)
 
 
 @pytest.fixture
-def helped(monkeypatch):
-    """Let the second process only wait, as if there were two cores; return all that started."""
+def helpers(monkeypatch, tmp_path):
+    """Let loading compute nothing and helpers only wait; return all that were started."""
     started = []
-    real = subprocess.Popen
+    usual = subprocess.Popen
 
-    def start(command, **others):
-        assert command[1:4] == ["-m", "elastomer_friction.kernels.loading", "exponential"]
-        started.append(real(["sleep", "0.2" if not started else "600"], **others))
+    def start(command, **options):
+        assert command[:3] == [sys.executable, "-m", "elastomer_friction.kernels.loading"]
+        started.append(usual(["sleep", "600"], **options))
         return started[-1]
 
+    monkeypatch.setattr(loading, "CACHE_FOLDER", str(tmp_path))
     monkeypatch.setattr(loading.subprocess, "Popen", start)
-    monkeypatch.setattr(loading, "_cores", lambda: 2)
+    monkeypatch.setattr(loading, "run_cases", lambda *_: None)
     return started
 
 
-def compile_something():
-    """Compile two kernels."""
-    for number in (1, 2):
-        numba.njit(lambda x: x + number)(1.0)  # noqa: B023
+def test_it_is_started_once_for_a_cache_folder_and_ends_with_the_first_one(helpers):
+    for _ in range(2):
+        loading.load("exponential", Quantities())
+    assert [helper.returncode for helper in helpers] == [-signal.SIGKILL]
 
 
-@compiled_only
-def test_it_is_started_once_and_waited_for_where_anything_is_compiled(helped):
-    with loading._helped("exponential", Quantities()):
-        assert helped == []
-        compile_something()
-        assert len(helped) == 1
-    assert helped[0].returncode == 0
-    with (
-        event.install_recorder(WAITING_EVENT) as waits,
-        loading._helped("exponential", Quantities()),
-    ):
-        pass
-    assert len(helped) == 1
-    assert waits.buffer == []  # all was found: nobody is waited for
-
-
-@compiled_only
-def test_it_ends_with_the_first_one(helped):
-    def interrupted():
-        compile_something()
+def test_it_ends_with_an_interrupted_one(helpers, monkeypatch):
+    def interrupted(*_):
         raise KeyboardInterrupt
 
-    with loading._helped("exponential", Quantities()):
-        compile_something()
-    with pytest.raises(KeyboardInterrupt), loading._helped("exponential", Quantities()):
-        interrupted()
-    assert [each.returncode for each in helped] == [0, -signal.SIGKILL]
+    monkeypatch.setattr(loading, "run_cases", interrupted)
+    with pytest.raises(KeyboardInterrupt):
+        loading.load("exponential", Quantities())
+    assert [helper.returncode for helper in helpers] == [-signal.SIGKILL]
 
 
-@compiled_only
-@pytest.mark.parametrize(("asked", "cores"), [(Quantities(relaxation=False), 2), (Quantities(), 1)])
-def test_there_is_none_where_nothing_marches_and_on_one_core(helped, monkeypatch, asked, cores):
-    monkeypatch.setattr(loading, "_cores", lambda: cores)
-    with loading._helped("exponential", asked):
-        compile_something()
-    assert helped == []
+@pytest.mark.parametrize(
+    "requested", [Quantities(relaxation=False), Quantities(indentation_rate=False)]
+)
+def test_there_is_none_if_it_has_nothing_to_compile(helpers, requested):
+    loading.load("exponential", requested)
+    assert helpers == []
+
+
+def test_there_is_none_if_the_cache_is_read_only(helpers, monkeypatch):
+    monkeypatch.setattr(loading, "CACHE_FOLDER", "/nowhere/at/all")
+    loading.load("exponential", Quantities())
+    assert helpers == []
 
 
 COLD = """
-import numba, time
 from numba.core import event
 from elastomer_friction.kernels import Quantities, loading
-began = time.thread_time()
 with event.install_recorder("numba:compile") as found:
     loading.load("exponential", Quantities())
-own = {record.data["dispatcher"].py_func.__name__ for _, record in found.buffer}
-print(*sorted(own), sep="\\n")
+names = {record.data["dispatcher"].py_func.__name__ for _, record in found.buffer}
+print(*sorted(names), sep="\\n")
 """
 
 
 @compiled_only
 @pytest.mark.exhaustive
 def test_two_processes_fill_an_empty_cache_together(tmp_path):
-    found = [printed("-c", COLD, NUMBA_CACHE_DIR=str(tmp_path)).split() for _ in range(2)]
-    assert "slide_on" in found[0]
-    assert loading._cores() == 1 or not {"active_march", "march", "stack_of"} & set(found[0])
-    assert found[1] == []
+    first, second = (printed("-c", COLD, NUMBA_CACHE_DIR=str(tmp_path)).split() for _ in range(2))
+    assert "slide_on" in first
+    assert not {"active_march", "march"} & set(first)
+    assert second == []

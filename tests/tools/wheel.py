@@ -15,7 +15,7 @@ import tempfile
 import zipfile
 from pathlib import Path
 
-from elastomer_friction.kernels.compile.cache import COMPILER, NAME, V3
+from elastomer_friction.kernels.compile.cache import CACHE_NAME, COMPILER, V3
 
 ROOT = Path(__file__).resolve().parents[2]
 SHIPPED = "elastomer_friction/kernels/compile/shipped"
@@ -33,8 +33,8 @@ def machine_code(wheel: Path, folder: Path) -> dict[str, bytes]:
     environment = os.environ | how | {"PYTHONPATH": str(folder / "site")}
     command = [sys.executable, "-c", COMPILE]
     subprocess.run(command, check=True, env=environment, cwd=folder)
-    (made,) = (folder / "code" / NAME).iterdir()
-    files = sorted(made.glob("*/*.nb[ic]"))
+    made = folder / "code" / CACHE_NAME  # and in it a folder by the hash of the sources
+    files = sorted(made.glob(f"*/{COMPILER}/*.bin"))
     return {f"{SHIPPED}/{path.relative_to(made).as_posix()}": path.read_bytes() for path in files}
 
 
@@ -67,7 +67,7 @@ def main() -> None:
         (plain,) = folder.glob("*.whl")
         files = machine_code(plain, folder)
         name, version, *tags = plain.name.split("-")
-        code = f"1{COMPILER}cp{sys.version_info.major}{sys.version_info.minor}"
+        code = f"1{COMPILER}"
         target = ROOT / "dist" / "-".join([name, version, code, *tags])
         target.parent.mkdir(exist_ok=True)
         add(plain, files, target)

@@ -9,6 +9,7 @@ from .lazy import public_names
 
 if TYPE_CHECKING:
     from .errors import ErrorCollector, UserError, UserErrors, counted, did_you_mean, printable
+    from .garbage import garbage_collection_paused
     from .plain_files import MOST_BYTES, open_plain, read_plain
 
 __all__, __getattr__, __dir__ = public_names(__name__, __file__)

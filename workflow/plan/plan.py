@@ -7,8 +7,7 @@ from typing import NamedTuple
 import numpy as np
 
 from ...kernels import ZERO_ORIGIN, Origin, Quantities
-from ...kernels.compile.garbage import garbage_collection_paused
-from ..ground import UserError
+from ..ground import UserError, garbage_collection_paused
 from ..simulate import REFINEMENT_FACTOR, Batch, Task, max_leg_counts, row_layout, row_width
 from ..study import HALF_SPACE, Study
 from .cost import PARTS, TYPICAL, Pace, Prediction, prediction

@@ -56,9 +56,7 @@ def run_plan(plan: Plan, result: Path, how: RunOptions) -> Summary:
     """
     import_dask()
     began = time.monotonic()
-    says = report_compilation(
-        "the kernels needed", "10 to 60 s", cache.CACHE_FOLDER, cache.WAITING_EVENT
-    )
+    says = report_compilation("the kernels needed", "10 to 60 s", cache.WAITING_EVENT)
     with hold(store_folder(result), without=how.no_lock), says:
         run = _Run(plan, result, how)
         if not run.is_done():

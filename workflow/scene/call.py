@@ -177,9 +177,7 @@ def compute(study: Study, resumed: SavedState | None = None) -> xr.Dataset:
     """
     plan = make_plan(study, origin=resumed.origin if resumed else ZERO_ORIGIN)
     (variant,) = plan.variants
-    with report_compilation(
-        "the kernels of this scene", "5 to 60 s", cache.CACHE_FOLDER, cache.WAITING_EVENT
-    ):
+    with report_compilation("the kernels of this scene", "5 to 60 s", cache.WAITING_EVENT):
         estimates = _estimates(plan, variant, resumed)
     dataset = build_dataset(plan, variant, estimates, {})
     single = {axis: 0 for axis in study.axes if axis not in PROGRAMME_AXES}

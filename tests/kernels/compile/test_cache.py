@@ -2,16 +2,12 @@
 
 import os
 import shutil
-import sys
 from pathlib import Path
 
 import numba
 import pytest
 
-from elastomer_friction.kernels import march
 from elastomer_friction.kernels.compile import cache
-from elastomer_friction.kernels.compile.jit import kernel
-from tests.sizes import PLAIN_PYTHON
 
 HASH = cache.source_hash()
 
@@ -59,21 +55,21 @@ EDITS = {
 
 @pytest.mark.parametrize("edit", EDITS)
 def test_any_edit_opens_a_new_folder(sources, edit, home):
-    folder = cache._cache_folder()
+    folder = cache.cache_folder()
     EDITS[edit](sources)
     assert cache.source_hash() != HASH
-    assert cache._cache_folder() != folder
+    assert cache.cache_folder() != folder
 
 
 def test_cache_folder_is_made_under_the_cache_home_for_us_alone(home):
-    folder = Path(cache._cache_folder())
+    folder = Path(cache.cache_folder())
     assert folder == home / "elastomer-friction" / HASH
     assert {path.stat().st_mode & 0o777 for path in (folder, folder.parent, home)} == {0o700}
 
 
 def test_a_folder_of_numba_s_own_variable_is_preferred(home, monkeypatch, tmp_path):
     monkeypatch.setenv("NUMBA_CACHE_DIR", str(tmp_path / "numba"))
-    assert Path(cache._cache_folder()) == tmp_path / "numba" / "elastomer-friction" / HASH
+    assert Path(cache.cache_folder()) == tmp_path / "numba" / "elastomer-friction" / HASH
 
 
 def test_without_a_cache_home_it_is_a_folder_of_our_own_on_this_machine(
@@ -82,31 +78,15 @@ def test_without_a_cache_home_it_is_a_folder_of_our_own_on_this_machine(
     monkeypatch.delenv("XDG_CACHE_HOME")
     monkeypatch.setattr(cache.tempfile, "gettempdir", lambda: str(tmp_path))
     base = tmp_path / f"elastomer-friction-{os.getuid()}"
-    assert Path(cache._cache_folder()) == base / "elastomer-friction" / HASH
+    assert Path(cache.cache_folder()) == base / "elastomer-friction" / HASH
     assert base.stat().st_mode & 0o777 == 0o700
 
 
 @pytest.fixture
 def shipped(tmp_path, monkeypatch):
-    """Let this be installed from a wheel with machine code; return its folder."""
-    folder = tmp_path / "shipped"
-    python = f"py{sys.version_info.major}{sys.version_info.minor}"
-    (folder / f"model-{cache.COMPILER}").mkdir(parents=True)
-    (folder / f"model-{cache.COMPILER}" / f"march.march-9.{python}.nbi").write_bytes(b"code")
-    folder.chmod(0o777)
-    monkeypatch.setattr(cache, "SHIPPED", folder)
-    return folder
-
-
-def test_machine_code_of_a_wheel_is_copied_once_for_us_alone(home, shipped):
-    folder = Path(cache._cache_folder())
-    (found,) = folder.glob("*/*.nbi")
-    assert found.read_bytes() == b"code"
-    found.write_bytes(b"made here")
-    assert Path(cache._cache_folder()) == folder
-    assert found.read_bytes() == b"made here"
-    assert folder.parent.stat().st_mode & 0o777 == 0o700
-    assert [path.name for path in folder.parent.iterdir()] == [HASH]
+    """Let this be installed from a wheel with machine code."""
+    (tmp_path / "shipped" / cache.COMPILER).mkdir(parents=True)
+    monkeypatch.setattr(cache, "SHIPPED", tmp_path / "shipped")
 
 
 LEFT = {"": cache.V3, "a user's choice": "generic", "fma": None, "another numba": None}
@@ -122,12 +102,12 @@ def test_machine_code_of_a_wheel_serves_who_has_that_processor_and_numba(
             del os.environ[name]
     monkeypatch.setattr(numba.config, "reload_config", lambda: None)
     monkeypatch.setattr(cache, "COMPILER", "numba0" if "numba" in lacking else cache.COMPILER)
-    features = {name: name != lacking for name in cache.V3_HAS}
+    features = {name: name != lacking for name in cache.V3_FEATURES}
     monkeypatch.setattr(cache, "get_host_cpu_features", lambda: features)
-    cache.serve_many()
+    cache.select_processor()
     assert os.environ.get("NUMBA_CPU_NAME") == LEFT[lacking]
     monkeypatch.setattr(cache, "get_host_cpu_features", dict)  # of a node that it is inherited by
-    cache.serve_many()
+    cache.select_processor()
     assert os.environ.get("NUMBA_CPU_NAME") != cache.V3
 
 
@@ -163,7 +143,7 @@ def test_usual_homes_work_and_the_folder_is_ours_alone_from_then_on(home, made):
     own = made(home)
     previous = os.umask(0o002)
     try:
-        assert Path(cache._cache_folder()) == own / HASH
+        assert Path(cache.cache_folder()) == own / HASH
     finally:
         os.umask(previous)
     assert own.stat().st_mode & 0o777 == 0o700
@@ -227,13 +207,13 @@ def test_machine_code_of_others_is_not_run(home, monkeypatch, capsys, spoil):
         pytest.skip("only root can give a folder away")
     spoil(home)
     monkeypatch.setattr(cache.atexit, "register", lambda *_, **__: None)
-    folder = Path(cache._cache_folder())
+    folder = Path(cache.cache_folder())
     private = folder.parents[1]
     assert home.parent not in folder.parents
     assert private.stat().st_mode & 0o777 == 0o700
     (line,) = capsys.readouterr().err.splitlines()
     assert line.startswith(f"machine code is kept for this run alone: {home.parent}")
-    assert Path(cache._cache_folder()) == folder  # as a process that this one starts
+    assert Path(cache.cache_folder()) == folder  # as a process that this one starts
     assert capsys.readouterr().err == ""
     os.environ.pop("NUMBA_CACHE_DIR")
     shutil.rmtree(private)
@@ -246,16 +226,7 @@ def test_temporary_files_in_a_folder_of_another_user_are_no_place_for_it(
     sticky_of_another_user(home)
     monkeypatch.delenv("XDG_CACHE_HOME")
     monkeypatch.setattr(cache.tempfile, "tempdir", str(home))
-    private = Path(cache._cache_folder()).parents[1]
+    private = Path(cache.cache_folder()).parents[1]
     assert home not in private.parents
-    assert list(home.glob(f"{cache.NAME}-[!0]*")) == []
+    assert list(home.glob(f"{cache.CACHE_NAME}-[!0]*")) == []
     os.environ.pop("NUMBA_CACHE_DIR")
-
-
-@pytest.mark.skipif(PLAIN_PYTHON, reason="NUMBA_DISABLE_JIT=1: nothing compiled")
-def test_numba_caches_in_that_folder_whatever_it_forgets(monkeypatch):
-    assert cache._cache_folder() == cache.CACHE_FOLDER
-    monkeypatch.setenv("NUMBA_ANYTHING", "1")
-    numba.config.reload_config()
-    late = kernel(test_hash_does_not_depend_on_the_place)
-    assert {Path(k._cache.cache_path).parent for k in (march, late)} == {Path(cache.CACHE_FOLDER)}

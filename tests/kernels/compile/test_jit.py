@@ -10,7 +10,7 @@ import pytest
 from numba.core.dispatcher import Dispatcher
 
 from elastomer_friction.kernels import SCHEMES, Quantities, run_case
-from elastomer_friction.kernels.compile.jit import dispatch_on_type, kernel
+from elastomer_friction.kernels.compile.jit import dispatch_on_type, kernel, refcount_free_kernel
 from tests.cases import CASE, line_of
 from tests.sizes import PLAIN_PYTHON
 from tests.support.python import printed
@@ -193,6 +193,12 @@ def both(pair):
 def twice(pair):
     """Return twice the sum: another caller."""
     return 2.0 * total(pair)
+
+
+@refcount_free_kernel
+def first_of(pair):
+    """Return the first number, without counting references."""
+    return pair.first[0]
 
 
 PAIR = Pair(np.array([3.0, 1.0, 2.0]), np.array([1.0, 10.0, 100.0]))

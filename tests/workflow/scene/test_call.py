@@ -5,7 +5,6 @@ import pytest
 import xarray as xr
 from numba.core import event
 
-from elastomer_friction.kernels.compile import cache
 from elastomer_friction.workflow.ground import UserError
 from elastomer_friction.workflow.scene import call
 from tests.workflow.scene.scenes import KELVIN, LENGTH, MATERIAL, PULL, N, heights, run, slide
@@ -243,7 +242,6 @@ def test_a_state_of_another_scene_or_none_is_refused(first, changed, words):
 def test_it_is_said_that_kernels_are_compiled(monkeypatch, tmp_path, capsys):
     run()  # where nothing was compiled yet, it is now
     capsys.readouterr()
-    monkeypatch.setattr(cache, "CACHE_FOLDER", str(tmp_path / "code"))  # beside it times are noted
     own = call._estimates
 
     def compiling(*given):

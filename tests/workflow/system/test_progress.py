@@ -1,17 +1,14 @@
 """What is said of work: whole lines in a log, a bar in a terminal, what is compiled, once."""
 
 import io
-import itertools
 import re
 import sys
-from types import SimpleNamespace
 
 import numba
 import pytest
 from numba.core import event
 
-from elastomer_friction.workflow.system import compiling
-from elastomer_friction.workflow.system.compiling import FILE, WAITING, report_compilation
+from elastomer_friction.workflow.system.compiling import report_compilation
 from elastomer_friction.workflow.system.progress import Reporter, core_time, duration
 
 SECONDS = (0.0, 0.4, 12.3, 119.0, 120.0, 204.0, 7199.0, 20160.0, 674000.0)
@@ -97,9 +94,9 @@ def test_an_interval_is_in_one_unit_and_two_digits():
 
 
 @pytest.fixture
-def saying(tmp_path):
-    """Return what says it; times are kept in a folder of the test."""
-    return lambda: report_compilation("a toy", "1 to 2 s", str(tmp_path / "code"), "waiting")
+def saying():
+    """Return a report of the compilation of a toy."""
+    return lambda: report_compilation("a toy", "1 to 2 s", "waiting")
 
 
 def compile_one():
@@ -120,43 +117,14 @@ def test_it_is_said_once_and_only_where_something_is_compiled(saying, capsys):
     assert capsys.readouterr().err == ""
 
 
-def test_what_it_took_on_this_machine_is_said_the_next_time(saying, tmp_path, capsys, monkeypatch):
-    seconds = itertools.count(0.0, 0.01)  # whatever the machine takes
-    monkeypatch.setattr(compiling, "time", SimpleNamespace(monotonic=lambda: next(seconds)))
-    with saying():
-        compile_one()
-    capsys.readouterr()
-    (tmp_path / FILE).write_text('{"a toy": 12.4, "another": 3}')
-    with saying():
-        compile_one()
-    assert capsys.readouterr().err == "Compiling a toy, about 12 s and about 300 MiB, once.\n"
-    with saying():
-        compile_one()
-    assert capsys.readouterr().err == "Compiling a toy, about 1 s and about 300 MiB, once.\n"
-
-
-@pytest.mark.parametrize("damage", ["", "[]", "null", '{"a toy": "long"}', "\xff"])
-def test_a_damaged_note_is_none(saying, tmp_path, capsys, damage):
-    (tmp_path / FILE).write_text(damage, encoding="latin-1")
-    with saying():
-        compile_one()
-    assert capsys.readouterr().err == "Compiling a toy, 1 to 2 s and about 300 MiB, once.\n"
-
-
 def test_waiting_for_another_process_is_said_unless_this_one_compiles_too(saying, capsys):
     with saying():
         for _ in range(2):
             with event.trigger_event("waiting"):
                 pass
-        assert capsys.readouterr().err == f"{WAITING}\n"
+        assert capsys.readouterr().err == "Waiting for another process that compiles.\n"
         compile_one()  # as that process did not
         assert capsys.readouterr().err == "Compiling a toy, 1 to 2 s and about 300 MiB, once.\n"
         with event.trigger_event("waiting"):
             pass
     assert capsys.readouterr().err == ""
-
-
-def test_where_no_note_can_be_kept_nothing_else_is_lost(tmp_path, capsys):
-    with report_compilation("a toy", "1 to 2 s", str(tmp_path / "no" / "where"), "waiting"):
-        compile_one()
-    assert capsys.readouterr().err == "Compiling a toy, 1 to 2 s and about 300 MiB, once.\n"

@@ -156,7 +156,7 @@ def this_machine() -> Machine:
     """Return the pace of this machine, measured now if it is not known yet."""
     if known := known_machine():
         return known
-    how = "the numerical core", "20 to 60 s", cache.CACHE_FOLDER, cache.WAITING_EVENT
+    how = "the numerical core", "20 to 60 s", cache.WAITING_EVENT
     with report_compilation(*how):
         load_kernels("foundation", "exponential", Quantities())
     print("Measuring the speed of this machine, about 3 s, once.", file=sys.stderr)
