@@ -106,7 +106,7 @@ class dispatch_on_type:
 
     def __init__(self, declaration: Callable, **options: bool) -> None:
         functools.update_wrapper(self, declaration)
-        self.bodies: dict[Any, Callable] = {}
+        self.name, self.bodies = declaration.__name__, dict[Any, Callable]()
 
         @overload(self, jit_options=LINKED | options)
         @functools.wraps(declaration)
@@ -121,7 +121,7 @@ class dispatch_on_type:
     def __call__(self, first: Any, *others: Any) -> Any:
         """Run the body for the type of ``first``. Raises TypeError if there is none."""
         if type(first) not in self.bodies:
-            raise TypeError(f"{self.__name__} is not defined for {type(first).__name__}")
+            raise TypeError(f"{self.name} is not defined for {type(first).__name__}")
         return self.bodies[type(first)](first, *others)
 
     def register(self, argument_type: type) -> Callable[[Callable], Callable]:
