@@ -1,4 +1,4 @@
-"""What presses elastomer and line together: every step it gives the indentation.
+"""Controls: the indentation of every step under a prescribed load or indentation.
 
-A control is a file here; the march reaches it by its type.
+Each control has its own file; the march dispatches on its type.
 """

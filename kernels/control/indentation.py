@@ -1,7 +1,7 @@
-"""Prescribed indentation: d is given at every step, and the force is what follows from it.
+"""Prescribed indentation: d is given at every step, and the force follows.
 
-Nothing touches where d lies below every threshold: then there is no force, and no friction
-coefficient.
+If d lies below every threshold, no element touches: the force is zero and the friction coefficient
+is undefined.
 """
 
 from typing import NamedTuple
@@ -12,7 +12,7 @@ from ..model.balance import balance, balance_history, balance_rows
 
 
 class PrescribedIndentation(NamedTuple):
-    """The indentation is given."""
+    """Control that prescribes the indentation."""
 
     indentation: np.ndarray  # at the end of every step, in h over the deepest point
 
@@ -23,7 +23,7 @@ def _note(control, c, d, first, rings):
 
 
 @balance.register(PrescribedIndentation)
-def _balance(control, law, z, c, noted, d, step):
+def _balance(control, law, z, c, history, d, step):
     return control.indentation[step - 1], 0
 
 

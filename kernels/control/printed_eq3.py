@@ -1,4 +1,4 @@
-"""Constant normal force with eq. 3 as it is printed: the indentation rate costs no force.
+"""Constant normal force with eq. 3 as printed, without the force of the indentation rate.
 
 For comparison with Li et al. (2014), doi:10.1038/srep05795: eq. 3 has v z' for the rate of an
 element in contact, where u = z - d moves at v z' - d'. Defined for the Kelvin element alone.
@@ -13,14 +13,14 @@ from ..model.contact import solve_indentation
 
 
 class PrintedForce(NamedTuple):
-    """The elements carry the load together, by eq. 3 as printed, without the indentation rate."""
+    """Control that balances the load by eq. 3 as printed."""
 
     load: float  # sum of the forces of all elements, n Fbar
 
 
 @balance_history.register(PrintedForce)
 def _held(control, c, d, first, rings):
-    """Return which samples an element reaches straight from contact one sample upstream."""
+    """Return the samples whose element was in contact one sample upstream."""
     held = np.zeros(c.size, np.bool_)
     for s in range(first.size - 1):
         for i in range(first[s], first[s + 1] - 1):
@@ -31,14 +31,14 @@ def _held(control, c, d, first, rings):
 
 
 @balance.register(PrintedForce)
-def _balance(control, law, z, c, noted, d, step):
-    """Balance the load where held elements move with the line but not with the indentation.
+def _balance(control, law, z, c, history, d, step):
+    """Balance the load if held elements move with the line but not with the indentation.
 
-    Their last displacement counts as z - d with the new d: the rate of d costs no force. The
-    force of a held element is then d - (z_i - E z_(i+1)) / (1 - E), E the decay, as K (1 - E)
-    is 1. c is left consistent with the new d.
+    Their last displacement is taken as z - d with the new d, so that the rate of d costs no force.
+    The force of a held element is then d - (z_i - E z_(i+1)) / (1 - E), with the decay E, because
+    K (1 - E) = 1. c is made consistent with the new d.
     """
-    held = noted
+    held = history
     threshold = c.copy()
     weight = np.full(c.size, law.stiffness)
     for i in range(c.size):

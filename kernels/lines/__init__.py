@@ -1,4 +1,4 @@
-"""Rigid lines: how they are made, and the checks and origin that all lines share.
+"""Rigid lines: their construction, and the checks and origin that all lines share.
 
-A line of another kind is a file here that ends in ``Line.from_samples``.
+A line of another kind has its own file, which ends in ``Line.from_samples``.
 """

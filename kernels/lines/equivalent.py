@@ -45,23 +45,23 @@ def equivalent_amplitudes(
 
 
 def equivalent_of_cut(amplitude: np.ndarray) -> np.ndarray:
-    """Return the mode amplitudes of the line equivalent to the surface of which a cut is known.
+    """Return the mode amplitudes of the line equivalent to a surface, from those of a cut.
 
     amplitude : of the modes of straight cuts through an isotropic surface, shape (floor(N/2),), as
-    of measured_amplitudes. A ring of wave vectors of one length q is seen along a cut as waves of
+    from measured_amplitudes. A ring of wave vectors of one length q is seen along a cut as waves of
     all lengths q cos(phi), which the conversion takes back from the shortest waves on (the
     transform of Abel, in bands of wave numbers). The mean square slope doubles.
     """
     edges = _band_edges(amplitude.size)
     power = 0.5 * amplitude**2
-    seen = np.add.reduceat(power, edges[:-1])
-    rings = np.zeros_like(seen)
+    cut_power = np.add.reduceat(power, edges[:-1])
+    rings = np.zeros_like(cut_power)
     bounds = edges + 0.5  # between modes; mode k is at index k - 1
     shares = _shares(bounds)
-    for band in range(seen.size - 1, -1, -1):
-        left = seen[band] - rings[band + 1 :] @ shares[band + 1 :, band]
+    for band in range(cut_power.size - 1, -1, -1):
+        left = cut_power[band] - rings[band + 1 :] @ shares[band + 1 :, band]
         rings[band] = max(left, 0.0) / shares[band, band]
-    ratio = np.divide(rings, seen, out=np.zeros_like(rings), where=seen > 0.0)
+    ratio = np.divide(rings, cut_power, out=np.zeros_like(rings), where=cut_power > 0.0)
     return amplitude * np.sqrt(np.repeat(ratio, np.diff(edges)))
 
 
@@ -73,9 +73,9 @@ def _band_edges(modes: int) -> np.ndarray:
 
 def _shares(bounds: np.ndarray) -> np.ndarray:
     """Return the share of a ring in band i that a cut shows in band j, shape (bands, bands)."""
-    found = np.zeros((bounds.size - 1, bounds.size - 1))
+    shares = np.zeros((bounds.size - 1, bounds.size - 1))
     for band in range(bounds.size - 1):
         radii = np.linspace(bounds[band], bounds[band + 1], 9)[1::2]  # within the band
         below = np.arcsin(np.minimum(bounds[None, :] / radii[:, None], 1.0))
-        found[band] = (2.0 / np.pi * np.diff(below, axis=1)).mean(axis=0)
-    return found
+        shares[band] = (2.0 / np.pi * np.diff(below, axis=1)).mean(axis=0)
+    return shares

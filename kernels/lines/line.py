@@ -1,4 +1,4 @@
-"""A sampled rigid line, checked once: what the kernels take for granted holds from here on."""
+"""A sampled rigid line, checked once for all kernels."""
 
 import math
 from collections.abc import Iterator
@@ -58,7 +58,7 @@ class Line(NamedTuple):
     ) -> Iterator["Line"]:
         """Yield the QUARTET of lines whose phases are all turned by 0, pi, pi/2 and 3 pi/2.
 
-        Arguments as of self_affine, which is the first. Turned uniform phases are as uniform, so
+        Arguments as in self_affine, which is the first. Turned uniform phases are as uniform, so
         all four are as probable; they are z, -z, the Hilbert transform of z and minus that. They
         are not independent of each other (docs/errors.md says what they are worth); lines of other
         phases are.

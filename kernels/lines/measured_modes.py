@@ -8,7 +8,7 @@ times as finely: sample_line (self_affine.py) does both.
 
 import numpy as np
 
-MIN_LINE_SAMPLES = 4  # of a line: below, there is no slope to speak of
+MIN_LINE_SAMPLES = 4  # a shorter line has no meaningful slope
 
 
 def measured_modes(heights: np.ndarray) -> tuple[np.ndarray, np.ndarray]:

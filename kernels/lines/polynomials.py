@@ -2,7 +2,7 @@
 
 Interval j lies between the samples j and j + 1. In it the line is the polynomial that has the
 height and three derivatives of both: of a wave of eight samples, the shortest at m = 4, to 1e-7 of
-its height. It is gone through as elements go, against the motion: t runs from 0 at sample j + 1 to
+its height. It is traversed against the motion, as by the elements: t runs from 0 at sample j + 1 to
 1 at sample j.
 """
 
@@ -15,31 +15,31 @@ from ..compile.jit import inlined_kernel, kernel, refcount_free_kernel
 def sample_derivatives(z, slope, spacing):
     """Return the second and the third derivative (in h/dx^2 and h/dx^3), shape (2, n).
 
-    Both are found to eighth order from five heights and slopes.
+    Both are of eighth order, from five heights and slopes.
     """
     n = z.size
-    found = np.empty((2, n))
-    for j in range(2, n - 2):  # without a branch, so that several are found at once
-        fill_derivatives(z, slope, spacing, (j - 2, j - 1, j, j + 1, j + 2), found)
+    derivatives = np.empty((2, n))
+    for j in range(2, n - 2):  # no branch: vectorised
+        fill_derivatives(z, slope, spacing, (j - 2, j - 1, j, j + 1, j + 2), derivatives)
     for j in range(-2, min(2, n - 2)):  # round the end
         near = (j - 2) % n, (j - 1) % n, j % n, (j + 1) % n, (j + 2) % n
-        fill_derivatives(z, slope, spacing, near, found)
-    return found
+        fill_derivatives(z, slope, spacing, near, derivatives)
+    return derivatives
 
 
 @inlined_kernel
-def fill_derivatives(z, slope, spacing, near, found):
+def fill_derivatives(z, slope, spacing, near, derivatives):
     """Fill the derivatives at the middle one of the five samples ``near``."""
     before, left, j, right, after = near
     rise = 64.0 / 27.0 * ((z[right] - z[j]) - (z[j] - z[left]))
     rise += 7.0 / 54.0 * ((z[after] - z[j]) - (z[j] - z[before]))
     turn = 8.0 / 9.0 * (slope[right] - slope[left])
     turn += 1.0 / 36.0 * (slope[after] - slope[before])
-    found[0, j] = rise / spacing**2 - turn / spacing
+    derivatives[0, j] = rise / spacing**2 - turn / spacing
     odd = 88.0 / 9.0 * (z[right] - z[left]) + 31.0 / 144.0 * (z[after] - z[before])
     even = 15.0 * slope[j] + 8.0 / 3.0 * (slope[right] + slope[left])
     even += (slope[after] + slope[before]) / 24.0
-    found[1, j] = odd / spacing**3 - even / spacing**2
+    derivatives[1, j] = odd / spacing**3 - even / spacing**2
 
 
 @refcount_free_kernel
@@ -79,7 +79,7 @@ def coefficients_between(z, slope, bend, h, k, j):
 def bernstein_coefficients(c):
     """Return eight numbers between whose extremes the polynomial stays from t = 0 to 1."""
     c0, c1, c2, c3, c4, c5, c6, c7 = c
-    # Each power of t over the binomial coefficient that it has: numbers of which sums are left.
+    # Coefficients divided by the binomial ones, so that only sums remain.
     c1, c2, c3, c4 = c1 * (1.0 / 7.0), c2 * (1.0 / 21.0), c3 * (1.0 / 35.0), c4 * (1.0 / 35.0)
     c5, c6 = c5 * (1.0 / 21.0), c6 * (1.0 / 7.0)
     return (

@@ -1,1 +1,1 @@
-"""The model of the paper, whole: slow, readable, and the reference of every test."""
+"""The complete model of the paper: slow, readable, the reference of the tests."""

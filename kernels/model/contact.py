@@ -13,10 +13,9 @@ Never more than 2 n + 3 passes over n elements: after the first pass d lies righ
 from then on every pass has a smaller d with fewer elements touching, or is the last. Rounding
 can carry d below every threshold; that restarts it once, from the bound of one element.
 
-What touches is a NamedTuple, Springs or one that knows more about many elements (quick/, scene/):
-its type says what it carries at d. Eq. 4 is solved in two more places, where the elements have come
-to where they are by sliding steadily: model/steady.py, and branches/steady_memory.py for internal
-variables.
+A contact is a NamedTuple: Springs, or one that treats many elements together (quick/, scene/). Its
+force at d is dispatched on its type. Eq. 4 is also solved for steady sliding in model/steady.py
+and, for internal variables, in branches/steady_memory.py.
 """
 
 from typing import NamedTuple
@@ -28,9 +27,9 @@ from ..compile.jit import dispatch_on_type, kernel, refcount_free_kernel
 
 @dispatch_on_type.refcount_free
 def excess_at(contact, load, d):
-    """Return (what it carries at d beyond the load, the derivative with respect to d, number).
+    """Return (excess of the force at d over the load, its derivative with respect to d, number).
 
-    number : of the elements that touch, or how much of them does.
+    number : of the touching elements, possibly fractional.
     """
 
 
@@ -68,15 +67,15 @@ def indentation_under(contact, load, guess):
 
 
 class Springs(NamedTuple):
-    """Elements one by one, all of the stiffness 1."""
+    """Elements of stiffness 1."""
 
     c: np.ndarray  # contact thresholds z_i - w_i, shape (n,), n > 0, in h
 
 
 class UnlikeSprings(NamedTuple):
-    """Elements one by one, each of its own stiffness."""
+    """Elements with different stiffnesses."""
 
-    c: np.ndarray  # as of Springs
+    c: np.ndarray  # as in Springs
     stiffness: np.ndarray  # s_i > 0, shape (n,)
 
 
@@ -108,7 +107,7 @@ def _lowest_of_unlike_springs(contact, load):
 def solve_indentation(c, load, guess, stiffness=None):
     """Return (d, passes) with sum_i s_i max(0, d - c_i) = load > 0, from any ``guess``.
 
-    c, stiffness : as of UnlikeSprings; None where all s_i are 1.
+    c, stiffness : as in UnlikeSprings; stiffness is None if all s_i are 1.
     """
     if stiffness is None:
         return indentation_under(Springs(c), load, guess)

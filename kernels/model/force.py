@@ -7,7 +7,7 @@ from .contact import indentation_under, solve_indentation
 
 
 class ConstantForce(NamedTuple):
-    """The elements carry the load together."""
+    """Control that balances a constant load."""
 
     load: float  # sum of the forces of all elements, n Fbar
 
@@ -18,7 +18,7 @@ def _note(control, c, d, first, rings):
 
 
 @balance.register(ConstantForce)
-def _balance(control, law, z, c, noted, d, step):
+def _balance(control, law, z, c, history, d, step):
     return solve_indentation(c, control.load / law.stiffness, d)
 
 

@@ -1,7 +1,7 @@
-"""Friction of a contact state: eq. 5 by quadrature at an instant, or as mean over a step.
+"""Friction of a contact state: eq. 5 by quadrature at an instant, or as the mean over a step.
 
-Eq. 5 is summed here, sample by sample, and in two places of quick/ that know sums over many samples
-beforehand: contacts/pressure.py at an instant, and march/stepping.py as the mean over a step.
+Eq. 5 is summed here, sample by sample, and in two places of quick/ with precomputed sums over many
+samples: contacts/pressure.py at an instant, and march/stepping.py as the mean over a step.
 Source: Li et al. (2014), eqs. 3 to 5, doi:10.1038/srep05795.
 """
 
@@ -52,11 +52,11 @@ def _touching(z, w, d):
 
 
 def sliding_friction(line, state, speed, load):
-    """Return mu of steady sliding (eq. 5), in h/dx, as far as the samples of a line tell it.
+    """Return mu of steady sliding (eq. 5), in h/dx, from the samples of a line.
 
-    state : of steady sliding at the speed vbar under the load n Fbar (steady.py). Two things are
-    known beforehand: mu is a mean of slopes of the contact, and on a line without modes above
-    q = pi/dx sliding takes work.
+    state : of steady sliding at the speed vbar under the load n Fbar (steady.py). Two bounds are
+    used: mu is a mean of slopes of the contact, and on a line without modes above q = pi/dx it is
+    positive.
     """
     z, slope, (w, d), steps = line.z, line.slope, state, line.steps_per_spacing
     mu, rate, _ = quadrature(z, slope, w, d, speed, speed, load)
@@ -72,10 +72,10 @@ def sliding_friction(line, state, speed, load):
 
 
 def correction_share(steps: float, speed: float) -> float:
-    """Return which share of the elastic part of mu is corrected.
+    """Return the share of the elastic part of mu that is corrected.
 
-    As far as a sample lasts longer than tau: by measurement the better estimate there, and the
-    worse one beyond.
+    The correction is more accurate for samples longer than tau, and less accurate for shorter ones
+    (measured).
     """
     share = math.exp(-((steps * speed) ** 2))
     return share if share >= 1e-3 else 0.0
@@ -83,7 +83,7 @@ def correction_share(steps: float, speed: float) -> float:
 
 @kernel
 def elastic_correction(z, slope, w, d, speed, rate, steps):
-    """Return what sum p z' of quadrature misses of the friction of steady sliding.
+    """Return the error of the sum of p z' in quadrature for steady sliding.
 
     int (D - z) z' dx = [-(D - z)^2 / 2] with D = d + d', here cell by cell around the samples.
     Summed by samples its error does not fall with the speed, as steady friction does; below one
@@ -139,9 +139,9 @@ def trailing_edge_reach(here, there):
 
 @kernel
 def _covered(z, slope, w, d, formed, j):
-    """Return how much of touching sample j the contact covers: 1 but at its edges.
+    """Return the part of touching sample j that the contact covers: 1 except at its edges.
 
-    Pressure may be finite at an edge, so a whole or no sample there is an error of first order.
+    The pressure may be finite at an edge, so counting whole samples is a first-order error.
     """
     covered = 1.0
     for k in ((j + 1) % z.size, (j - 1) % z.size):
@@ -193,8 +193,8 @@ def weighted_sums(threshold, covered, slope, d):
 
 
 def mean_slope(p, slope):
-    """Return mu by eq. 5 of forces p >= 0 that are known, where the line has these slopes.
+    """Return mu by eq. 5 from known forces p >= 0 and the slopes of the line.
 
-    Outside of kernels: numpy adds up in pairs, which keeps more digits.
+    For use outside of kernels: numpy sums in pairs, which keeps more digits.
     """
     return float(np.sum(p * slope) / p.sum())

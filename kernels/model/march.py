@@ -1,8 +1,8 @@
-"""Marching: the line moves step by step, the elements follow, the control holds the balance.
+"""March of a line over the elements, with the indentation given by a control.
 
-Which samples are carried along and where elements are next is told by motion, what an element
-does in a step by rheology, which indentation follows by control. Laws and controls are reached
-by their types: numba compiles a version for each pair, in which no other has left a trace.
+The room motion moves the elements along the line, rheology gives their response in a step, and
+control the indentation. Laws and controls are dispatched on their types: numba compiles a version
+for each pair, without code of the others.
 """
 
 import numpy as np
@@ -19,11 +19,11 @@ def march(law, control, z, weight, state, kept_steps, cap):
     """March from a state of the elements; return (mu, indentation, passes, inside).
 
     law : of the elastomer, for steps of one sample (rheology), e.g. Kelvin.
-    control : what the indentation follows from (control), e.g. ConstantForce.
+    control : of the indentation (control), e.g. ConstantForce.
     z, weight : line (in h) and lagged slope (in h/dx), shape (n,), z[0] the highest point.
     state : the elements before the first step (rheology/law.py), e.g. of steady sliding.
     kept_steps : increasing step numbers (first step = 1) at which mu and d are kept.
-    cap : elements above it are taken never to touch; inside tells whether d stayed below.
+    cap : elements above it are assumed never to touch; inside : whether d stayed below.
     mu : friction averaged over the step (friction.py), in h/dx, shape of kept_steps.
     indentation : d at the end of the step, in h. passes : over the thresholds, in all steps.
     """
@@ -42,17 +42,17 @@ def march(law, control, z, weight, state, kept_steps, cap):
 
     mu = np.empty(kept_steps.size)
     indentation = np.empty(kept_steps.size)
-    kept = 0
+    recorded = 0
     passes = 0
     for step in range(1, kept_steps[-1] + 1):
-        noted = balance_history(control, c, d, first, rings)
+        history = balance_history(control, c, d, first, rings)
         shift(law, z, c, d, first, rings, step)
-        d, used = balance(control, law, z, c, noted, d, step)
+        d, used = balance(control, law, z, c, history, d, step)
         passes += used
         if d > cap:
             return mu, indentation, passes, False
-        if step == kept_steps[kept]:
-            mu[kept] = step_average(weight, c, d)
-            indentation[kept] = d
-            kept += 1
+        if step == kept_steps[recorded]:
+            mu[recorded] = step_average(weight, c, d)
+            indentation[recorded] = d
+            recorded += 1
     return mu, indentation, passes, True

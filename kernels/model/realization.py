@@ -1,7 +1,7 @@
 """One realization of the paper: a line slides steadily, its velocity jumps, friction relaxes.
 
-This is the whole model in one function. What is computed quicker (quick/) gives the same numbers;
-a test holds them equal. Source: Li et al. (2014), eqs. 1 to 5, doi:10.1038/srep05795.
+This function is the complete model. Tests compare the faster computation (quick/) with it.
+Source: Li et al. (2014), eqs. 1 to 5, doi:10.1038/srep05795.
 """
 
 from typing import NamedTuple
@@ -17,7 +17,7 @@ from .steady import steady_sliding
 
 
 class Realization(NamedTuple):
-    """What one line gives; mu in h/dx, indentation in h over the deepest point."""
+    """Friction of one line; mu in h/dx, indentation in h over the deepest point."""
 
     mu_1: float  # of steady sliding at v1
     mu_2: float  # of steady sliding at v2
@@ -33,8 +33,8 @@ def realization(
 
     load : Fbar = F_N/(4 G L h). speed : vbar = v1 tau/dx > 0. ratio : v2/v1 > 0.
     scheme : a key of SCHEMES. kept_steps : increasing step numbers, from 1 on, at which mu is kept.
-    In a step the line moves by one sample. The march averages mu over each step, so what it says
-    is taken relative to that average in steady sliding at v2, and mu ends at mu_2 exactly.
+    In a step the line moves by one sample. The march averages mu over each step. The difference
+    from that average in steady sliding at v2 is added to mu_2, so that mu ends at mu_2 exactly.
     """
     z, slope, force = line.z, line.slope, load * line.z.size
     v1, v2 = speed, ratio * speed

@@ -1,4 +1,4 @@
-"""Steady sliding under given load, without time marching, of elements that remember u alone.
+"""Steady sliding under a given load, without time marching, for elements that remember only u.
 
 At constant d the line carries its own displacement field along. One sweep against the
 motion, from the deepest point of the profile (always in contact) round the period, gives it:
@@ -6,9 +6,9 @@ w = E u, u = min(w, z - d), E the decay of a step. Every -u is a maximum of incr
 functions of d (E^k (d - z) over the k samples upstream), so the total force F(d) is increasing
 and convex as well, and Newton's method from the right ends with the exact root.
 
-Sweeps are bounded: in exact arithmetic each has fewer elements touching than the one before,
-or is the last. Where rounding hides the root, one more is granted as long as it halves the
-excess force: never more than n + log2(first excess / (4e-16 load)) in all.
+The number of sweeps is bounded: in exact arithmetic each has fewer touching elements than the one
+before, or is the last. Where rounding hides the root, another sweep follows while it halves the
+excess force: at most n + log2(first excess / (4e-16 load)) in total.
 """
 
 from typing import NamedTuple
@@ -20,7 +20,7 @@ from ..rheology.kelvin import Kelvin
 from ..rheology.law import MIN_MAGNITUDE, State, free_displacement
 from .contact import excess_at, solve_indentation
 
-EXCESS_TOLERANCE = 4e-16  # of the load: an excess that is as good as none
+EXCESS_TOLERANCE = 4e-16  # relative to the load
 
 
 @kernel
@@ -73,9 +73,9 @@ def _excess_of_plain_sliding(contact, load, d):
 def steady_indentation(elements, load, guess, above, most, close):
     """Return (d, sweeps, touching) of steady sliding under the load sum_i f_i = load (eq. 4).
 
-    elements : what slides; excess_at (contact.py) says what it carries at d, here and in quick/.
-    above : whether the guess of d is known to lie on the right of the root, but for rounding.
-    most : elements. close : the excess, relative to the load, that is as good as none.
+    elements : that slide; excess_at (contact.py) gives their force at d, here and in quick/.
+    above : whether the guess of d lies to the right of the root, up to rounding.
+    most : elements. close : tolerance of the excess, relative to the load.
     Eq. 4 is solved in contact.py too, and for internal variables in branches/steady_memory.py.
     """
     d, fewest, least, sweeps = guess, most + 1, np.inf, 0
@@ -95,7 +95,7 @@ def steady_indentation(elements, load, guess, above, most, close):
 
 @kernel
 def steady_sliding(law, z, load):
-    """Return (state, sweeps) of steady sliding of elements that remember u alone.
+    """Return (state, sweeps) of steady sliding of elements that remember only u.
 
     law : of the elastomer, for steps of one sample (rheology), e.g. Kelvin.
     z : heights (in h), shape (n,). load : n Fbar.

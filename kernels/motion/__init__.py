@@ -1,4 +1,4 @@
-"""How the line moves: which of its samples are carried along, and which element comes to which.
+"""Motion of the line: marched samples, time steps, and elements on their way between samples.
 
 A motion of another kind is a file here that starts and shifts as slide.py does.
 """

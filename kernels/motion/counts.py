@@ -1,7 +1,7 @@
-"""How many steps the legs of a programme take, by formula: no array of them is made.
+"""Number of steps of the legs of a programme, by formula, without computing the steps.
 
-Of slides, holds and small oscillations the number is exact. Of paths that are solved for their
-steps (path.py) it is a bound that they do not exceed.
+For slides, holds and small oscillations the number is exact. For paths whose steps are solved for
+(path.py) it is an upper bound.
 """
 
 import math
@@ -43,7 +43,7 @@ def count_steps(
     speed: float = 0.0,
     shortest: float = MIN_DASHPOT_STEP,
 ) -> np.ndarray:
-    """Return the number of steps of each leg, or a bound of it; arguments as of ``steps_of``.
+    """Return the number of steps of each leg, or an upper bound; arguments as in ``steps_of``.
 
     Shape (legs,), whole numbers as floats, which may be beyond any integer. Raises ValueError for a
     leg without meaning.
@@ -52,7 +52,7 @@ def count_steps(
     m = steps_per_spacing
     for leg in programme:
         check_leg(leg)
-        if not math.isfinite(position):  # what is beyond all numbers is too much
+        if not math.isfinite(position):  # beyond the range of doubles
             break
         if isinstance(leg, Slide):
             end = position + math.copysign(leg.distance * m, leg.speed)
@@ -114,6 +114,6 @@ def _bound(path: Path, m: int) -> tuple[float, float]:
     resting = math.ceil(
         math.log1p(MAX_HOLD_STEP_RATIO * (hold_step_ratio(m) - 1.0)) / math.log(hold_step_ratio(m))
     )
-    each = np.ceil(pieces) + 2.0 + np.where(pieces > SNAP_TOLERANCE, min_cycle_steps(m), resting)
-    count = float(each.sum())
+    counts = np.ceil(pieces) + 2.0 + np.where(pieces > SNAP_TOLERANCE, min_cycle_steps(m), resting)
+    count = float(counts.sum())
     return (count, float(places[-1])) if math.isfinite(count) else (math.inf, math.inf)

@@ -18,14 +18,14 @@ TIME_BISECTIONS = 60  # to the last bit of a time, unless it is tiny beside the 
 
 
 class Path(NamedTuple):
-    """Where the line is over time."""
+    """Position of the line over time."""
 
     where: Callable[[np.ndarray], np.ndarray]  # samples from the start, of times in tau
     breaks: np.ndarray  # times from 0 to the end; between two of them X rises, falls or rests
 
 
 def min_cycle_steps(m: int) -> int:
-    """Return in how many time steps a cycle is resolved at least, at m samples to a spacing."""
+    """Return the minimum number of time steps per cycle, at m samples per spacing."""
     return max(64, 16 * m)
 
 
@@ -53,7 +53,7 @@ def step_ends(begin: float, end: float) -> np.ndarray:
 
 
 def snap_to_sample(position: float) -> float:
-    """Return a position, or the whole sample that it is but for rounding."""
+    """Return a position, rounded to a whole sample if it differs only by rounding."""
     nearest = round(position)
     return (
         float(nearest)
@@ -85,7 +85,7 @@ def steps_along(path: Path, m: int, start: float) -> tuple[np.ndarray, np.ndarra
 
 
 def _times(path: Path, moved: np.ndarray, begin: float, end: float) -> np.ndarray:
-    """Return when a path has moved so far, by bisection of a piece on which it is monotone."""
+    """Return the times of given displacements, by bisection of a monotone piece of the path."""
     low, high = np.full(moved.size, begin), np.full(moved.size, end)
     rising = path.where(np.array([end]))[0] > path.where(np.array([begin]))[0]
     for _ in range(TIME_BISECTIONS):

@@ -61,12 +61,12 @@ def tracks(
 
 
 def _stages(fraction: np.ndarray, most: int) -> list[tuple[int, int]]:
-    """Return (first, last) step of stages that have no more than ``most`` fractions each."""
+    """Return (first, last) step of stages that have at most ``most`` fractions."""
     stages = []
-    first, seen = 0, {float(fraction[0])}
+    first, seen_fractions = 0, {float(fraction[0])}
     for at in np.flatnonzero(np.diff(fraction)) + 1:
-        if len(seen | {float(fraction[at])}) > most:
+        if len(seen_fractions | {float(fraction[at])}) > most:
             stages.append((first, int(at) - 1))
-            first, seen = int(at) - 1, {float(fraction[at - 1])}
-        seen.add(float(fraction[at]))
+            first, seen_fractions = int(at) - 1, {float(fraction[at - 1])}
+        seen_fractions.add(float(fraction[at]))
     return [*stages, (first, fraction.size - 1)]

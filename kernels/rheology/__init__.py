@@ -1,4 +1,4 @@
-"""Laws of the elastomer: the constants of one time step, and what an element does in it.
+"""Laws of the elastomer: the response of an element in one time step.
 
-A law is a file here; the march and the sweep reach it by its type.
+Each law has its own file; the march and the sweep dispatch on its type.
 """

@@ -19,20 +19,20 @@ import numpy as np
 
 from ..compile.jit import dispatch_on_type
 
-# What decays below this is zero: subnormal numbers would slow a sweep tenfold. Below its root
-# so is the decay of one step, whose product with what is left then stays a normal number.
+# Smaller magnitudes are set to zero: subnormal numbers would slow a sweep tenfold. A decay of one
+# step below its square root is zero too, so that products with memory stay normal numbers.
 MIN_MAGNITUDE = 1e-200
 
 
 class State(NamedTuple):
-    """What the elements of a line remember from one step to the next."""
+    """State of the elements of a line between two steps."""
 
     w: np.ndarray  # shape (n,): displacements they would have without force, in h
     d: float  # indentation, in h; element i touches where z_i - w_i < d, at u_i = z_i - d
 
 
 class Elements(NamedTuple):
-    """What elements with internal variables remember from one step to the next."""
+    """State of elements with internal variables between two steps."""
 
     memory: np.ndarray  # shape (M, n): internal variables of the n elements
     p: np.ndarray  # shape (n,): forces of the last step, in 4 G dx h
@@ -56,7 +56,7 @@ def memory_size(form):
 
 @dispatch_on_type
 def rest_memory(form, p):
-    """Return the memory, shape (M, n), of elements that have carried forces p (n,) for ever."""
+    """Return the memory, shape (M, n), in equilibrium under forces p (n,)."""
 
 
 @dispatch_on_type
@@ -79,7 +79,7 @@ def predict(law, memory, p, w):
 
 @dispatch_on_type
 def advance_memory(law, memory, w, p, new):
-    """Take memory (M, n) over the step, in place. Linear in all that follows the law.
+    """Advance memory (M, n) over the step, in place. Linear in all arguments after the law.
 
     w (n,) : as predict left it; it may be changed. p (n,) : forces of the step before.
     new (n,) : of this step, stiffness * max(0, w - u). p stays: the caller makes new the next p.

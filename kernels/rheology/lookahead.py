@@ -1,4 +1,4 @@
-"""A law for elements that count what the next step finds: it needs no force of the step before.
+"""Lookahead memory: elements whose next prediction needs no force of the previous step.
 
 Let y_k be the memory of unit k after a step, and v_k = E_k y_k - A_k p what the next step makes of
 it before its own force acts (prony.py). From step to step, all being of one length,
@@ -7,9 +7,9 @@ it before its own force acts (prony.py). From step to step, all being of one len
 
 and an element without force would reach sum v_k. The relaxation form needs no force as it is.
 
-One element after the other meets the samples of a line. What a block of samples would find without
-forces in it is known at once from the v_k before it, and each force takes its part of that from the
-samples behind it: so no sample waits for the sum over all units at the one before.
+An element meets the samples of a line one after the other. The forces of a block of samples are
+first predicted from the v_k before it, without the forces within the block. Each force is then
+corrected for those before it, so that no sample waits for a sum over all units.
 """
 
 import math
@@ -22,7 +22,7 @@ from .law import MIN_MAGNITUDE, advance_memory, predict
 from .prony import Prony
 from .relaxed import Relaxed, advance_element, predict_element
 
-BLOCK_SAMPLES = 8  # samples; their forces are taken from the v_k by fours
+BLOCK_SAMPLES = 8  # samples; their forces are subtracted in groups of four
 
 
 @dispatch_on_type
@@ -32,7 +32,7 @@ def lookahead_law(law):
 
 @dispatch_on_type
 def lookahead_memory(law, memory, p):
-    """Return what is counted of an element (M,) with this memory (M,) after a step with force p."""
+    """Return the lookahead memory (M,) of an element after a step with force p."""
 
 
 @dispatch_on_type.refcount_free
@@ -45,8 +45,8 @@ def slide_element(law, y, d, heights, forces):
 
 
 @dispatch_on_type.refcount_free
-def fill_memory(law, y, p, memory, at, way, count):
-    """Fill ``memory`` (M, n) of an element at the samples at, at + way, ... (``count`` of them).
+def fill_memory(law, y, p, memory, at, stride, count):
+    """Fill ``memory`` (M, n) of an element at the samples at, at + stride, ... (``count`` of them).
 
     law : from ``lookahead_law``. y (M,) : lookahead memory before the first of these samples,
     updated to that after the last. p (n,) : forces.
@@ -54,7 +54,7 @@ def fill_memory(law, y, p, memory, at, way, count):
 
 
 class LookaheadUnits(NamedTuple):
-    """Constants of one step of v_k, and of a block; stiffness as of every law (law.py)."""
+    """Constants of one step of v_k, and of a block; stiffness as in every law (law.py)."""
 
     decay: np.ndarray  # E_k, shape (K,)
     due: np.ndarray  # E_k B_k + A_k, shape (K,): what a force takes from v_k
@@ -65,7 +65,7 @@ class LookaheadUnits(NamedTuple):
     )  # shape (K, BLOCK_SAMPLES): the force that v_k would be at every sample of a block
     echo: np.ndarray  # shape (BLOCK_SAMPLES,): what a force takes from that 1, 2, ... samples later
     left: np.ndarray  # shape (K,): of v_k after a block
-    taken: np.ndarray  # shape (BLOCK_SAMPLES, K): what a force at every sample takes from that
+    removed: np.ndarray  # shape (BLOCK_SAMPLES, K): what a force at every sample takes from that
 
 
 @lookahead_law.register(Prony)
@@ -78,9 +78,9 @@ def _foreseen_of_units(law):
     ahead, echo = law.stiffness * powers[:BLOCK_SAMPLES].T.copy(), np.empty(BLOCK_SAMPLES)
     for m in range(BLOCK_SAMPLES):
         echo[m] = (due * ahead[:, m]).sum()
-    taken = due * powers[:BLOCK_SAMPLES][::-1]
+    removed = due * powers[:BLOCK_SAMPLES][::-1]
     return LookaheadUnits(
-        law.decay, due, law.fresh, law.stiffness, ahead, echo, powers[BLOCK_SAMPLES], taken
+        law.decay, due, law.fresh, law.stiffness, ahead, echo, powers[BLOCK_SAMPLES], removed
     )
 
 
@@ -135,10 +135,10 @@ def _slide_one(law, y, d, heights, forces):
             y[k] *= law.left[k]
         for m in range(0, BLOCK_SAMPLES, 4):
             first, second, third, fourth = block[m], block[m + 1], block[m + 2], block[m + 3]
-            taken = law.taken[m : m + 4]
+            removed = law.removed[m : m + 4]
             for k in range(y.size):
-                y[k] -= (taken[0, k] * first + taken[1, k] * second) + (
-                    taken[2, k] * third + taken[3, k] * fourth
+                y[k] -= (removed[0, k] * first + removed[1, k] * second) + (
+                    removed[2, k] * third + removed[3, k] * fourth
                 )
         if total == before:
             for k in range(y.size):
@@ -186,19 +186,19 @@ def _slide_of_branches(law, y, d, heights, forces):
 
 
 @fill_memory.register(LookaheadUnits)
-def _fill_memory(law, y, p, memory, at, way, count):
+def _fill_memory(law, y, p, memory, at, stride, count):
     for k in range(y.size):
         decay, due, fresh, v, j = law.decay[k], law.due[k], law.fresh[k], y[k], at
         for _ in range(count):
             memory[k, j] = v - fresh * p[j]
             v = decay * v - due * p[j]
-            j += way
+            j += stride
         y[k] = v if abs(v) > MIN_MAGNITUDE else 0.0
 
 
 @fill_memory.register(Relaxed)
-def _fill_memory_of_branches(law, y, p, memory, at, way, count):
-    for j in range(at, at + way * count, way):
+def _fill_memory_of_branches(law, y, p, memory, at, stride, count):
+    for j in range(at, at + stride * count, stride):
         advance_element(law, y, predict_element(law, y), p[j])
         for k in range(y.size):
             memory[k, j] = y[k]

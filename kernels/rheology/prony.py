@@ -55,17 +55,17 @@ def moments(x):
     """Return (E, 1 - E, beta, alpha): E = exp(-x), weights of the end and the start force."""
     if x > LN_2:
         left = math.exp(-x)
-        gone = 1.0 - left
-        return left, gone, 1.0 - gone / x, gone / x - left
+        decayed = 1.0 - left
+        return left, decayed, 1.0 - decayed / x, decayed / x - left
     if x > 0.1:
-        gone = -math.expm1(-x)
-        return 1.0 - gone, gone, 1.0 - gone / x, gone / x - (1.0 - gone)
+        decayed = -math.expm1(-x)
+        return 1.0 - decayed, decayed, 1.0 - decayed / x, decayed / x - (1.0 - decayed)
     end = 1.0  # a difference of nearly equal numbers otherwise
     for share in SERIES_COEFFICIENTS:
         end = 1.0 - x * share * end
     end *= 0.5 * x
-    gone = x * (1.0 - end)
-    return 1.0 - gone, gone, end, gone - end
+    decayed = x * (1.0 - end)
+    return 1.0 - decayed, decayed, end, decayed - end
 
 
 @law_of.register(Retardation)
@@ -82,10 +82,10 @@ def fill_law(form, dt, constants):
     ramp = latest = 0.0
     for k in range(form.times.size):
         x, compliance = dt / form.times[k], form.compliances[k]
-        left, gone, end, start = moments(x)
+        left, decayed, end, start = moments(x)
         decay[k] = left if left > math.sqrt(MIN_MAGNITUDE) else 0.0
         fresh[k], stale[k] = compliance * end, compliance * start
-        moved[k], late[k] = compliance * gone, start / gone
+        moved[k], late[k] = compliance * decayed, start / decayed
         ramp += stale[k]
         latest = max(latest, late[k])
     prompt = answered = form.glass

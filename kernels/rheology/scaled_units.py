@@ -29,7 +29,7 @@ MIN_DECAY = 2.0**-100  # far below the last digit of what the step adds
 
 
 class Scales(NamedTuple):
-    """What is common to the units of all elements, each of shape (K,)."""
+    """Scales common to the units of all elements, each of shape (K,)."""
 
     scale: np.ndarray  # S_k
     last: (
@@ -37,19 +37,19 @@ class Scales(NamedTuple):
     )  # the last step at which memory was to be multiplied by RESCALE_FACTOR, or wiped
     before: np.ndarray  # the one before; the same as last where memory was wiped
     fresh: np.ndarray  # B_k of the last step; 0 where the memory knows of its force
-    due: np.ndarray  # what the force of the last step takes from a_k; 0 where it has been taken
+    due: np.ndarray  # what the force of the last step takes from a_k; 0 where that is done
 
 
 @kernel
 def unit_scales(units, step):
-    """Return the Scales of a number of units whose memory counts as it is, after a step."""
+    """Return the Scales of units whose memory is not scaled, after a step."""
     zeros, steps = np.zeros((2, units)), np.full((2, units), step)
     return Scales(np.ones(units), steps[0], steps[1], zeros[0], zeros[1])
 
 
 @inlined_kernel
 def advance_scales(law, scales, step):
-    """Go on to a step; law : a Prony, of that step."""
+    """Advance the scales to a step; law : the Prony of that step."""
     for k in range(law.decay.size):
         scale = law.decay[k] * scales.scale[k]
         if law.decay[k] < MIN_DECAY:
@@ -64,24 +64,24 @@ def advance_scales(law, scales, step):
 
 
 @inlined_kernel
-def rescale_blocks(scales, memory, seen, some, step):
-    """Shrink the memory of some blocks by what they have not seen until a step.
+def rescale_blocks(scales, memory, updated, some, step):
+    """Rescale the memory of some blocks up to a step.
 
-    memory : shape (blocks, K, BLOCK_ELEMENTS). seen : the last step that each has seen.
+    memory : shape (blocks, K, BLOCK_ELEMENTS). updated : last step up to which each is rescaled.
     """
     latest = 0
     for k in range(scales.last.size):
         latest = max(latest, scales.last[k])
     for b in some:
-        for k in range(scales.last.size if seen[b] < latest else 0):
-            if scales.before[k] > seen[b]:
+        for k in range(scales.last.size if updated[b] < latest else 0):
+            if scales.before[k] > updated[b]:
                 for i in range(BLOCK_ELEMENTS):
                     memory[b, k, i] = 0.0
-            elif scales.last[k] > seen[b]:
+            elif scales.last[k] > updated[b]:
                 for i in range(BLOCK_ELEMENTS):
                     y = RESCALE_FACTOR * memory[b, k, i]
                     memory[b, k, i] = y if abs(y) > MIN_SCALED_MEMORY else 0.0
-        seen[b] = max(seen[b], step)
+        updated[b] = max(updated[b], step)
 
 
 @inlined_kernel
@@ -96,7 +96,7 @@ def predict_block(share, memory, b, total):
 
 
 class Indenter(NamedTuple):
-    """What presses elements: the force is stiffness * (level - c) above their threshold c."""
+    """Indenter of elements: the force is stiffness * (level - c) above their threshold c."""
 
     level: float  # in h
     stiffness: float
@@ -116,22 +116,22 @@ def advance_and_predict(due, share, memory, b, pressing, c, room):
     c : thresholds, shape (BLOCK_ELEMENTS,). room : shape (2 BLOCK_ELEMENTS,), filled with the sums
     and the forces p. It is one array because loops over two arrays check whether they overlap.
     """
-    of_unit, taken = share[0], due[0]
+    of_unit, drop = share[0], due[0]
     for i in range(BLOCK_ELEMENTS):
         p = element_force(pressing, c[i])
-        y = memory[b, 0, i] - taken * p
+        y = memory[b, 0, i] - drop * p
         memory[b, 0, i] = y
         room[i], room[BLOCK_ELEMENTS + i] = of_unit * y, p
     for k in range(1, share.size):
-        of_unit, taken = share[k], due[k]
+        of_unit, drop = share[k], due[k]
         for i in range(BLOCK_ELEMENTS):
-            y = memory[b, k, i] - taken * room[BLOCK_ELEMENTS + i]
+            y = memory[b, k, i] - drop * room[BLOCK_ELEMENTS + i]
             memory[b, k, i] = y
             room[i] += of_unit * y
 
 
 @inlined_kernel
 def mark_forces_applied(scales):
-    """Note that all memory knows of the force of the last step."""
+    """Record that all memory includes the force of the last step."""
     for k in range(scales.due.size):
         scales.due[k] = 0.0

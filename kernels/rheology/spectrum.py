@@ -1,10 +1,10 @@
-"""What an elastomer is made of: a spring, branches that relax, perhaps a dashpot.
+"""Spectrum of an elastomer: a spring, relaxing branches and possibly a dashpot.
 
 The relaxation modulus, in units of the relaxed modulus G and of the relaxation time tau, is
 
     G(t) / G = 1 + sum_b g_b exp(-t / t_b) + eta delta(t),
 
-a Prony series with a dashpot beside it. tau = (eta + sum_b g_b t_b) / G makes the viscosity and
+a Prony series and a dashpot in parallel. tau = (eta + sum_b g_b t_b) / G makes the viscosity and
 the sum over moduli times times of a Spectrum add to one; no formula relies on it.
 """
 

@@ -18,8 +18,8 @@ def test_the_forces_of_the_step_carry_the_load(scheme, load):
     law, control = SCHEMES[scheme](0.2), ConstantForce(load)
     z, c = np.random.default_rng(1).normal(size=(2, 50))
     before = c.copy()
-    noted = balance_history(control, c, 0.3, ALL_OF_IT, None)
-    d, passes = balance(control, law, z, c, noted, 0.3, 1)
+    history = balance_history(control, c, 0.3, ALL_OF_IT, None)
+    d, passes = balance(control, law, z, c, history, 0.3, 1)
     assert d == pytest.approx(sorted_root(before, load / law.stiffness), rel=1e-13)
     assert law.stiffness * np.sum(np.maximum(0.0, d - before)) == pytest.approx(load, rel=1e-11)
     assert passes >= 2
@@ -51,6 +51,6 @@ def test_the_indentation_of_every_step_is_the_one_given():
     z, c = np.random.default_rng(1).normal(size=(2, 50))
     before = c.copy()
     for step, expected in enumerate(control.indentation, 1):
-        noted = balance_history(control, c, 9.0, np.array([0, 50]), None)
-        assert balance(control, law, z, c, noted, 9.0, step) == (expected, 0)
+        history = balance_history(control, c, 9.0, np.array([0, 50]), None)
+        assert balance(control, law, z, c, history, 9.0, step) == (expected, 0)
     np.testing.assert_array_equal(c, before)
