@@ -1,20 +1,20 @@
-"""What a user can put right: reported as one line, exit status 2."""
+"""Errors that a user can correct: reported as one line each, with exit status 2."""
 
 from collections.abc import Iterable
 from difflib import get_close_matches
 from types import TracebackType
 from typing import Self
 
-LONGEST = 600  # characters of a line
+MAX_LINE_CHARACTERS = 600
 
 
 class UserError(Exception):
-    """Wrong input or an environment that cannot be used; the message says what would be right.
+    """Invalid input or an unusable environment; the message names the remedy.
 
-    One line, but for the odd table. Whatever is put into a line, any terminal can show it.
+    The message is one line, rarely a table. Control characters are escaped.
     """
 
-    place: str = ""  # file and line of what is wrong, where that is known
+    place: str = ""  # file and line of the faulty key, if known
 
     def __init__(self, *lines: str) -> None:
         """Keep the lines of the message."""
@@ -22,7 +22,7 @@ class UserError(Exception):
 
     @property
     def errors(self) -> "list[UserError]":
-        """Return what is wrong, one by one."""
+        """The single errors."""
         return [self]
 
     def __str__(self) -> str:
@@ -31,7 +31,7 @@ class UserError(Exception):
 
 
 class UserErrors(UserError):
-    """Several things that are wrong at once, each with its line."""
+    """Several errors, each with its own line."""
 
     def __init__(self, errors: Iterable[UserError]) -> None:
         """Keep the errors."""
@@ -40,16 +40,16 @@ class UserErrors(UserError):
 
     @property
     def errors(self) -> list[UserError]:
-        """Return what is wrong, one by one."""
+        """The single errors."""
         return self._errors
 
 
 class ErrorCollector:
-    """Collects what is wrong: each ``with complaints:`` goes on after it, ``end`` raises it all."""
+    """Collects user errors raised in ``with`` blocks; ``raise_collected`` raises them together."""
 
     def __init__(self) -> None:
-        """Begin with nothing."""
-        self.found: list[UserError] = []
+        """Begin without errors."""
+        self.errors: list[UserError] = []
 
     def __enter__(self) -> Self:
         return self
@@ -58,35 +58,35 @@ class ErrorCollector:
         self, kind: type[BaseException] | None, error: BaseException | None, _: TracebackType | None
     ) -> bool:
         if isinstance(error, UserError):
-            self.found += error.errors
+            self.errors += error.errors
         return isinstance(error, UserError)
 
-    def end(self) -> None:
-        """Raise the one UserError that was found, or all as one."""
-        if len(self.found) == 1:
-            raise self.found[0]
-        if self.found:
-            raise UserErrors(self.found)
+    def raise_collected(self) -> None:
+        """Raise the collected errors as one UserError, if there are any."""
+        if len(self.errors) == 1:
+            raise self.errors[0]
+        if self.errors:
+            raise UserErrors(self.errors)
 
 
 def did_you_mean(name: object, known: Iterable[str]) -> str:
-    """Return the end of a message that names what comes nearest; "" where nothing does."""
-    nearest = get_close_matches(str(name), [str(each) for each in known], 1)
+    """Return a hint with the most similar known name, for the end of a message, or ""."""
+    nearest = get_close_matches(str(name), list(map(str, known)), 1)
     return f"; did you mean {nearest[0]}?" if nearest else ""
 
 
 def printable(text: str) -> str:
-    """Return a text whose control characters, which a terminal would obey, are shown as numbers."""
+    """Return a text with its control characters escaped, so that a terminal does not obey them."""
     return "".join(c if c.isprintable() else repr(c)[1:-1] for c in text)
 
 
-def counted(number: int, thing: str) -> str:
-    """Return a number of things in words: 1 worker, 2 workers."""
-    return f"{number} {thing}{'s' * (number != 1)}"
+def counted(number: int, noun: str) -> str:
+    """Return a number with its noun, in the plural unless it is one: 1 worker, 2 workers."""
+    return f"{number} {noun}{'s' * (number != 1)}"
 
 
 def _shown(line: str) -> str:
-    """Return a line as it can be printed, cut in the middle where it is endless."""
+    """Return a line for printing; a very long one is shortened in the middle."""
     text = printable(str(line))
-    half = LONGEST // 2
-    return text if len(text) <= LONGEST else f"{text[:half]} … {text[-half:]}"
+    half = MAX_LINE_CHARACTERS // 2
+    return text if len(text) <= MAX_LINE_CHARACTERS else f"{text[:half]} … {text[-half:]}"

@@ -1,8 +1,8 @@
-"""Public names of a room, imported when they are first used.
+"""Lazy imports: the public names of a room are imported on first use.
 
-A room's ``__init__`` names them once, in imports under TYPE_CHECKING, which editors and type
-checkers read. Here they are read from there, so that importing a room loads nothing heavy: `plan`
-and `status` stay quick, and kernels never meet xarray on a worker.
+The ``__init__`` of a room lists its public names once, in imports under TYPE_CHECKING, where
+editors and type checkers find them. ``public_names`` reads the same list. Importing a room thus
+loads nothing heavy: `plan` and `status` start quickly, and workers never import xarray.
 """
 
 import ast
@@ -32,7 +32,7 @@ def public_names(package: str, file: str) -> tuple[list[str], Lookup, Callable[[
             raise AttributeError(f"module {package!r} has no attribute {name!r}")
         home, name_there = resolve_name(homes[name][0], package), homes[name][1]
         module = import_module(home)
-        if not hasattr(module, name_there):  # a room of a package, not imported yet
+        if not hasattr(module, name_there):  # a submodule that is not imported yet
             return import_module(f"{home}.{name_there}")
         return getattr(module, name_there)
 

@@ -1,4 +1,4 @@
-"""Files that are opened only if they are files, and read as a whole only up to a stated size."""
+"""Safe access to regular files: no pipes, devices or unexpected links, and a limit of size."""
 
 import errno
 import os
@@ -6,14 +6,15 @@ import stat
 from pathlib import Path
 from typing import Any
 
-MOST_BYTES = 2**30  # of a file of input
+MAX_INPUT_BYTES = 2**30
 
 
 def open_plain(path: Path, mode: str = "rb", *, linked: bool = False) -> Any:
-    """Open a file as ``open`` does, but no pipe or device, and a link only where that is said.
+    """Open a regular file as ``open`` does; follow a link only if ``linked`` is true.
 
-    To open a pipe waits for whoever writes to it, a device may have no end, and whoever may write
-    to a folder could have put a link there to any file of ours. Raises OSError.
+    Pipes, devices and unexpected links are refused: opening a pipe waits for its writer, a device
+    may never end, and another user with access to the folder could have placed a link to one of
+    our files there. Raises OSError.
     """
 
     def opener(name: str, flags: int) -> int:
@@ -26,16 +27,16 @@ def open_plain(path: Path, mode: str = "rb", *, linked: bool = False) -> Any:
             raise
         if not stat.S_ISREG(os.fstat(descriptor).st_mode):
             os.close(descriptor)
-            raise OSError(errno.EINVAL, "it is no file", name)
+            raise OSError(errno.EINVAL, "it is not a regular file", name)
         return descriptor
 
     return open(path, mode, opener=opener, buffering=0 if "a" in mode else -1)
 
 
-def read_plain(path: Path, most: int = MOST_BYTES) -> bytes:
-    """Return the content of a file, to which the path may be a link.
+def read_plain(path: Path, most: int = MAX_INPUT_BYTES) -> bytes:
+    """Return the content of a file; the path may be a link.
 
-    Raises OSError for what is no file, and for one of more than ``most`` bytes.
+    Raises OSError if it is not a regular file or has more than ``most`` bytes.
     """
     with open_plain(path, linked=True) as file:
         size = os.fstat(file.fileno()).st_size

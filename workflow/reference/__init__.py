@@ -1,6 +1,6 @@
-"""The pages of reference that the code tells: keys, commands, names of Python.
+"""Generated reference pages: keys, commands and the Python interface.
 
-Knows all rooms; `make docs` writes the pages to docs/reference.
+May import every room; `make docs` writes the pages to docs/reference.
 """
 
 from typing import TYPE_CHECKING

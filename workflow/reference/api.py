@@ -1,4 +1,4 @@
-"""The page of the Python interface, made of the docstrings of its public names."""
+"""Reference page of the Python interface, generated from docstrings."""
 
 import inspect
 import re
@@ -7,7 +7,7 @@ from typing import Any
 
 import elastomer_friction as ef
 
-# Under the name by which it is called from outside.
+# The keys are the names that a caller uses.
 NAMES: dict[str, Any] = {
     "scene.run": ef.scene.run,
     "scene.animate": ef.scene.animate,
@@ -19,8 +19,10 @@ NAMES: dict[str, Any] = {
     "law.Law": ef.law.Law,
     "UserError": ef.UserError,
 }
-MEANING = re.compile(r"^\w[\w, ]* : ")  # of an argument, as our docstrings give it
-WITHIN = re.compile(r"(?<=\.) (?=\w[\w, ]{0,40} : |Raises |Returns )")  # behind a full stop
+MEANING = re.compile(r"^\w[\w, ]* : ")  # the start of the line of an argument in a docstring
+WITHIN = re.compile(
+    r"(?<=\.) (?=\w[\w, ]{0,40} : |Raises |Returns )"
+)  # a space between sentences at which a line is split
 
 
 def api_page() -> str:
@@ -34,7 +36,7 @@ def api_page() -> str:
 
 
 def _methods(public: Any) -> Iterator[tuple[str, Any]]:
-    """Yield the public methods of a class, as they stand in it."""
+    """Yield the public methods of a class, in the order of its source."""
     if inspect.isclass(public) and public is not ef.UserError:
         for name, method in vars(public).items():
             function = getattr(method, "__func__", method)
@@ -43,30 +45,30 @@ def _methods(public: Any) -> Iterator[tuple[str, Any]]:
 
 
 def _entry(name: str, public: Any) -> list[str]:
-    """Return how a name is called, and what its docstring says."""
-    told = [inspect.getdoc(public) or ""]
-    made = vars(public).get("__init__") if inspect.isclass(public) else None
-    if made is not None and made.__doc__:  # that of a dataclass has none
-        told.append(inspect.getdoc(made) or "")
-    found = [f"`{name.rpartition('.')[2]}{_arguments(public)}`\n"]
-    return found + [line for text in told for line in _paragraphs(text)]
+    """Return the call of a public name and its docstring."""
+    docstrings = [inspect.getdoc(public) or ""]
+    constructor = vars(public).get("__init__") if inspect.isclass(public) else None
+    if constructor is not None and constructor.__doc__:  # a dataclass has no docstring there
+        docstrings.append(inspect.getdoc(constructor) or "")
+    call = f"`{name.rpartition('.')[2]}{_arguments(public)}`\n"
+    return [call, *(line for text in docstrings for line in _paragraphs(text))]
 
 
 def _arguments(public: Any) -> str:
-    """Return the names of the arguments, and the values of those that may be left out."""
+    """Return the arguments with their defaults, without annotations."""
     signature = inspect.signature(public)
-    own = [
-        one.replace(annotation=one.empty)
-        for one in signature.parameters.values()
-        if one.name not in ("self", "cls")
+    parameters = [
+        parameter.replace(annotation=parameter.empty)
+        for parameter in signature.parameters.values()
+        if parameter.name not in ("self", "cls")
     ]
-    plain = str(signature.replace(parameters=own, return_annotation=signature.empty))
-    return re.sub(r"=<.*?>", "=...", plain)  # what is made anew at each call
+    text = str(signature.replace(parameters=parameters, return_annotation=signature.empty))
+    return re.sub(r"=<.*?>", "=...", text)  # a default without a literal, such as a factory
 
 
 def _paragraphs(text: str) -> list[str]:
-    """Return a docstring as Markdown: each argument with its meaning is an item of a list."""
-    found = []
+    """Return a docstring as Markdown, with arguments as items of a list."""
+    markdown = []
     for paragraph in text.split("\n\n"):
         lines: list[str] = []
         for line in paragraph.splitlines():
@@ -77,5 +79,7 @@ def _paragraphs(text: str) -> list[str]:
         for line in (part for whole in lines for part in WITHIN.split(whole)):
             argument, colon, meaning = line.partition(" : ")
             item = MEANING.match(line) is not None
-            found.append(f"- `{argument}`: {meaning.strip()}\n" if colon and item else f"{line}\n")
-    return found
+            markdown.append(
+                f"- `{argument}`: {meaning.strip()}\n" if colon and item else f"{line}\n"
+            )
+    return markdown

@@ -1,23 +1,23 @@
-"""The page of every key of study.toml."""
+"""Reference page of all keys of study.toml."""
 
 from ..study import ALL_TABLES, QUANTITIES, Key, default_of, values_of
 
 INTRODUCTIONS = {
-    "study": "What the study is called and how many lines it averages over.",
+    "study": "The title of the study and the number of lines that it averages over.",
     "material": "The elastomer: a spring G, a dashpot of viscosity Gτ, and any number of Maxwell "
     "branches in parallel.",
     "material.wlf": "The constants in the inline table `wlf` of `[material]`.",
     "material.arrhenius": "The constants in the inline table `arrhenius` of `[material]`.",
     "surface": "The rigid line: random and self-affine, or measured.",
-    "grid": "The values of every axis. Each of the first six is a dimension of every result.",
-    "scene": "What is computed, and how the line is driven and pressed on.",
+    "grid": "The values of the axes. The first six axes are dimensions of every result.",
+    "scene": "The computed quantities, the motion of the line and its load.",
     "scene.programme": "A segment may also follow a file, as "
     '`[[scene.programme]]` with `file = "NAME"`.',
-    "scene.drive": "What the segments `pull` of a programme pull through.",
-    "numerics": "How the problem is discretised, and how accurate it is to be.",
-    "cluster": "Where the study is computed. No number of a result depends on this table.",
+    "scene.drive": "The spring and damper between the drive and the line, for segments `pull`.",
+    "numerics": "The discretisation and the requested accuracy.",
+    "cluster": "The workers that compute the study. Results do not depend on this table.",
 }
-SEGMENT = "The keys of a segment `[[scene.programme]]` with `{0} = {{…}}`."
+SEGMENT_INTRODUCTION = "The keys of a segment `[[scene.programme]]` with `{0} = {{…}}`."
 
 
 def keys_page() -> str:
@@ -25,7 +25,7 @@ def keys_page() -> str:
     lines: list[str] = []
     for table, keys in ALL_TABLES.items():
         name = table.rpartition(".")[2]
-        introduction = INTRODUCTIONS.get(table) or SEGMENT.format(name)
+        introduction = INTRODUCTIONS.get(table) or SEGMENT_INTRODUCTION.format(name)
         lines += [f"## The table [{table}]\n", f"{introduction}\n"]
         lines += [_entry(f"{table}.{name}", key) for name, key in keys.items()]
         if table == "scene":
@@ -47,12 +47,12 @@ def _capital(text: str) -> str:
 
 
 def _quantities() -> list[str]:
-    """Return the table of what a scene can be asked for."""
+    """Return the table of quantities."""
     rows = [
         f"| `{name}` | {quantity.effect} | "
         + (" or ".join(f"`{other}`" for other in quantity.needs) or "nothing")
         + " |"
         for name, quantity in QUANTITIES.items()
     ]
-    head = ["#### Quantities\n", "| name | what is simulated | needs |", "|---|---|---|"]
+    head = ["#### Quantities\n", "| name | what is computed | needs |", "|---|---|---|"]
     return [*head, *rows, ""]

@@ -1,7 +1,4 @@
-"""The pages that the code tells: which there are, how they are written, and that of the commands.
-
-The page of commands is made of the parsers of the command line.
-"""
+"""The generated reference pages, and the page of commands from the command-line parsers."""
 
 import argparse
 from collections.abc import Callable
@@ -11,12 +8,12 @@ from ..cli import command_parser
 from .api import api_page
 from .keys import keys_page
 
-TAKEN = """## What several commands take
+SHARED_ARGUMENTS = """## Arguments of several commands
 
 | argument | meaning | commands |
 |---|---|---|"""
-COMMON = 2  # a row of as many commands stands in the first table alone
-# Below an introduction that is written by hand.
+MIN_SHARED_COMMANDS = 2  # an argument of this many commands is listed in the first table only
+# It separates the introduction, written by hand, from the generated part.
 MARK = "<!-- From here on written by `make docs` from the code; change the texts there. -->\n\n"
 
 
@@ -33,8 +30,8 @@ def commands_page() -> str:
     for name, (_, actions) in commands.items():
         for row in map(_row, actions):
             takers.setdefault(row, []).append(name)
-    common = {row: names for row, names in takers.items() if len(names) >= COMMON}
-    lines = [TAKEN]
+    common = {row: names for row, names in takers.items() if len(names) >= MIN_SHARED_COMMANDS}
+    lines = [SHARED_ARGUMENTS]
     for row, names in common.items():
         lines.append(f"{row} {', '.join(f'`{name}`' for name in names)} |")
     lines.append("")
@@ -57,7 +54,7 @@ def _command(name: str, text: str, actions: list[argparse.Action], rows: list[st
 
 
 def _row(action: argparse.Action) -> str:
-    return f"| {_name(action)} | {_said(action)}{_usual(action)} |"
+    return f"| {_name(action)} | {_help(action)}{_default(action)} |"
 
 
 def _place(action: argparse.Action) -> str:
@@ -73,16 +70,16 @@ def _name(action: argparse.Action) -> str:
     return f"`{', '.join(action.option_strings)}{value}`"
 
 
-def _said(action: argparse.Action) -> str:
+def _help(action: argparse.Action) -> str:
     text = (action.help or "").replace("%%", "%").replace("%(default)s", str(action.default))
     return text.replace("|", "\\|")
 
 
-def _usual(action: argparse.Action) -> str:
-    """Return the default as the end of a text that does not say it itself."""
-    nothing = action.default in (None, False, []) or action.default is argparse.SUPPRESS
-    said = nothing or "%(default)s" in (action.help or "")
-    return "" if said else f", by default `{action.default}`"
+def _default(action: argparse.Action) -> str:
+    """Return the default, to be appended to a help text that does not state it."""
+    has_none = action.default in (None, False, []) or action.default is argparse.SUPPRESS
+    stated = has_none or "%(default)s" in (action.help or "")
+    return "" if stated else f", by default `{action.default}`"
 
 
 PAGES: dict[str, Callable[[], str]] = {
@@ -93,7 +90,7 @@ PAGES: dict[str, Callable[[], str]] = {
 
 
 def write_pages(folder: Path) -> list[Path]:
-    """Write what the code tells below the introduction of every page of a folder."""
+    """Write the generated part of every page of a folder, below its introduction."""
     for name, page in PAGES.items():
         introduction = (folder / name).read_text(encoding="utf-8").partition(MARK)[0]
         text = introduction + MARK + page().rstrip() + "\n"

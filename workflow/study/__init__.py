@@ -1,6 +1,6 @@
-"""What the user says: study.toml, read once, checked key by key, immutable from then on.
+"""The study as described by the user: study.toml, read once, checked, and then immutable.
 
-Knows the kernels' names of schemes and spectra, and no later stage.
+Depends on the kernels for the names of schemes and spectra, and on no later stage.
 """
 
 from typing import TYPE_CHECKING

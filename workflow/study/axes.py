@@ -1,8 +1,8 @@
-"""The axes of a grid, a row for each: what it is, where its values stand and what they change.
+"""The axes of a grid: name, unit, the table that holds the values, and the part they change.
 
-An axis of the table [grid] is a number of every point, which plan/problems.py makes dimensionless.
-Any other is a number of a material, a surface or a scene: where a study gives several values of
-it, each makes another one, and all that follows from it (G, tau, the spectrum, the load) with it.
+An axis of the table [grid] is a number of every point, made dimensionless in plan/problems.py.
+Any other axis is a number of a material, a surface or a scene. Each of its values gives another
+material, surface or scene, from which G, tau, the spectrum and the load are derived.
 """
 
 from collections.abc import Callable, Iterable, Mapping
@@ -18,7 +18,7 @@ Grid = dict[str, tuple[float, ...]]
 
 
 class Parts(NamedTuple):
-    """What a study is made of at a point of the axes that change it."""
+    """Material, surface and scene at one point of the axes that change them."""
 
     material: Material
     surface: Surface
@@ -26,25 +26,26 @@ class Parts(NamedTuple):
 
 
 class Axis(NamedTuple):
-    """What a dimension of the grid is."""
+    """A dimension of the grid."""
 
-    name: str  # of the dimension, and of the key that holds its values
-    unit: str  # as a result file has it
+    name: str  # of the dimension and of the key
+    unit: str  # in a result file
     long_name: str
-    table: str = "grid"  # of the study in which its values stand, or the part that they change
-    put: Callable[[Any, str, float], Any] | None = None  # part, axis, value; None: its field
-    within: str = ""  # the table in that table in which its values stand
+    table: str = "grid"  # that holds the values; otherwise also the changed part
+    put: Callable[[Any, str, float], Any] | None = None  # part, axis, value -> changed part
+    within: str = ""  # inline table of that table which holds the values
 
     def changed(self, parts: Parts, value: float) -> Parts:
         """Return the parts of a study with one value of this axis."""
-        own = getattr(parts, self.table)
-        with_it = (
-            self.put(own, self.name, value) if self.put else own._replace(**{self.name: value})
-        )
-        return parts._replace(**{self.table: with_it})
+        part = getattr(parts, self.table)
+        if self.put is None:
+            changed = part._replace(**{self.name: value})
+        else:
+            changed = self.put(part, self.name, value)
+        return parts._replace(**{self.table: changed})
 
 
-def _pulled(scene: Scene, _: str, stiffness: float) -> Scene:
+def _with_stiffness(scene: Scene, _: str, stiffness: float) -> Scene:
     assert scene.drive is not None
     return scene._replace(drive=scene.drive._replace(stiffness=stiffness))
 
@@ -59,7 +60,9 @@ ROWS = (
     Axis("prescribed_indentation", "m", "prescribed indentation d over the mean line"),
     Axis("temperature", "degree_Celsius", "temperature of the elastomer", "material"),
     Axis("hold", "s", "duration of the hold", "scene", Scene.with_axis_value),
-    Axis("stiffness", "N m-1", "stiffness of the drive's spring", "scene", _pulled, "drive"),
+    Axis(
+        "stiffness", "N m-1", "stiffness of the drive's spring", "scene", _with_stiffness, "drive"
+    ),
     Axis(
         "velocity_amplitude",
         "m s-1",
@@ -70,24 +73,24 @@ ROWS = (
     Axis("frequency", "Hz", "frequency of the oscillation", "scene", Scene.with_axis_value),
 )
 ALL_AXES = {row.name: row for row in ROWS}
-COMMON_AXES = tuple(ALL_AXES)[:6]  # that every result has; another is there where it has values
+COMMON_AXES = tuple(ALL_AXES)[:6]  # dimensions of every result
 
 
 def axes_of(grid: Mapping[str, Any], *tables: str) -> list[str]:
-    """Return the axes of a grid whose values stand in some tables."""
+    """Return the axes of a grid that belong to the given tables."""
     return [axis for axis in grid if ALL_AXES[axis].table in tables]
 
 
 def parts_at(parts: Parts, grid: Grid, axes: Iterable[str]) -> list[Parts]:
-    """Return the parts of a study at every point of some axes, the last of which goes fastest."""
-    found = [parts]
+    """Return the parts of a study at every point of some axes, the last axis fastest."""
+    points = [parts]
     for axis in axes:
-        found = [ALL_AXES[axis].changed(own, value) for own in found for value in grid[axis]]
-    return found
+        points = [ALL_AXES[axis].changed(point, value) for point in points for value in grid[axis]]
+    return points
 
 
 def with_lists(table: str, keys: Mapping[str, Key]) -> dict[str, Key]:
-    """Return the keys of a table, of which those of axes may have several values."""
+    """Return the keys of a table; those that are axes accept lists and ranges."""
     return {
         name: _listed(key) if name in ALL_AXES and ALL_AXES[name].table == table else key
         for name, key in keys.items()
@@ -101,9 +104,9 @@ def _listed(key: Key) -> Key:
 
 
 def separated(tables: Mapping[str, dict[str, Any]]) -> tuple[dict[str, dict[str, Any]], Grid]:
-    """Return checked tables with one value of each of their axes, the first, and all their values.
+    """Return checked tables with the first value of each axis, and the values of these axes.
 
-    The table [grid] stays as it is.
+    The table [grid] is not changed.
     """
     single, several = dict(tables), {}
     for row in ROWS[len(COMMON_AXES) :]:
@@ -118,11 +121,11 @@ def with_value(
     tables: dict[str, dict[str, Any]], row: Axis, value: float
 ) -> dict[str, dict[str, Any]]:
     """Return checked tables with one value of an axis."""
-    own = {**_table_of(tables, row), row.name: value}
-    return {**tables, row.table: {**tables[row.table], row.within: own} if row.within else own}
+    table = {**_table_of(tables, row), row.name: value}
+    return {**tables, row.table: {**tables[row.table], row.within: table} if row.within else table}
 
 
 def _table_of(tables: Mapping[str, dict[str, Any]], row: Axis) -> dict[str, Any]:
-    """Return the table in which the values of an axis stand; empty where there is none."""
-    own = tables[row.table]
-    return own.get(row.within) or {} if row.within else own
+    """Return the table that holds the values of an axis, or an empty one."""
+    table = tables[row.table]
+    return table.get(row.within) or {} if row.within else table

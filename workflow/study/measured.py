@@ -1,16 +1,16 @@
-"""Measured studies: no grid of problems; the folder's measure.py says what is measured.
+"""Measured studies, whose script measure.py measures something in place of a grid of problems.
 
 study.toml holds [study] with title and seed, [measure] with the settings that measure.py
 declares, and [scales.NAME]. measure.py holds
 
-    SETTINGS   name -> Key: its check, check(key, value), returns the value or raises UserError;
-               of this program, docs/reference/measures.md says what it means
-    outline(settings) -> (lines that say what would be measured, core-seconds that it takes on the
-               typical machine, which workflow/plan/cost/work.py describes)
+    SETTINGS   name -> Key, whose check(key, value) returns the value or raises UserError;
+               docs/reference/measures.md describes the settings of the studies of this program
+    outline(settings) -> (lines that describe the measurement, its core-seconds on the typical
+               machine of workflow/plan/cost/work.py)
     measure(settings, seed, advance) -> group -> xarray.Dataset; "" is the root. It calls
-               advance(seconds) with what each part that is done takes of these seconds
-    table(groups) -> pandas.DataFrame of a finished result, if the study has one
-    summary(groups) -> lines to print after a run, if the study has any
+               advance(seconds) after each part, with the predicted core-seconds of that part
+    table(groups) -> pandas.DataFrame of a finished result (optional)
+    summary(groups) -> lines to print after a run (optional)
 """
 
 from dataclasses import dataclass
@@ -35,15 +35,15 @@ class Measured(AnyStudy):
 
 
 def read_measured(name: str, folder: Path, tables: dict[str, Any]) -> Measured:
-    """Return the checked study. Raises UserError, one line, for what a user can get wrong."""
+    """Return the checked study. Raises UserError, one line, for invalid input."""
     check_keys("", tables, ("study", "measure"))
     head = study_head(name, folder, tables, read_table("study", tables.get("study", {}), HEAD))
     script = load_script(folder / "measure.py")
     for key, stated in script.SETTINGS.items():
         if not isinstance(stated, Key):
             raise UserError(
-                f"{folder / 'measure.py'}: SETTINGS[{key!r}] is a check alone; it is now "
-                "Key(check), from elastomer_friction.workflow.study"
+                f"{folder / 'measure.py'}: SETTINGS[{key!r}] is a bare check; write Key(check) with "
+                "Key from elastomer_friction.workflow.study"
             )
     settings = read_table("measure", tables["measure"], script.SETTINGS)
     return Measured(**head, settings=settings, script=script)

@@ -94,7 +94,7 @@ def checked_tables(
         with complaints:
             own = as_table(f"scales.{name}", scale)
             _checked(f"scales.{name}.", own, keys, complaints)
-    complaints.end()
+    complaints.raise_collected()
     return {name: {} for name in (*TABLES, "compare")} | found
 
 

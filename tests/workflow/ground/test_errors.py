@@ -1,9 +1,9 @@
-"""What a user can put right: one line that any terminal can show."""
+"""Errors for the user: one printable line each."""
 
 import pytest
 
 from elastomer_friction.workflow.ground.errors import (
-    LONGEST,
+    MAX_LINE_CHARACTERS,
     ErrorCollector,
     UserError,
     UserErrors,
@@ -12,13 +12,13 @@ from elastomer_friction.workflow.ground.errors import (
 )
 
 
-def test_a_message_is_one_line_of_what_can_be_shown():
+def test_a_message_is_one_line_with_control_characters_escaped():
     assert str(UserError("grid.hurst = 'a\nb\x1b[0m': µ")) == "grid.hurst = 'a\\nb\\x1b[0m': µ"
 
 
-def test_an_endless_line_is_cut_in_the_middle():
+def test_a_very_long_line_is_shortened_in_the_middle():
     message = str(UserError("begin " + "x" * 10**5 + " end"))
-    assert len(message) <= LONGEST + 3
+    assert len(message) <= MAX_LINE_CHARACTERS + 3
     assert message.startswith("begin x")
     assert " … " in message
     assert message.endswith("x end")
@@ -29,27 +29,27 @@ def test_a_table_keeps_its_lines():
 
 
 def test_several_errors_are_raised_as_one_and_one_as_itself():
-    complaints, first, second = ErrorCollector(), UserError("a = 1: wrong"), UserError("b: missing")
-    complaints.end()
-    with complaints:
+    collector, first, second = ErrorCollector(), UserError("a = 1: wrong"), UserError("b: missing")
+    collector.raise_collected()
+    with collector:
         raise first
     with pytest.raises(UserError) as caught:
-        complaints.end()
+        collector.raise_collected()
     assert caught.value is first
-    with complaints:
+    with collector:
         raise UserErrors([second])
     with pytest.raises(UserErrors, match=r"^a = 1: wrong\nb: missing$") as caught:
-        complaints.end()
+        collector.raise_collected()
     assert caught.value.errors == [first, second]
-    with pytest.raises(ZeroDivisionError), complaints:
+    with pytest.raises(ZeroDivisionError), collector:
         _ = 1 / 0
 
 
-def test_what_comes_nearest_is_named():
+def test_the_most_similar_name_is_suggested():
     assert did_you_mean("hurts", ["hurst", "spacing"]) == "; did you mean hurst?"
     assert did_you_mean("moon", ["local", "slurm"]) == ""
     assert did_you_mean(7, ["linear"]) == ""
 
 
-def test_one_thing_is_one():
+def test_a_noun_is_singular_after_one():
     assert [counted(n, "worker") for n in (0, 1, 2)] == ["0 workers", "1 worker", "2 workers"]

@@ -1,4 +1,4 @@
-"""The pages of reference: as the tables in the code are now, and in the repository."""
+"""Reference pages: complete, and up to date in the repository."""
 
 import re
 import shutil
@@ -26,13 +26,13 @@ def test_the_pages_in_the_repository_are_up_to_date(written, name):
     assert (FOLDER / name).read_text(encoding="utf-8") == written[name]
 
 
-def test_every_command_has_its_heading_and_its_usage(written):
+def test_every_command_has_a_heading_and_a_usage_line(written):
     (commands,) = (action for action in command_parser()._actions if action.dest == "command")
     for name in commands.choices:
         assert f"\n## {name}\n\n`elastomer-friction {name}" in written["commands.md"]
 
 
-def test_every_key_and_quantity_has_its_place(written):
+def test_every_key_and_quantity_has_an_entry(written):
     for table, keys in ALL_TABLES.items():
         assert f"\n## The table [{table}]\n" in written["keys.md"]
         for key in keys:
@@ -44,7 +44,7 @@ def test_every_key_and_quantity_has_its_place(written):
         assert f"\n| `{name}` | " in written["keys.md"]
 
 
-def test_an_entry_says_values_unit_and_default(written):
+def test_an_entry_states_values_unit_and_default(written):
     assert (
         "\n*A number from 1 to 100. Default: 4; 6 where `accuracy` is below 1 %.*"
         in written["keys.md"]
@@ -52,7 +52,7 @@ def test_an_entry_says_values_unit_and_default(written):
     assert "\n*A number above 0, in Pa. Required.*" in written["keys.md"]
 
 
-def test_every_public_name_of_python_has_its_arguments_and_its_meaning(written):
+def test_every_public_name_has_arguments_and_a_meaning(written):
     page = written["python.md"]
     for name in ef.__all__:
         if name != "__version__":
@@ -60,6 +60,6 @@ def test_every_public_name_of_python_has_its_arguments_and_its_meaning(written):
     for method in ("from_result", "steady", "jump", "after_jump", "response"):
         assert f"\n### KineticLaw.{method}\n\n`{method}(" in page
     (arguments,) = re.findall(r"^`run\(\*, (profile.*)\)`$", page, re.MULTILINE)
-    said = {word.partition("=")[0] for word in arguments.split(", ")}
-    assert {"material", "programme", "realizations"} <= said
+    names = {word.partition("=")[0] for word in arguments.split(", ")}
+    assert {"material", "programme", "realizations"} <= names
     assert "\n- `realizations`: lines; with several" in page

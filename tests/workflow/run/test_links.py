@@ -79,13 +79,13 @@ def test_a_status_and_a_lock_are_not_read_through_a_link_or_a_pipe(folder):
 @pytest.mark.parametrize("place", [f"store/{LOCK}", f"store/{journal.NAME}", "small.nc"])
 def test_a_run_refuses_a_pipe_at_once(folder, place):
     os.mkfifo(folder / place)
-    with pytest.raises(UserError, match=r"it is no file|No such device"):
+    with pytest.raises(UserError, match=r"it is not a regular file|No such device"):
         run(folder)
 
 
 def test_a_file_is_read_as_a_whole_up_to_a_stated_size_and_no_device(folder):
     with (folder / "vast").open("wb") as file:
         file.truncate(MAX_FILE_BYTES + 1)  # of a size that takes no room
-    for path, why in ((folder / "vast", MAX_FILE_BYTES), (os.devnull, "it is no file")):
+    for path, why in ((folder / "vast", MAX_FILE_BYTES), (os.devnull, "it is not a regular file")):
         with pytest.raises(UserError, match=f"cannot be read: .*{why}"):
             read_whole(path)

@@ -62,7 +62,7 @@ def test_an_interrupted_measurement_leaves_the_earlier_result(powers, tmp_path):
 def test_nothing_is_measured_where_the_result_could_not_be_written(powers, tmp_path):
     (powers / "helper.py").write_text("def power(base, n):\n    raise AssertionError\n")
     (tmp_path / "powers.nc").mkdir()
-    with pytest.raises(UserError, match=r"powers\.nc: cannot be written: it is no file"):
+    with pytest.raises(UserError, match=r"powers\.nc: cannot be written: it is not a regular file"):
         run_measured(read_study("powers"), tmp_path / "powers.nc", TYPICAL)
 
 

@@ -97,4 +97,4 @@ def test_a_setting_that_is_a_check_alone_is_told_what_it_is_now(powers, capsys):
     script = powers / "measure.py"
     script.write_text(script.read_text() + '\nSETTINGS = {"powers": int, "base": float}\n')
     said = refusal(capsys, "plan", "powers").splitlines()[-1]
-    assert said.startswith(f"error: {script}: SETTINGS['powers'] is a check alone; it is now Key(")
+    assert said.startswith(f"error: {script}: SETTINGS['powers'] is a bare check; write Key(")

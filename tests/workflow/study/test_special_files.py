@@ -6,7 +6,7 @@ import signal
 
 import pytest
 
-from elastomer_friction.workflow.ground import MOST_BYTES, UserError
+from elastomer_friction.workflow.ground import MAX_INPUT_BYTES, UserError
 from elastomer_friction.workflow.study.read import known_studies, read_study
 from tests.support.commands import output, refusal
 from tests.support.documents import without
@@ -28,18 +28,18 @@ def at_once():
 
 def pipe(path):
     os.mkfifo(path)
-    return "it is no file"
+    return "it is not a regular file"
 
 
 def device(path):
     path.symlink_to("/dev/zero")
-    return "it is no file"
+    return "it is not a regular file"
 
 
 def vast(path):
     with path.open("wb") as file:
-        file.truncate(MOST_BYTES + 1)  # it takes no room
-    return f"it has {MOST_BYTES + 1} bytes, more than {MOST_BYTES}"
+        file.truncate(MAX_INPUT_BYTES + 1)  # it takes no room
+    return f"it has {MAX_INPUT_BYTES + 1} bytes, more than {MOST_BYTES}"
 
 
 SPECIAL = pytest.mark.parametrize("make", [pipe, device, vast])
