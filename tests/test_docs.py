@@ -9,7 +9,13 @@ import pytest
 from elastomer_friction.workflow.study.effects.material import MATERIAL
 from elastomer_friction.workflow.study.effects.quantities import QUANTITIES
 from elastomer_friction.workflow.study.effects.scene import SCENE
-from elastomer_friction.workflow.study.effects.segments import HOLD, KINDS, OSCILLATE, RAMP, SLIDE
+from elastomer_friction.workflow.study.effects.segment_keys import (
+    HOLD,
+    OSCILLATE,
+    RAMP,
+    SEGMENTS,
+    SLIDE,
+)
 
 ROOT = Path(__file__).resolve().parents[1]
 PAGES = [ROOT / "README.md", ROOT / "CONTRIBUTING.md", *sorted((ROOT / "docs").rglob("*.md"))]
@@ -64,7 +70,7 @@ def test_every_key_of_a_scene_is_described():
     page = (ROOT / "docs" / "scenes.md").read_text(encoding="utf-8")
     page += (ROOT / "docs" / "reference" / "keys.md").read_text(encoding="utf-8")
     segments = {**SLIDE, **HOLD, **RAMP, **OSCILLATE}
-    for key in (*MATERIAL, *SCENE, *KINDS, *segments, *QUANTITIES, "record", "trace"):
+    for key in (*MATERIAL, *SCENE, *SEGMENTS, *segments, *QUANTITIES, "record", "trace"):
         assert re.search(rf"`{key}|^### [\w.]+\.{key}$", page, re.MULTILINE), key
 
 

@@ -22,7 +22,12 @@ def refusal(capsys, *arguments: str) -> str:
 
 
 # Of a script that runs, of figures, and of machine code, which the first test that needs it makes.
-NOTES = ("note: runs /", "caption: ", "Compiling the kernels", "Waiting for another process that")
+NOTES = (
+    "note: running /",
+    "caption: ",
+    "Compiling the kernels",
+    "Waiting for another process that",
+)
 
 
 def besides_notes(err: str) -> list[str]:

@@ -348,7 +348,8 @@ def _materials(study: Study) -> Iterator[tuple[bool, str]]:
 def _law(material: Material) -> str:
     """Return by what times shift with the temperature."""
     if material.shifts:
-        return f"a table ({material.shifts.told or f'{len(material.shifts.rows)} temperatures'})"
+        size = f"{len(material.shifts.rows)} temperatures"
+        return f"a table ({material.shifts.description or size})"
     return "WLF" if material.wlf else "the law of Arrhenius"
 
 

@@ -19,10 +19,9 @@ NAMES: dict[str, Any] = {
     "law.Law": ef.law.Law,
     "UserError": ef.UserError,
 }
-MEANING = re.compile(r"^\w[\w, ]* : ")  # the start of the line of an argument in a docstring
-WITHIN = re.compile(
-    r"(?<=\.) (?=\w[\w, ]{0,40} : |Raises |Returns )"
-)  # a space between sentences at which a line is split
+MEANING = re.compile(r"^\w[\w, ]* : ")  # start of an argument's line in a docstring
+# The space between two sentences at which a line is split.
+SPLIT = re.compile(r"(?<=\.) (?=\w[\w, ]{0,40} : |Raises |Returns )")
 
 
 def api_page() -> str:
@@ -76,10 +75,8 @@ def _paragraphs(text: str) -> list[str]:
                 lines.append(line.strip())
             else:
                 lines[-1] += f" {line.strip()}"
-        for line in (part for whole in lines for part in WITHIN.split(whole)):
+        for line in (part for whole in lines for part in SPLIT.split(whole)):
             argument, colon, meaning = line.partition(" : ")
-            item = MEANING.match(line) is not None
-            markdown.append(
-                f"- `{argument}`: {meaning.strip()}\n" if colon and item else f"{line}\n"
-            )
+            is_item = colon and MEANING.match(line)
+            markdown.append(f"- `{argument}`: {meaning.strip()}\n" if is_item else f"{line}\n")
     return markdown

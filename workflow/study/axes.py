@@ -45,7 +45,7 @@ class Axis(NamedTuple):
         return parts._replace(**{self.table: changed})
 
 
-def _with_stiffness(scene: Scene, _: str, stiffness: float) -> Scene:
+def _stiffer(scene: Scene, _: str, stiffness: float) -> Scene:
     assert scene.drive is not None
     return scene._replace(drive=scene.drive._replace(stiffness=stiffness))
 
@@ -60,9 +60,7 @@ ROWS = (
     Axis("prescribed_indentation", "m", "prescribed indentation d over the mean line"),
     Axis("temperature", "degree_Celsius", "temperature of the elastomer", "material"),
     Axis("hold", "s", "duration of the hold", "scene", Scene.with_axis_value),
-    Axis(
-        "stiffness", "N m-1", "stiffness of the drive's spring", "scene", _with_stiffness, "drive"
-    ),
+    Axis("stiffness", "N m-1", "stiffness of the drive's spring", "scene", _stiffer, "drive"),
     Axis(
         "velocity_amplitude",
         "m s-1",

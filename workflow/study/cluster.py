@@ -1,4 +1,4 @@
-"""Where a study is computed: the table [cluster]. No number depends on it."""
+"""The table [cluster]: the workers that compute a study. Results do not depend on it."""
 
 import datetime
 import re
@@ -10,29 +10,29 @@ from ..ground import UserError
 from .settings import TEXT, Key, as_text, filled, integer, matching, positive
 
 LOCAL = "local"
-MARGIN = 0.1  # of the walltime, at whose start a worker of a job retires
-BATCHES_PER_LIFETIME = 20  # a worker that retires loses what it is computing
-LEAST_WALLTIME = 60.0  # s
-MEMORY = "[0-9.]+ ?[kMGT]i?B"
-WORD, A_WORD = r"[\w.,:@%+/=-]*", "one word of letters, digits and .,:@%+/=-"
+RETIREMENT_MARGIN = 0.1  # share of the walltime left when a worker of a job retires
+BATCHES_PER_LIFETIME = 20  # a worker that retires loses its current batch
+MIN_WALLTIME_SECONDS = 60.0
+MEMORY_PATTERN = "[0-9.]+ ?[kMGT]i?B"
+WORD_PATTERN, WORD_DESCRIPTION = r"[\w.,:@%+/=-]*", "one word of letters, digits and .,:@%+/=-"
 
 
 class BatchSystem(NamedTuple):
     """A batch system whose jobs can be workers, through dask-jobqueue."""
 
     jobqueue: str  # class of dask_jobqueue
-    directives: tuple[str, ...]  # in every job script: we replace lost jobs ourselves
-    trial: tuple[str, ...] = ()  # command that says of a job script whether it would be taken
+    directives: tuple[str, ...]  # of every job script; lost jobs are replaced by the program itself
+    trial: tuple[str, ...] = ()  # command that checks whether a job script would be accepted
 
 
 BATCH_SYSTEMS = {"slurm": BatchSystem("SLURMCluster", ("--no-requeue",), ("sbatch", "--test-only"))}
 
 
 class Cluster(NamedTuple):
-    """Processes of this machine, the jobs of a batch system, or a scheduler that is there."""
+    """Workers: processes of this machine, jobs of a batch system, or those of a Dask scheduler."""
 
-    where: str = LOCAL  # or a batch system, or the address of a scheduler, tls://host:port
-    patience: float = 600.0  # s to wait while there is no worker
+    where: str = LOCAL  # or a batch system, or the address of a scheduler
+    patience: float = 600.0  # s to wait without a worker
     jobs: int = 1
     cores: int = 1  # of each job
     memory: str = "2GB"  # of each job
@@ -42,33 +42,33 @@ class Cluster(NamedTuple):
     interface: str = ""  # network interface between nodes
     log_folder: str = "results/jobs"
     prologue: tuple[str, ...] = ()  # lines of the job script before the workers start
-    tls_ca_file: str = ""  # PEM; who has signed the certificates of a scheduler tls://host:port
-    tls_cert: str = ""  # PEM; shows that scheduler who we are
-    tls_key: str = ""  # PEM; of that certificate, unless it stands in the same file
+    tls_ca_file: str = ""  # PEM; authority that signed the certificate of a scheduler tls://…
+    tls_cert: str = ""  # PEM; identifies this client to the scheduler
+    tls_key: str = ""  # PEM; key of that certificate, unless in the same file
 
     @property
     def lifetime(self) -> float:
-        """Seconds after which a worker of a job retires, well before the job is ended."""
-        return (1.0 - MARGIN) * walltime_seconds(self.walltime)
+        """Seconds after which a worker of a job retires, before the job's walltime ends."""
+        return (1.0 - RETIREMENT_MARGIN) * walltime_seconds(self.walltime)
 
     @property
     def longest_batch(self) -> float:
-        """Seconds that a batch may take at most."""
+        """Maximum predicted seconds of a batch."""
         in_jobs = self.where in BATCH_SYSTEMS
         return self.lifetime / BATCHES_PER_LIFETIME if in_jobs else float("inf")
 
 
-THIS_MACHINE = Cluster()
+THIS_MACHINE = Cluster()  # defaults
 
 
 def walltime_seconds(text: str) -> float:
-    """Return the seconds of SLURM's "minutes", "[days-]hours:minutes:seconds" or the like."""
-    found = re.fullmatch(r"(?:(\d+)-)?(\d+)(?::(\d+))?(?::(\d+))?", text)
-    if not found:
+    """Return the seconds of a SLURM time such as "minutes" or "[days-]hours:minutes:seconds"."""
+    match = re.fullmatch(r"(?:(\d+)-)?(\d+)(?::(\d+))?(?::(\d+))?", text)
+    if not match:
         raise ValueError(text)
-    days, *parts = found.groups()
+    days, *parts = match.groups()
     first, second, third = (int(part or 0) for part in parts)
-    if days or parts[2]:  # hours come first
+    if days or parts[2]:  # the first number is hours
         return ((int(days or 0) * 24 + first) * 60 + second) * 60 + third
     return first * 60 + second
 
@@ -82,19 +82,19 @@ def _where(key: str, value: object) -> str:
 
 
 def _walltime(key: str, value: object) -> str:
-    # What is not quoted is a time of day to TOML.
+    # TOML reads an unquoted 12:00:00 as a time of day.
     text = as_text(key, str(value) if isinstance(value, datetime.time) else value)
     try:
         seconds = walltime_seconds(text)
     except ValueError:
-        raise UserError(f'{key} = {text!r}: must be a time, as "12:00:00"') from None
-    if seconds < LEAST_WALLTIME:
-        raise UserError(f"{key} = {text!r}: must be at least {LEAST_WALLTIME:.0f} s")
+        raise UserError(f'{key} = {text!r}: must be a time such as "12:00:00"') from None
+    if seconds < MIN_WALLTIME_SECONDS:
+        raise UserError(f"{key} = {text!r}: must be at least {MIN_WALLTIME_SECONDS:.0f} s")
     return text
 
 
 def _line(key: str, value: object) -> str:
-    """Return a text that stays within its line of a job script."""
+    """Return a text without line breaks, for one line of a job script."""
     text = as_text(key, value)
     if not text.replace("\t", " ").isprintable():
         raise UserError(f"{key} = {text!r}: must be one line")
@@ -105,29 +105,29 @@ def _prologue(key: str, value: object) -> tuple[str, ...]:
     return tuple(_line(key, line) for line in (value if isinstance(value, list) else [value]))
 
 
-ONE_WORD = partial(Key, partial(matching, pattern=WORD, words=A_WORD), default="")
+ONE_WORD = partial(Key, partial(matching, pattern=WORD_PATTERN, words=WORD_DESCRIPTION), default="")
 PEM = partial(Key, _line, default="", values="the path of a file", schema=TEXT)
 CLUSTER = {
     "where": Key(
         _where,
-        "Where batches are computed: on the cores of this machine, as jobs of SLURM, or by a Dask "
-        "scheduler at an address.",
+        "The workers that compute batches: processes of this machine, jobs of SLURM, or those of a "
+        "Dask scheduler at an address.",
         default=THIS_MACHINE.where,
         values='`"local"`, `"slurm"`, `"tls://host:port"` or `"tcp://host:port"`',
         schema={"type": "string", "pattern": "^(local|slurm)$|://"},
     ),
     "patience": Key(
         positive,
-        "How long a run waits while there is no worker, no answer from any worker, or no disk "
-        "that can be written.",
+        "The time that a run waits if no worker is there, no worker answers, or the disk cannot "
+        "be written.",
         "Doubled, a run gives up after twice the time.",
         "s",
         default=THIS_MACHINE.patience,
     ),
     "jobs": Key(
         partial(integer, least=1),
-        "The number of jobs that are asked of the batch system.",
-        "Doubled, twice as many workers compute, as far as the queue grants them.",
+        "The number of jobs requested from the batch system.",
+        "Doubled, twice as many workers compute, if the queue grants them.",
         default=THIS_MACHINE.jobs,
     ),
     "cores": Key(
@@ -137,16 +137,16 @@ CLUSTER = {
         default=THIS_MACHINE.cores,
     ),
     "memory": Key(
-        partial(matching, pattern=MEMORY, words='a size, as "4GB"'),
+        partial(matching, pattern=MEMORY_PATTERN, words='a size such as "4GB"'),
         "The memory of each job. `plan` predicts what a worker needs.",
-        "Doubled, each worker may use twice as much before it is ended; nothing gets quicker.",
+        "Doubled, each worker may use twice as much before it is killed; the run is not faster.",
         default=THIS_MACHINE.memory,
         values='a size such as `"4GB"`',
     ),
     "walltime": Key(
         _walltime,
-        "The time after which the batch system ends a job. Workers retire at nine tenths of it, "
-        "and no batch is predicted to take longer than a twentieth of that.",
+        "The time after which the batch system ends a job. Workers retire after 90 % of it, and "
+        "batches are predicted to take at most a twentieth of a worker's lifetime.",
         "Doubled, workers are replaced half as often, and jobs may wait longer in the queue.",
         default=THIS_MACHINE.walltime,
         values='a time such as `"12:00:00"` or `"1-00:00:00"`, at least a minute',
@@ -154,20 +154,20 @@ CLUSTER = {
     ),
     "queue": ONE_WORD(
         "The queue, or partition, of the batch system.",
-        usual="that of the batch system",
+        usual="the default of the batch system",
     ),
     "account": ONE_WORD(
-        "The account to which the jobs are charged.",
-        usual="that of the batch system",
+        "The account that is charged for the jobs.",
+        usual="the default of the batch system",
     ),
     "interface": ONE_WORD(
-        'The network interface by which nodes reach each other, such as `"ib0"`.',
-        usual="that which the system chooses",
+        'The network interface that connects the nodes, such as `"ib0"`.',
+        usual="chosen by the system",
     ),
     "log_folder": Key(
         _line,
-        "The folder for what jobs print, from the working folder. Every node must see it, because "
-        "certificates of a run lie beside it.",
+        "The folder for the output of jobs, relative to the working folder. Every node must have "
+        "access to it, because the certificates of a run are stored next to it.",
         default=THIS_MACHINE.log_folder,
         values="one line of text",
         schema=TEXT,
@@ -181,17 +181,17 @@ CLUSTER = {
         schema={"type": ["string", "array"], "items": TEXT},
     ),
     "tls_ca_file": PEM(
-        "A PEM file with the certificate of who has signed those of a scheduler `tls://…`.",
+        "A PEM file with the certificate of the authority that signed that of a scheduler `tls://…`.",
     ),
     "tls_cert": PEM(
-        "A PEM file with the certificate that shows that scheduler who you are.",
+        "A PEM file with the certificate that identifies you to that scheduler.",
     ),
     "tls_key": PEM(
-        "A PEM file with the key of that certificate, unless the certificate's file holds it.",
+        "A PEM file with the key of `tls_cert`, unless that file contains it.",
     ),
 }
 
 
 def read_cluster(given: Mapping[str, Any]) -> Cluster:
-    """Return what the checked values of a table [cluster] describe."""
+    """Return the cluster described by the checked values of a table [cluster]."""
     return Cluster(**filled("cluster", given, CLUSTER))

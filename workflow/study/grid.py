@@ -1,4 +1,4 @@
-"""The grid: the values of every axis, and what a scene leaves out of it."""
+"""The table [grid]: the values of its axes, and the keys that a scene excludes."""
 
 import math
 from collections.abc import Mapping
@@ -20,27 +20,28 @@ from .settings import (
 )
 from .surfaces import Surface, check_cutoff
 
-MOST_ELEMENTS = 1e8
-LEAST_ELEMENTS = 4
-MOST_POINTS = 300_000  # a plan takes seconds, a run 2 GiB in the driver
+MAX_LINE_ELEMENTS = 1e8
+MIN_LINE_ELEMENTS = 4
+MAX_GRID_POINTS = 300_000  # for which a plan takes seconds and a run 2 GiB in the driver
 
 
 def snapped_spacing(length: float, spacings: tuple[float, ...]) -> tuple[float, ...]:
-    """Return the nearest spacings that divide ``length`` into a number of elements 2^a 3^b 5^c.
+    """Return the nearest spacings that divide ``length`` into 2^a 3^b 5^c elements.
 
-    Such numbers are quick for the FFT; two spacings may fall on one.
+    The FFT is fast for these numbers. Two spacings may become one.
     """
     elements = [_nearest_smooth(length / spacing) for spacing in spacings]
     return tuple(length / count for count in dict.fromkeys(elements))
 
 
 def _nearest_smooth(target: float) -> int:
-    found = [2]
+    """Return the number 2^a 3^b 5^c (a > 0) with the smallest ratio to the target."""
+    counts = [2]
     for prime in (2, 3, 5):
-        for count in found:  # which grows meanwhile
+        for count in counts:  # the list grows during the loop
             if prime * count <= 2.0 * target + 8.0:
-                found.append(prime * count)
-    return min(found, key=lambda n: (abs(math.log(n / target)), n))
+                counts.append(prime * count)
+    return min(counts, key=lambda n: (abs(math.log(n / target)), n))
 
 
 def _step(key: str, value: object) -> float:
@@ -53,10 +54,10 @@ def _step(key: str, value: object) -> float:
 GRID = {
     "hurst": Key(
         partial(checked_values, partial(within, least=0.0, most=1.0)),
-        "The Hurst exponent H of the line, whose power spectral density falls as q^(−2H−1).",
+        "The Hurst exponent H of the line. Its power spectral density falls as q^(−2H−1).",
         "Doubled (up to 1), at the same roughness the rms slope is smaller, and for x > 1 the "
         "relaxation rate b ≈ x^(1−H) grows more slowly with the velocity.",
-        usual="required for random lines alone",
+        usual="required for random lines",
     ),
     "normal_force": Key(
         partial(checked_values, positive),
@@ -64,14 +65,13 @@ GRID = {
         "Doubled, F̄ doubles and more of the line touches. In full contact µ halves; in partial "
         "contact it changes less.",
         "N",
-        usual="required where neither `normal_pressure` nor the indentation is given",
+        usual="required unless `normal_pressure` or the indentation is given",
     ),
     "normal_pressure": Key(
         partial(checked_values, positive),
         "The nominal pressure σ₀, in place of `normal_force`. On a half-space F_N = σ₀L². On the "
-        "foundation F_N = σ₀ λ_r L, with λ_r = `surface.rolloff`, or L without it, so that "
-        "each length λ_r carries what a square of this side does; from one to sixteen of them "
-        "friction still falls by up to 27 %.",
+        "foundation the line stands for a strip of width λ_r and F_N = σ₀ λ_r L, with λ_r = "
+        "`surface.rolloff`, or L without it. µ still falls by up to 27 % from L = λ_r to 16 λ_r.",
         "Doubled, F_N doubles.",
         "Pa",
         default=(),
@@ -79,43 +79,43 @@ GRID = {
     "spacing": Key(
         partial(checked_values, positive),
         "The spacing Δx of the elements. It is a physical parameter: without a cut-off the "
-        "shortest wave is 2Δx long, and q_max = π/Δx. Accuracy is set by "
+        "shortest wavelength is 2Δx, and q_max = π/Δx. The discretisation error depends on "
         "`numerics.steps_per_spacing` instead.",
-        "Doubled, elements and x halve, and the rms slope falls by about 2^(1−H).",
+        "Doubled, the number of elements and x halve, and the rms slope falls by about 2^(1−H).",
         "m",
-        usual="required for random lines alone",
+        usual="required for random lines",
     ),
     "roughness": Key(
         partial(checked_values, positive),
         "The rms roughness h of the line.",
-        "Doubled, slopes double and F̄ halves: µ is twice what it was at half the normal force.",
+        "Doubled, slopes double and F̄ halves: µ is twice its value at half the normal force.",
         "m",
-        usual="required for random lines alone",
+        usual="required for random lines",
     ),
     "velocity": Key(
         partial(checked_values, positive),
-        "The sliding velocity v₁ before the velocity step, or that to which `ratio` in a "
-        "programme refers.",
-        "Doubled, x doubles. Where x < 1 steady friction doubles; on the plateau above it hardly "
-        "changes.",
+        "The sliding velocity v₁ before the velocity step; in a programme the reference of "
+        "`ratio`.",
+        "Doubled, x doubles. For x < 1 steady friction doubles; on the plateau at larger x it "
+        "hardly changes.",
         "m/s",
-        usual="required where the motion depends on it",
+        usual="required if the motion depends on it",
     ),
     "velocity_step": Key(
         partial(checked_values, _step),
         "The relative velocity step Δv/v₁, so that v₂ = v₁ (1 + Δv/v₁).",
-        "Doubled, small steps make twice the jump Δµ₀; the relaxation rate b hardly changes.",
+        "Doubled, the jump Δµ₀ of a small step doubles; the relaxation rate b hardly changes.",
         values="a number above −1, zero or at least 1e-9 in size, or a list or range",
-        usual="required without a programme, unless steady sliding alone is asked for",
+        usual="required without a programme, unless only steady sliding is requested",
         schema=values_of_axis({"type": "number", "exclusiveMinimum": -1}),
     ),
     "prescribed_indentation": Key(
         partial(checked_values, number),
-        "The indentation d, positive where the mean line lies below the undeformed surface; with "
-        '`scene.control = "indentation"` alone.',
+        "The indentation d, positive if the mean line lies below the undeformed surface. It needs "
+        '`scene.control = "indentation"`.',
         "Doubled in full contact, the normal force doubles and µ halves.",
         "m",
-        usual="left out with control by force",
+        usual="omitted with control by force",
     ),
 }
 
@@ -126,26 +126,26 @@ def read_grid(
     parts: Parts,
     several: Grid,
 ) -> Grid:
-    """Return axis -> values of the table [grid], and those of all other axes.
+    """Return axis -> values, for the table [grid] and for the axes of other tables.
 
-    given : its checked values. written : the same as the user wrote them, for messages.
-    several : values of the axes that stand in other tables. What the scene has no use for is left
-    out of the table; it has one value then, NaN where there is none. Raises UserError.
+    given : checked values of [grid]. written : the same as written by the user, for messages.
+    several : values of the axes of other tables. An axis that the scene excludes has one value,
+    NaN if it is undefined. Raises UserError.
     """
     _, surface, scene = parts
-    left_out = _left_out(surface, scene)
-    for axis, (_, reason) in left_out.items():
+    excluded = _excluded(surface, scene)
+    for axis, (_, reason) in excluded.items():
         if axis in given:
-            raise UserError(f"grid.{axis} = {written[axis]!r:.40}: {reason}; leave it out")
+            raise UserError(f"grid.{axis} = {written[axis]!r:.40}: {reason}; omit it")
     if scene.starts_after_sliding and "velocity" not in given:
         raise UserError(
-            'scene.start = "steady": the programme begins with a hold; give grid.velocity, at '
-            'which it slid before, or use "relaxed"'
+            'scene.start = "steady": the programme begins with a hold; give grid.velocity, the '
+            'velocity before it, or use "relaxed"'
         )
     if given.get("normal_pressure"):
-        given = _pressed(given, written, surface)
+        given = _with_forces(given, written, surface)
     keys = {
-        axis: replace(key, default=left_out.get(axis, (key.default,))[0])
+        axis: replace(key, default=excluded.get(axis, (key.default,))[0])
         for axis, key in GRID.items()
     }
     if not {*scene.quantities} - {"steady", "persson"} and not scene.programme:
@@ -153,20 +153,21 @@ def read_grid(
     grid: Grid = filled("grid", given, keys)
     if surface.profile is None:
         grid["spacing"] = _spacings(grid["spacing"], surface)
-        for each in parts_at(parts, several, axes_of(several, "surface")):
-            check_cutoff(each.surface, grid["spacing"])
+        for point in parts_at(parts, several, axes_of(several, "surface")):
+            check_cutoff(point.surface, grid["spacing"])
     grid |= several | scene.listed
-    found = {axis: grid[axis] for axis in ALL_AXES if grid.get(axis)}
-    points = math.prod(map(len, found.values()))
-    if points > MOST_POINTS:
+    axes = {axis: grid[axis] for axis in ALL_AXES if grid.get(axis)}
+    points = math.prod(map(len, axes.values()))
+    if points > MAX_GRID_POINTS:
         raise UserError(
-            f"grid: {points} points, more than {MOST_POINTS}: take fewer values, or several studies"
+            f"grid: {points} points, more than {MAX_GRID_POINTS}; use fewer values or several "
+            "studies"
         )
-    return found
+    return axes
 
 
-def _pressed(given: Mapping[str, Any], written: Mapping[str, Any], surface: Surface) -> Grid:
-    """Return the values of a grid with normal forces in place of pressures. Raises UserError."""
+def _with_forces(given: Mapping[str, Any], written: Mapping[str, Any], surface: Surface) -> Grid:
+    """Return the values of a grid with the normal forces of its pressures. Raises UserError."""
     if "normal_force" in given:
         raise UserError(
             f"grid.normal_pressure = {written['normal_pressure']!r:.40}: give it or "
@@ -176,50 +177,50 @@ def _pressed(given: Mapping[str, Any], written: Mapping[str, Any], surface: Surf
     return {**given, "normal_force": forces}
 
 
-def _left_out(surface: Surface, scene: Scene) -> dict[str, tuple[tuple[float, ...], str]]:
-    """Return axis -> (values, why) of what the table [grid] must not hold."""
-    found: dict[str, tuple[tuple[float, ...], str]] = {}
+def _excluded(surface: Surface, scene: Scene) -> dict[str, tuple[tuple[float, ...], str]]:
+    """Return axis -> (values, reason) of the keys that the table [grid] must not contain."""
+    excluded: dict[str, tuple[tuple[float, ...], str]] = {}
     if surface.profile is not None:
-        why = "that of the measured lines is taken"
-        found["hurst"] = (math.nan,), "measured lines have their own spectrum"
-        found["spacing"] = (surface.profile.spacing,), why
-        found["roughness"] = (surface.profile.roughness,), why
+        reason = "the measured lines determine it"
+        excluded["hurst"] = (math.nan,), "measured lines have their own spectrum"
+        excluded["spacing"] = (surface.profile.spacing,), reason
+        excluded["roughness"] = (surface.profile.roughness,), reason
     if scene.control == "indentation":
-        free = 'scene.control = "indentation" leaves it free'
-        found |= {"normal_force": ((math.nan,), free), "normal_pressure": ((), free)}
+        reason = 'it follows from the indentation with scene.control = "indentation"'
+        excluded |= {"normal_force": ((math.nan,), reason), "normal_pressure": ((), reason)}
     if not scene.uses_indentation:
-        found["prescribed_indentation"] = (
+        excluded["prescribed_indentation"] = (
             (),
             'needs scene.control = "indentation", without scene.indentation_file',
         )
     if scene.programme:
-        found["velocity_step"] = (0.0,), "the programme says how velocities change"
+        excluded["velocity_step"] = (0.0,), "the programme gives the velocities"
     if not scene.uses_velocity:
-        found["velocity"] = (scene.typical_speed,), "no segment of the programme depends on it"
-    return found
+        excluded["velocity"] = (scene.typical_speed,), "no segment of the programme depends on it"
+    return excluded
 
 
 def _spacings(spacings: tuple[float, ...], surface: Surface) -> tuple[float, ...]:
-    """Return the spacings, snapped where that is asked for. Raises UserError.
+    """Return the spacings, snapped if surface.snap_spacing is true.
 
-    Every spacing must divide the length into a number of elements in reach.
+    Raises UserError for a spacing that does not divide the length, or into too many elements.
     """
     length = surface.length
     for spacing in spacings:
-        if not length / spacing < MOST_ELEMENTS:
+        if not length / spacing < MAX_LINE_ELEMENTS:
             raise UserError(
-                f"grid.spacing = {spacing!r}: more than {MOST_ELEMENTS:g} elements on "
+                f"grid.spacing = {spacing!r}: makes more than {MAX_LINE_ELEMENTS:g} elements on "
                 f"surface.length = {length!r}"
             )
     if surface.snap_spacing:
         spacings = snapped_spacing(length, spacings)
     for spacing in spacings:
         elements = length / spacing
-        if round(elements) < LEAST_ELEMENTS or abs(elements / round(elements) - 1.0) > 1e-9:
-            near = length / max(LEAST_ELEMENTS, round(elements))
+        if round(elements) < MIN_LINE_ELEMENTS or abs(elements / round(elements) - 1.0) > 1e-9:
+            nearest = length / max(MIN_LINE_ELEMENTS, round(elements))
             raise UserError(
                 f"grid.spacing = {spacing:g}: must divide surface.length = {length:g} into at "
-                f"least {LEAST_ELEMENTS} elements (nearest: {near!r}; or set "
+                f"least {MIN_LINE_ELEMENTS} elements (nearest: {nearest!r}; or set "
                 "surface.snap_spacing = true)"
             )
     return spacings

@@ -42,8 +42,8 @@ def read_measured(name: str, folder: Path, tables: dict[str, Any]) -> Measured:
     for key, stated in script.SETTINGS.items():
         if not isinstance(stated, Key):
             raise UserError(
-                f"{folder / 'measure.py'}: SETTINGS[{key!r}] is a bare check; write Key(check) with "
-                "Key from elastomer_friction.workflow.study"
+                f"{folder / 'measure.py'}: SETTINGS[{key!r}] is a bare check; write Key(check) "
+                "with Key from elastomer_friction.workflow.study"
             )
     settings = read_table("measure", tables["measure"], script.SETTINGS)
     return Measured(**head, settings=settings, script=script)

@@ -1,4 +1,4 @@
-"""How problems are discretised: the table [numerics]."""
+"""The table [numerics]: discretisation of the problems and requested accuracy."""
 
 from collections.abc import Mapping
 from functools import partial
@@ -8,34 +8,34 @@ from ...kernels import SCHEMES
 from ..ground import UserError
 from .settings import Key, choice, filled, integer, within
 
-LONG_HORIZON = 6.0  # below 1 %: beyond 4 expected times b changes by 0.5 %, at worst by 5 %
-LONG_BELOW = 0.01
-# Beyond the one nothing is in reach, beyond the other no law holds.
+LONG_HORIZON = 6.0  # beyond 4 expected times b changes by 0.5 %, in the worst case by 5 %
+LONG_HORIZON_ACCURACY = 0.01  # below which the long horizon is used
+# Below 1e-4 no accuracy can be reached; above 0.3 the error laws do not hold.
 ACCURACY = partial(within, least=1e-4, most=0.3, hint=" (0.01 is 1 %)")
 AUTO = "auto"
-NEGLIGIBLE = 0.01  # share of the jump, where an accuracy is asked for
+NEGLIGIBLE_SHARE = 0.01  # of the jump, if an accuracy is requested
 RECORDS = ("time", "distance", "log")
 
 
 class Numerics(NamedTuple):
-    """How problems are discretised; ``steps_per_spacing = None`` stands for "auto"."""
+    """Discretisation of the problems; ``steps_per_spacing = None`` means "auto"."""
 
     scheme: str = "exponential"
     steps_per_spacing: int | None = None
     curve_samples: int = 64
     horizon: float = 4.0
-    accuracy: float | None = None  # wanted relative error of what is asked for
-    max_realizations: int = 10_000  # per point, on the way to the accuracy
-    negligible: float = 0.0  # share of the jump; of relaxations below it the rate is not sought
-    record: str = "time"  # in what the kept samples of a trace are evenly spaced
-    trace: int | None = None  # keep every so many steps instead
+    accuracy: float | None = None  # requested relative error
+    max_realizations: int = 10_000  # limit per point, with accuracy
+    negligible: float = 0.0  # share of the jump; a smaller relaxation needs no rate
+    record: str = "time"  # quantity in which the samples of a trace are evenly spaced
+    trace: int | None = None  # steps between the samples, in place of record
 
     @property
     def refines(self) -> bool:
-        """Return whether contacts of steady sliding are followed between the samples.
+        """Whether contact edges of steady sliding are located between the samples.
 
-        Where "auto" chooses the steps. Steps that are given are taken as they are, everywhere, and
-        what they do not resolve is marked in the result.
+        This is done only if "auto" chooses the steps. A given number of steps is used as it is,
+        and the result marks unresolved contacts.
         """
         return self.steps_per_spacing is None
 
@@ -44,25 +44,24 @@ def _steps(key: str, value: object) -> int | None:
     return None if value == AUTO else integer(key, value, 1)
 
 
-USUAL = Numerics()
+DEFAULTS = Numerics()
 NUMERICS = {
     "scheme": Key(
         partial(choice, known=SCHEMES),
-        "The time step of an element. `exponential` lets a free element decay by exp(−Δt/τ) and "
-        "is of second order; `implicit-euler` lets it decay by 1/(1 + Δt/τ), is of first order, "
-        "and with one step per spacing gives the left branch of figure 7. Both converge to the "
-        "same.",
-        default=USUAL.scheme,
+        "The time-stepping scheme. `exponential` is of second order; a free element decays by "
+        "exp(−Δt/τ) per step. `implicit-euler` is of first order; a free element decays by "
+        "1/(1 + Δt/τ), and one step per spacing gives the left branch of figure 7. Both converge "
+        "to the same result.",
+        default=DEFAULTS.scheme,
     ),
     "steps_per_spacing": Key(
         _steps,
-        "The number m of time steps, and of samples of the line with an element each, per spacing "
-        'Δx. With `"auto"` each point takes the least m that keeps the discretisation error of '
-        "what is asked for below 2 %, where that can be, and reads steady friction and jump from "
-        "between the samples, to 10⁻⁵. It takes 4 for measured lines and 8 for "
-        "branches and programmes, whose errors follow no known law. A number is taken as it is at "
-        "every point, "
-        "and `resolution_status` marks contacts that it does not resolve.",
+        "The number m of time steps, and of samples of the line with one element each, per spacing "
+        'Δx. With `"auto"` each point takes the smallest m that keeps the discretisation error of '
+        "the requested quantities below 2 %, if possible, and contact edges are located between "
+        "the samples, which resolves steady friction and jump to 10⁻⁵. It is 4 for measured lines "
+        "and 8 for branches and programmes, whose errors follow no known law. A number is used at "
+        "every point; `resolution_status` marks contacts that it does not resolve.",
         "Doubled, the error of µ₁ falls to about a third, those of Δµ₀ and b to about half; "
         "steady states take twice the time, relaxation up to four times.",
         default=None,
@@ -72,53 +71,52 @@ NUMERICS = {
     ),
     "samples": Key(
         partial(integer, least=8, most=10_000),
-        "The number of points that are kept of each relaxation curve or trace.",
-        "Doubled, the file is larger, and the fit of eq. 6 rests on more points and changes "
-        "slightly.",
-        default=USUAL.curve_samples,
+        "The number of points stored of each relaxation curve or trace.",
+        "Doubled, the file is larger, and the fit of eq. 6 uses more points and changes slightly.",
+        default=DEFAULTS.curve_samples,
         usual="64; 200 in `scene.run`",
     ),
     "horizon": Key(
         partial(within, least=1.0, most=100.0),
-        "How long the relaxation is followed, in expected relaxation times.",
+        "The duration of the marched relaxation, in expected relaxation times.",
         "Doubled, the march takes twice as many steps; beyond 4 the rate changes by about 0.5 %.",
         default=None,
-        usual="4; 6 where `accuracy` is below 1 %",
+        usual="4; 6 if `accuracy` is below 1 %",
     ),
     "accuracy": Key(
         ACCURACY,
-        "The wanted relative error of µ₁, Δµ₀ and b, as far as they are asked for: standard error "
-        "plus bound of the discretisation error. The program chooses m and the number of lines "
-        "for it, in place of `study.realizations`.",
-        "Doubled, it takes a quarter of the lines, and often fewer steps.",
+        "The requested relative error of µ₁, Δµ₀ and b, if they are requested: standard error plus "
+        "bound of the discretisation error. The program chooses m and the number of lines, in "
+        "place of `study.realizations`.",
+        "Doubled, a quarter of the lines and often fewer steps suffice.",
         default=None,
     ),
     "max_realizations": Key(
         partial(integer, least=1),
-        "With `accuracy`, the number of lines at which a point ends even if it has not reached "
-        "it; the result says where.",
+        "With `accuracy`, the maximum number of lines of a point. The result marks points that "
+        "have not reached the accuracy.",
         "Doubled, points that are hard to determine may take twice the time for an error smaller "
         "by √2.",
-        default=USUAL.max_realizations,
+        default=DEFAULTS.max_realizations,
     ),
     "negligible": Key(
         partial(within, least=0.0, most=1.0),
-        "A share of the jump Δµ₀. Where surely less than this share relaxes, no line is added to "
-        "determine b, and `fit_status` says `negligible`.",
-        "Doubled, b is left undetermined at more points with x < 1.",
+        "A share of the jump Δµ₀. If the relaxation is significantly smaller than this share, no "
+        "line is added to determine b, and `fit_status` is `negligible`.",
+        "Doubled, b remains undetermined at more points with x < 1.",
         default=None,
-        usual="0; 0.01 where `accuracy` is given",
+        usual="0; 0.01 if `accuracy` is given",
     ),
     "record": Key(
         partial(choice, known=RECORDS),
-        "In what the kept points of a trace are evenly spaced: time, distance slid, or the "
-        "logarithm of time.",
-        default=USUAL.record,
+        "The quantity in which the stored points of a trace are evenly spaced: time, distance "
+        "slid, or the logarithm of time.",
+        default=DEFAULTS.record,
     ),
     "trace": Key(
         partial(integer, least=1),
-        "Keep every step whose number is a multiple of this one, instead of `samples` points and "
-        "without `record`.",
+        "The number of steps between two stored points of a trace, in place of `samples` and "
+        "`record`.",
         "Doubled, a trace has half as many points.",
         default=None,
     ),
@@ -126,21 +124,23 @@ NUMERICS = {
 
 
 def read_numerics(where: str, given: Mapping[str, Any]) -> Numerics:
-    """Return the numerics of the checked values of a table of this name. Raises UserError."""
+    """Return the numerics of the checked values of the table named ``where``. Raises UserError."""
     values = filled(where, given, NUMERICS)
     if "trace" in given and "record" in given:
         raise UserError(
-            f"{where}.trace = {given['trace']}: keeps every so many steps; leave record out"
+            f"{where}.trace = {given['trace']}: sets the spacing of the points; omit record"
         )
     if values["horizon"] is None:
-        fine = values["accuracy"] is not None and values["accuracy"] < LONG_BELOW
-        values["horizon"] = LONG_HORIZON if fine else USUAL.horizon
+        accuracy = values["accuracy"]
+        fine = accuracy is not None and accuracy < LONG_HORIZON_ACCURACY
+        values["horizon"] = LONG_HORIZON if fine else DEFAULTS.horizon
     if values["negligible"] is None:
-        values["negligible"] = USUAL.negligible if values["accuracy"] is None else NEGLIGIBLE
-    found = Numerics(curve_samples=values.pop("samples"), **values)
-    if found.accuracy and found.scheme != USUAL.scheme and not found.steps_per_spacing:
+        share = DEFAULTS.negligible if values["accuracy"] is None else NEGLIGIBLE_SHARE
+        values["negligible"] = share
+    numerics = Numerics(curve_samples=values.pop("samples"), **values)
+    if numerics.accuracy and numerics.scheme != DEFAULTS.scheme and not numerics.steps_per_spacing:
         raise UserError(
-            f"{where}.scheme = {found.scheme!r}: where the accuracy chooses the steps it takes "
-            f"{USUAL.scheme}, never dearer; leave scheme out or give steps_per_spacing too"
+            f"{where}.scheme = {numerics.scheme!r}: an accuracy chooses the steps for the scheme "
+            f"{DEFAULTS.scheme}, which costs less; omit scheme or give steps_per_spacing"
         )
-    return found
+    return numerics

@@ -1,4 +1,4 @@
-"""Read study.toml: find it, apply the scale and --set, build the Study, say where a fault is."""
+"""Read study.toml: find it, apply the scale and --set, build the Study, and locate errors."""
 
 import contextlib
 import copy
@@ -18,30 +18,30 @@ from .measured import read_measured
 from .settings import as_table
 from .study import AnyStudy, Study, read_grid_study
 
-MOST_BYTES = 2**24  # of a study.toml
+MAX_STUDY_BYTES = 2**24
 BARE_LIST = re.compile(r"=\s*[-+.\d][-+.\deE_]*\s*,")  # numbers without brackets
 
 
 def load_tables(path: Path, scale: str | None, settings: list[str]) -> tuple[dict, dict]:
-    """Return the tables of a TOML file and its other scales; overrides are "table.key=value".
+    """Return the tables of a TOML file, after overrides "table.key=value", and its other scales.
 
-    Raises UserError for a file that is not TOML, an unknown scale and a broken override.
+    Raises UserError for a file that is not TOML, an unknown scale and an invalid override.
     """
     try:
-        tables = tomllib.loads(read_plain(path, MOST_BYTES).decode())
+        tables = tomllib.loads(read_plain(path, MAX_STUDY_BYTES).decode())
     except (OSError, UnicodeDecodeError, tomllib.TOMLDecodeError) as error:
         place = re.search(r"at line (\d+)", str(error))
         lines = path.read_text(encoding="utf-8").splitlines() if place else []
         bare = place and BARE_LIST.search(lines[int(place[1]) - 1])
-        hint = "; a list is [0.3, 0.5]" if bare else ""
-        said = getattr(error, "strerror", None) or error
-        raise UserError(f"{path}: cannot be read as TOML: {said}{hint}") from error
+        hint = "; write a list as [0.3, 0.5]" if bare else ""
+        reason = getattr(error, "strerror", None) or error
+        raise UserError(f"{path}: cannot be read as TOML: {reason}{hint}") from error
     scales = tables.pop("scales", {})
     if scale is not None:
         if scale not in as_table("scales", scales):
             known = ", ".join(scales) or "none"
             near = did_you_mean(scale, scales)
-            raise UserError(f"--scale {scale}: the study knows {known}{near}")
+            raise UserError(f"--scale {scale}: must be a scale of the study: {known}{near}")
         _merge(tables, scales.pop(scale), f"scales.{scale}")
     for setting in settings:
         _merge(tables, _setting(setting), "--set")
@@ -58,17 +58,17 @@ def _merge(tables: dict, extra: Any, where: str) -> None:
 
 def _setting(text: str) -> dict:
     key, separator, value = text.partition("=")
-    # A bare word is a string: --set numerics.scheme=exponential
+    # The second form accepts a string without quotes: --set numerics.scheme=exponential
     for toml in (text, f"{key}{separator}{json.dumps(value.strip())}"):
         with contextlib.suppress(tomllib.TOMLDecodeError):
             return tomllib.loads(toml)
-    raise UserError(f"--set {text}: use table.key=value")
+    raise UserError(f"--set {text}: must have the form table.key=value")
 
 
 def find_study(study: str) -> Path:
     """Return the path of study.toml for a name under studies/ or a path to a TOML file.
 
-    In a name hyphens stand for underscores as well: folders are packages of Python.
+    Hyphens in a name may stand for underscores.
     """
     if study.endswith(".toml"):
         path = Path(study)
@@ -81,31 +81,32 @@ def find_study(study: str) -> Path:
             return known[name]
     names = ", ".join(sorted(known))
     near = did_you_mean(study.replace("-", "_"), known)
-    raise UserError(f"study {study!r}: not among {names}, nor the path of a .toml file{near}")
+    raise UserError(f"study {study!r}: must be one of {names}, or the path of a .toml file{near}")
 
 
 def known_studies() -> dict[str, Path]:
-    """Return name -> study.toml of all studies, those of the working folder before our own."""
+    """Return name -> study.toml; studies of the working folder replace those of the program."""
     roots = (Path(__file__).resolve().parents[2] / "studies", Path.cwd() / "studies")
     return {path.parent.name: path for root in roots for path in root.glob("*/study.toml")}
 
 
 def read_study(study: str, scale: str | None = None, settings: list[str] | None = None) -> AnyStudy:
-    """Return the checked study, measured where it has a table [measure], else of a grid.
+    """Return the checked study: a measured study if it has a table [measure], else a grid study.
 
-    settings : "table.key=value" overrides.
+    settings : overrides "table.key=value".
 
-    Raises UserError for anything a user can have got wrong: all keys, types and ranges at once, at
-    every scale, then what does not go together. Its place is file and line.
+    Raises UserError for invalid input: first for all keys, types and ranges at every scale, then
+    for combinations. Each error states file and line.
     """
-    asked = settings or []
-    name, path, tables, scales = _found(study, scale, asked)
-    with placed(path, scale or "", asked):
+    overrides = settings or []
+    name, path, tables, scales = _located_tables(study, scale, overrides)
+    with errors_located(path, scale or "", overrides):
+        checked: AnyStudy
         if "measure" in tables:
-            found: AnyStudy = read_measured(name, path.parent, tables)
+            checked = read_measured(name, path.parent, tables)
         else:
-            found = read_grid_study(name, path.parent, tables, scales=scales)
-    return replace(found, scale=scale or "")
+            checked = read_grid_study(name, path.parent, tables, scales=scales)
+    return replace(checked, scale=scale or "")
 
 
 def known_scales(study: str) -> list[str]:
@@ -115,72 +116,76 @@ def known_scales(study: str) -> list[str]:
 
 
 def read_scene(study: str, scale: str | None, settings: list[str], quantities: list[str]) -> Study:
-    """Return the scene of a study for a single line, asked for other quantities.
+    """Return a study of one point as the scene of a single line, with other quantities.
 
-    Its comparisons are left out. Raises UserError as ``read_study`` does, and where the study is
-    not of one point.
+    Comparisons are dropped. Raises UserError as ``read_study`` does, and for a study of several
+    points.
     """
-    name, path, tables, _ = _found(study, scale, settings)
+    name, path, tables, _ = _located_tables(study, scale, settings)
     if "measure" in tables:
-        raise UserError(f"{study}: measures the program itself; it has no scene to show")
+        raise UserError(f"{study}: measures the program itself; choose a study that has a scene")
     tables.pop("compare", None)
     for table, extra in (
         ("study", {"realizations": 1, "realizations_per_block": 1}),
         ("scene", {"quantities": quantities}),
     ):
         tables[table] = {**as_table(table, tables.get(table, {})), **extra}
-    with placed(path, scale or "", settings):
+    with errors_located(path, scale or "", settings):
         return read_grid_study(name, path.parent, tables, one_point=True)
 
 
-def _found(study: str, scale: str | None, settings: list[str]) -> tuple[str, Path, dict, dict]:
+def _located_tables(
+    study: str, scale: str | None, settings: list[str]
+) -> tuple[str, Path, dict, dict]:
     """Return name, file, tables and other scales of a study."""
     path = find_study(study)
     name = path.parent.name if path.name == "study.toml" else path.stem
     try:
         return name, path, *load_tables(path, scale, settings)
     except RecursionError:
-        raise UserError(f"{path}: holds brackets within brackets too deep to read") from None
+        raise UserError(f"{path}: brackets are nested too deeply to be read") from None
 
 
-NAMED = re.compile(r"([\w.\"\[\]-]+?)(?: = |: | holds )")  # what a message begins with
+KEY_OF_MESSAGE = re.compile(r"([\w.\"\[\]-]+?)(?: = |: | holds )")
 
 
 @contextmanager
-def placed(path: Path, scale: str, settings: list[str]) -> Iterator[None]:
-    """Give every UserError that is raised within its place: the file, and the line of its key.
+def errors_located(path: Path, scale: str, settings: list[str]) -> Iterator[None]:
+    """Add file and line of the key to every UserError raised in the block.
 
-    scale : the one in force. settings : "table.key=value" overrides, which stand in no line.
+    scale : name of the selected scale. settings : overrides "table.key=value", which have no line.
     """
     try:
         yield
     except UserError as error:
-        given = [setting.partition("=")[0].strip() for setting in settings]
+        overridden = [setting.partition("=")[0].strip() for setting in settings]
         text = path.read_text(encoding="utf-8")
-        for each in error.errors:
-            key = key_of(each.args[0])
-            mine = any(key == own or key.startswith((f"{own}.", f"{own}[")) for own in given)
-            line = None if mine else line_of(text, key, scale)
-            each.place = f" ({path}, line {line})" if line else ""
+        for single in error.errors:
+            key = key_of(single.args[0])
+            is_override = any(
+                key == other or key.startswith((f"{other}.", f"{other}[")) for other in overridden
+            )
+            line = None if is_override else line_of(text, key, scale)
+            single.place = f" ({path}, line {line})" if line else ""
         raise
 
 
 def key_of(message: str) -> str:
-    """Return the key that a message is about, as grid.hurst[0]; "" where it names none."""
-    found = NAMED.match(message)
-    return found[1] if found else ""
+    """Return the key at the beginning of a message, such as grid.hurst[0], or ""."""
+    match = KEY_OF_MESSAGE.match(message)
+    return match[1] if match else ""
 
 
 def line_of(text: str, key: str, scale: str = "") -> int | None:
-    """Return the number of the line where a key stands, or the table in which it is missing.
+    """Return the number of the line of a key, or of the table in which it is missing.
 
-    scale : the one in force, whose tables come before the others. None where there is no such line.
+    scale : name of the selected scale, whose tables have priority. None if there is no such line.
     """
     lines, whole = text.splitlines(), tomllib.loads(text)
-    wanted = [part.strip('"') for part in re.split(r"[.\[\]]+", key) if part]
+    parts = [part.strip('"') for part in re.split(r"[.\[\]]+", key) if part]
     best = (0, False, 0)
     for root in (), ("scales", scale):
-        path = [*root, *wanted]
+        path = [*root, *parts]
         depth = _depth(whole, path)
         if depth > len(root):
             number = _first_line(lines, path, depth)
@@ -190,7 +195,7 @@ def line_of(text: str, key: str, scale: str = "") -> int | None:
 
 
 def _first_line(lines: list[str], path: list[str], depth: int) -> int:
-    """Return the number of the line with which so many parts of a path are there."""
+    """Return the number of the line that defines the first ``depth`` parts of a path."""
 
     def reached(count: int) -> int:
         return _depth(_readable(lines, count)[1], path)
@@ -200,7 +205,7 @@ def _first_line(lines: list[str], path: list[str], depth: int) -> int:
 
 
 def _readable(lines: list[str], most: int) -> tuple[int, dict[str, Any]]:
-    """Return how many lines, so many at most, are TOML by themselves, and their tables."""
+    """Return the largest number of lines, up to ``most``, that are valid TOML, and their tables."""
     for count in range(most, 0, -1):
         with contextlib.suppress(tomllib.TOMLDecodeError):
             return count, tomllib.loads("\n".join(lines[:count]))
@@ -208,7 +213,7 @@ def _readable(lines: list[str], most: int) -> tuple[int, dict[str, Any]]:
 
 
 def _depth(tables: Any, path: list[str]) -> int:
-    """Return how many parts of a path are there."""
+    """Return how many leading parts of a path exist in the tables."""
     for depth, part in enumerate(path):
         if isinstance(tables, list) and part.isdigit() and int(part) < len(tables):
             tables = tables[int(part)]

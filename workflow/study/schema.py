@@ -1,4 +1,4 @@
-"""What editors and the page of keys are told of study.toml, made of the tables of keys."""
+"""JSON schema of study.toml, derived from the tables of keys."""
 
 from .settings import TEXT, Schema, schema_of, table_of
 from .tables import ALL_TABLES
@@ -8,9 +8,9 @@ from .variants import COMPARE
 def study_schema() -> Schema:
     """Return the schema of a study.toml, JSON schema draft 7."""
     tables = {name: _table(name) for name in ALL_TABLES if "." not in name}
-    both = {**tables["material"]["properties"], **tables["surface"]["properties"]}
-    both |= tables["numerics"]["properties"] | tables["scene"]["properties"]
-    compared = table_of({key: both[key] for key in COMPARE})
+    properties = {**tables["material"]["properties"], **tables["surface"]["properties"]}
+    properties |= tables["numerics"]["properties"] | tables["scene"]["properties"]
+    compared = table_of({key: properties[key] for key in COMPARE})
     tables["compare"] = _by_name(compared, "^[A-Za-z]\\w*$")
     tables["measure"] = {"type": "object"}
     return {
@@ -22,28 +22,28 @@ def study_schema() -> Schema:
 
 def _table(name: str) -> Schema:
     """Return the schema of a table."""
-    found = {}
-    for key, each in ALL_TABLES[name].items():
-        where = f"{name}.{key}"
+    properties = {}
+    for name_of_key, key in ALL_TABLES[name].items():
+        where = f"{name}.{name_of_key}"
         if where == "scene.programme":
-            found[key] = _programme()
+            properties[name_of_key] = _programme()
         elif where in ALL_TABLES:
-            found[key] = _table(where) | {"description": each.means}
+            properties[name_of_key] = _table(where) | {"description": key.means}
         else:
-            found[key] = schema_of(each)
-    return table_of(found)
+            properties[name_of_key] = schema_of(key)
+    return table_of(properties)
 
 
 def _programme() -> Schema:
-    """Return the schema of a list of segments, each a table of one kind."""
-    start = "scene.programme."
+    """Return the schema of a list of segments, each a table with one key, its kind."""
+    prefix = "scene.programme."
     kinds = {
-        name.removeprefix(start): _table(name) for name in ALL_TABLES if name.startswith(start)
+        name.removeprefix(prefix): _table(name) for name in ALL_TABLES if name.startswith(prefix)
     }
     segment = table_of({**kinds, "file": TEXT}) | {"minProperties": 1, "maxProperties": 1}
     return {"type": "array", "minItems": 1, "maxItems": 1000, "items": segment}
 
 
-def _by_name(each: Schema, pattern: str) -> Schema:
-    """Return the schema of a table of tables that the user names."""
-    return {"type": "object", "additionalProperties": False, "patternProperties": {pattern: each}}
+def _by_name(table: Schema, pattern: str) -> Schema:
+    """Return the schema of a table of tables with names chosen by the user."""
+    return {"type": "object", "additionalProperties": False, "patternProperties": {pattern: table}}

@@ -1,4 +1,4 @@
-"""Load the scripts of a study's folder: figure.py, and measure.py of a measured study."""
+"""Load the Python scripts of a study: figure.py, and measure.py of a measured study."""
 
 import ast
 import contextlib
@@ -11,29 +11,28 @@ from types import ModuleType
 
 from ..ground import UserError
 
-OWN = Path(__file__).resolve().parents[2] / "studies"
-MOVED = ("kernels", "workflow", "studies")  # once packages of their own
-named: set[Path] = set()  # scripts that the user was told of
+BUILT_IN_STUDIES = Path(__file__).resolve().parents[2] / "studies"
+FORMER_PACKAGES = ("kernels", "workflow", "studies")  # now subpackages of elastomer_friction
+announced_scripts: set[Path] = set()
 
 
 def load_script(script: Path) -> ModuleType:
-    """Return the module of a script, loaded anew; ``from .other import …`` reaches its folder.
+    """Load or reload a script and return its module; ``from .other import …`` reads its folder.
 
-    The folder counts as a package of its own, wherever it lies. A script that is not part of
-    this program is named, with its owner, before it runs. Raises UserError where there is no
-    such file.
+    The folder is treated as a package. A note names a script that is not part of this program,
+    and its owner, before it runs. Raises UserError if the file does not exist.
     """
     if not script.is_file():
         raise UserError(f"{script}: not found")
     script = script.resolve()
     _check_names(script)
     folder = script.parent
-    if OWN not in script.parents and script not in named:
-        named.add(script)
+    if BUILT_IN_STUDIES not in script.parents and script not in announced_scripts:
+        announced_scripts.add(script)
         owner = f"user {script.stat().st_uid}"
         with contextlib.suppress(KeyError):
             owner = script.owner()
-        print(f"note: runs {script}, a file of {owner}", file=sys.stderr)
+        print(f"note: running {script}, owned by {owner}", file=sys.stderr)
     package = "study" + re.sub(r"\W", "_", str(folder))
     for name in [n for n in sys.modules if n == package or n.startswith(f"{package}.")]:
         del sys.modules[name]
@@ -45,7 +44,7 @@ def load_script(script: Path) -> ModuleType:
 
 
 def _check_names(script: Path) -> None:
-    """Refuse a script that imports from where the program was before it had one name."""
+    """Refuse a script that imports the packages by their former names."""
     tree = ast.parse(script.read_bytes(), script.name)
     for node in ast.walk(tree):
         if isinstance(node, ast.Import):
@@ -56,16 +55,16 @@ def _check_names(script: Path) -> None:
             continue
         for name in names:
             top = name.partition(".")[0]
-            if top in MOVED and not _of_others(top):
+            if top in FORMER_PACKAGES and not _is_foreign(top):
                 raise UserError(
-                    f"{script}, line {node.lineno}: imports {name}, which is now "
-                    f"elastomer_friction.{name}"
+                    f"{script}, line {node.lineno}: imports {name}; import "
+                    f"elastomer_friction.{name} instead"
                 )
 
 
-def _of_others(name: str) -> bool:
-    """Return whether a package of that name is there that is not of this program."""
-    found = importlib.util.find_spec(name)
-    if found is None or found.origin is None:
+def _is_foreign(name: str) -> bool:
+    """Return whether another installed program provides a package of this name."""
+    spec = importlib.util.find_spec(name)
+    if spec is None or spec.origin is None:
         return False
-    return OWN.parent not in Path(found.origin).resolve().parents
+    return BUILT_IN_STUDIES.parent not in Path(spec.origin).resolve().parents

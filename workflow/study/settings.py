@@ -152,9 +152,7 @@ def _spaced(key: str, spec: dict[str, Any]) -> tuple[float, ...]:
     first, last = number(f"{key}.{kind}[0]", args[0]), number(f"{key}.{kind}[1]", args[1])
     count = integer(f"{key}.{kind}[2]", args[2], 1, MAX_AXIS_VALUES)
     if kind == "geomspace" and first * last <= 0.0:
-        raise UserError(
-            f"{key}.geomspace = {args!r}: both ends must have the same sign and not be zero"
-        )
+        raise UserError(f"{key}.geomspace = {args!r}: both ends must have one sign, not zero")
     with np.errstate(over="ignore"):  # the check refuses an infinite value
         return tuple(float(f"{value:.12g}") for value in SPACES[kind](first, last, count))
 

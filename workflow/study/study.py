@@ -1,4 +1,4 @@
-"""The study: everything a user says in study.toml, checked once and then immutable."""
+"""The checked, immutable study made of study.toml."""
 
 import json
 import math
@@ -19,24 +19,24 @@ from .surfaces import Profile, Surface, read_surface
 from .tables import ONE_POINT, STUDY, checked_tables
 from .variants import check_bodies, check_numerics, read_variants
 
-MAX_BLOCKS = 100_000  # of one problem; the block means of some are in memory at a time
+MAX_BLOCKS = 100_000  # per problem; the block means of several problems are in memory together
 
 
 @dataclass(frozen=True, kw_only=True)
 class AnyStudy:
-    """What studies of every kind have."""
+    """Common part of studies of all kinds."""
 
     kind: ClassVar[str]
     name: str
-    folder: Path  # where study.toml and its figure script are
-    text: str  # the settings in force, after scale and --set, as JSON
+    folder: Path  # of study.toml and its scripts
+    text: str  # settings after scale and --set, as JSON
     title: str
     seed: int
-    scale: str = ""  # which of its scales is in force
+    scale: str = ""  # name of the selected scale
 
     @property
     def axes(self) -> tuple[str, ...]:
-        """The axes that a result has; none where there is no grid."""
+        """Axes of the result, none without a grid."""
         return ()
 
 
@@ -45,16 +45,16 @@ class Study(AnyStudy):
     """A checked study of a grid, in SI units."""
 
     kind: ClassVar[str] = "grid"
-    realizations_requested: int  # as the study says
-    realizations: int  # of random lines in whole quartets, whole blocks and two blocks at least
+    realizations_requested: int  # as written in the study
+    realizations: int  # in at least two whole blocks, and random lines in whole quartets
     realizations_per_block: int
     grid: Grid
     scene: Scene
-    variants: dict[str, Numerics]  # "" is the study itself, the others are its comparisons
-    materials: dict[str, Material]  # of the same labels
-    surfaces: dict[str, Surface]  # likewise; all of one length, spacing and roughness
-    pressures: tuple[float, ...] = ()  # Pa, nominal, where they are given in place of forces
-    cluster: Cluster = THIS_MACHINE  # no part of the results' identity
+    variants: dict[str, Numerics]  # by label: "" is the study itself, others are comparisons
+    materials: dict[str, Material]  # by label
+    surfaces: dict[str, Surface]  # by label; all have one length, spacing and roughness
+    pressures: tuple[float, ...] = ()  # Pa, nominal; empty if forces are given
+    cluster: Cluster = THIS_MACHINE  # not part of the identity of results
 
     @property
     def material(self) -> Material:
@@ -68,42 +68,42 @@ class Study(AnyStudy):
 
     @property
     def axes(self) -> tuple[str, ...]:
-        """The dimensions of the grid: those that every result has, then those of this scene."""
+        """Dimensions of the grid: those of every result, then those of this scene."""
         return tuple(self.grid)
 
     @property
     def descriptions(self) -> list[tuple[str, str]]:
-        """What files and arrays were read as, in sentences, each once with what it holds."""
-        found = [("lines", surface.description) for surface in self.surfaces.values()]
+        """Contents (such as "branches") and description of each file and array that was read."""
+        rows = [("lines", surface.description) for surface in self.surfaces.values()]
         for material in self.materials.values():
-            shifts = material.shifts.told if material.shifts else ""
-            found += [("branches", material.description), ("shifts", shifts)]
-        found += [("programme", said) for said in self.scene.sampled]
-        found.append(("indentation", self.scene.indentation_description))
-        return [each for each in dict.fromkeys(found) if each[1]]
+            shifts = material.shifts.description if material.shifts else ""
+            rows += [("branches", material.description), ("shifts", shifts)]
+        rows += [("programme", history) for history in self.scene.sampled]
+        rows.append(("indentation", self.scene.indentation_description))
+        return [row for row in dict.fromkeys(rows) if row[1]]
 
     def parts(self, label: str, axes: Iterable[str]) -> list[Parts]:
-        """Return what a variant is made of at every point of some axes, the last one fastest.
+        """Return material, surface and scene of a variant at every point of some axes.
 
-        At the first value of the others.
+        The last axis varies fastest. Other axes have their first value.
         """
-        own = Parts(self.materials[label], self.surfaces[label], self.scene)
-        return parts_at(own, self.grid, axes)
+        parts = Parts(self.materials[label], self.surfaces[label], self.scene)
+        return parts_at(parts, self.grid, axes)
 
     def force_share(self, label: str) -> float:
-        """Return the normal force on a variant over that of the study: 1 unless pressures count."""
+        """Return the normal force on a variant over that of the study; 1 without pressures."""
         if not self.pressures:
             return 1.0
         return self.surfaces[label].pressed_area / self.surface.pressed_area
 
     @property
     def blocks(self) -> int:
-        """Number of blocks of realizations, the units of the jackknife."""
+        """Number of blocks of realizations, which the jackknife leaves out one at a time."""
         return self.realizations // self.realizations_per_block
 
     @property
     def shape(self) -> tuple[int, ...]:
-        """Shape of the grid, over its axes."""
+        """Shape of the grid."""
         return tuple(len(values) for values in self.grid.values())
 
 
@@ -117,12 +117,11 @@ def read_grid_study(
 ) -> Study:
     """Return the checked study.
 
-    Raises UserError for anything a user can have got wrong: all keys, types and ranges at once,
-    then what does not go together.
+    Raises UserError for invalid input: first for all keys, types and ranges, then for
+    combinations.
 
-    one_point : whether it is a scene, a study of one point that a single line may do for.
-    profile : lines in place of a table [surface]. scales : those that are not asked for, of which
-    the keys are checked as well.
+    one_point : whether it is a scene: one point, and possibly a single line. profile : lines in
+    place of a table [surface]. scales : tables of the other scales, whose keys are checked too.
     """
     head_keys = ONE_POINT if one_point else STUDY
     given = checked_tables(tables, scales or {}, head_keys)
@@ -137,23 +136,23 @@ def read_grid_study(
     )
     variants, materials, surfaces = read_variants(given, folder, surface)
     surface = surfaces[""]
-    _check_each(given, several, folder, surface)
+    _check_other_values(given, several, folder, surface)
     scene = read_scene_table(given["scene"], folder, materials.values())
     parts = Parts(materials[""], surface, scene)
     grid = read_grid(given["grid"], written.get("grid", {}), parts, several)
-    asked, block = given["study"].get("realizations"), given["study"].get("realizations_per_block")
-    if one_point and asked is None:
-        asked = head["realizations"]
-    head |= _lines_in_blocks(asked, block, surfaces)
-    single = head["realizations"] == 1
-    surfaces = {label: _told_of_blocks(own, head) for label, own in surfaces.items()}
-    alone = one_point and single and not scene.listed
-    check_quantities(scene, materials, alone)
+    requested = given["study"].get("realizations")
+    block = given["study"].get("realizations_per_block")
+    if one_point and requested is None:
+        requested = head["realizations"]
+    head |= _lines_in_blocks(requested, block, surfaces)
+    surfaces = {label: _with_block_note(lines, head) for label, lines in surfaces.items()}
+    single_line = one_point and head["realizations"] == 1 and not scene.listed
+    check_quantities(scene, materials, single_line)
     check_bodies(scene, surfaces)
     check_numerics(variants, materials, scene, surfaces)
     for axis, values in grid.items() if one_point else ():
         if len(values) > 1 and axis not in PROGRAMME_AXES:
-            raise UserError(f"grid.{axis} = {list(values)!r:.40}: a scene has one value of it")
+            raise UserError(f"grid.{axis} = {list(values)!r:.40}: must be one value in a scene")
     return Study(
         **head,
         grid=grid,
@@ -166,90 +165,92 @@ def read_grid_study(
     )
 
 
-def _check_each(
+def _check_other_values(
     tables: dict[str, dict[str, Any]], several: Grid, folder: Path, surface: Surface
 ) -> None:
-    """Raise UserError where a value of an axis is refused; tables : with the first of them."""
+    """Raise UserError for a refused value of an axis; tables : with its first value."""
     for axis, (_, *others) in several.items():
         row = ALL_AXES[axis]
         for value in others:
-            each = with_value(tables, row, value)
-            own = read_surface(each["surface"], folder) if row.table == "surface" else surface
-            read_variants(each, folder, own)
+            changed = with_value(tables, row, value)
+            if row.table == "surface":
+                read_variants(changed, folder, read_surface(changed["surface"], folder))
+            else:
+                read_variants(changed, folder, surface)
 
 
 def _lines_in_blocks(
-    asked: int | None, block: int | None, surfaces: dict[str, Surface]
+    requested: int | None, block: int | None, surfaces: dict[str, Surface]
 ) -> dict[str, int]:
-    """Return the counts of lines: as asked for, in all, and per block. Raises UserError.
+    """Return the numbers of lines: requested, in all, and per block. Raises UserError.
 
-    asked, block : as the study gives them. Without them there are as many lines as were measured,
-    in blocks of those that are alike; a line alone is its own block.
+    requested, block : as written in the study. By default all measured lines are used, with
+    correlated neighbours in one block. A single line is its own block.
     """
-    measured = (own.profile for own in surfaces.values() if own.lines == "measured")
-    profile = next(filter(None, measured), None)  # of the first whose measured lines slide
-    lines = None if profile is None else len(profile.heights)
-    if asked is None and lines is None:
+    profiles = (lines.profile for lines in surfaces.values() if lines.lines == "measured")
+    profile = next(filter(None, profiles), None)
+    measured = None if profile is None else len(profile.heights)
+    if requested is None and measured is None:
         raise UserError("study.realizations: missing")
-    if lines is not None and asked is not None and asked > lines:
-        only = "1 line was" if lines == 1 else f"{lines} lines were"
+    if measured is not None and requested is not None and requested > measured:
+        count = "1 line was" if measured == 1 else f"{measured} lines were"
         raise UserError(
-            f"study.realizations = {asked}: only {only} measured; of random lines like them, "
-            'surface.lines = "random-phase", there may be more'
+            f"study.realizations = {requested}: only {count} measured; for more lines set "
+            'surface.lines = "random-phase"'
         )
-    realizations = asked or lines or 1
-    found = {"realizations_requested": realizations}
+    realizations = requested or measured or 1
+    counts = {"realizations_requested": realizations}
     if realizations == 1:
-        return found | {"realizations": 1, "realizations_per_block": 1}
+        return counts | {"realizations": 1, "realizations_per_block": 1}
     if block is None and profile is not None and profile.correlation is not None:
-        taken, size = profile.correlation.whole_blocks(realizations, every=asked is not None)
-        return found | {"realizations": taken, "realizations_per_block": size}
-    drawn = any(own.profile is None and own.body == FOUNDATION for own in surfaces.values())
-    return found | _blocks(realizations, block or 1, drawn)
+        used, size = profile.correlation.whole_blocks(realizations, every=requested is not None)
+        return counts | {"realizations": used, "realizations_per_block": size}
+    random = any(one.profile is None and one.body == FOUNDATION for one in surfaces.values())
+    return counts | _blocks(realizations, block or 1, random)
 
 
-def _told_of_blocks(surface: Surface, head: Mapping[str, Any]) -> Surface:
-    """Return a surface that tells what its standard errors rest on."""
+def _with_block_note(surface: Surface, head: Mapping[str, Any]) -> Surface:
+    """Return a surface with a note on the blocks behind its standard errors."""
     profile = surface.profile
     if profile is None or surface.lines != "measured":
         return surface
     block, lines = head["realizations_per_block"], head["realizations"]
     if lines == 1:
-        what = "line" if surface.body == FOUNDATION else "map"
-        said = f"one {what}, of which no standard error is known: errors are NaN"
+        noun = "line" if surface.body == FOUNDATION else "map"
+        note = f"a single {noun} has no standard error: errors are NaN"
     elif profile.correlation is None:
         return surface
     else:
-        said = (
-            f"neighbouring lines are alike (correlation {profile.correlation.correlation:.2f}; "
-            f"{profile.correlation.lines:.3g} are worth one): {lines} in blocks of {block}"
+        note = (
+            f"neighbouring lines are correlated ({profile.correlation.correlation:.2f}; "
+            f"{profile.correlation.lines:.3g} count as one): {lines} in blocks of {block}"
         )
         if block < profile.correlation.lines:
-            said += (
-                ", too short for standard errors, which are too small: take "
+            note += (
+                ", too small for reliable standard errors: set "
                 f"study.realizations_per_block = {profile.correlation.block}"
             )
-    return surface._replace(profile=profile._replace(notes=f"{profile.notes}; {said}"))
+    return surface._replace(profile=profile._replace(notes=f"{profile.notes}; {note}"))
 
 
-def _blocks(realizations: int, block: int, drawn: bool) -> dict[str, int]:
-    """Return the counts of realizations, in all and per block. Raises UserError.
+def _blocks(realizations: int, block: int, random: bool) -> dict[str, int]:
+    """Return the numbers of realizations, in all and per block. Raises UserError.
 
-    drawn : whether lines are drawn: then both are rounded up, and quartets lie in one block. Maps
-    come one by one.
+    random : whether lines are random: then blocks are rounded up to whole quartets. Maps are drawn
+    one by one.
     """
-    given = f"study.realizations_per_block = {block}"
+    setting = f"study.realizations_per_block = {block}"
     if realizations % block or realizations // block < 2:
         raise UserError(
-            f"{given}: must divide realizations = {realizations} "
-            "into at least 2 blocks, from which standard errors are estimated"
+            f"{setting}: must divide realizations = {realizations} into at least 2 blocks, from "
+            "which standard errors are estimated"
         )
-    if drawn:
+    if random:
         block = QUARTET * math.ceil(block / QUARTET)
         realizations = block * max(2, math.ceil(realizations / block))
     if realizations // block > MAX_BLOCKS:
         raise UserError(
-            f"{given}: divides realizations = {realizations} into "
+            f"{setting}: divides realizations = {realizations} into "
             f"more than {MAX_BLOCKS} blocks; set it to {-(-realizations // MAX_BLOCKS)} or more"
         )
     return {"realizations": realizations, "realizations_per_block": block}
@@ -258,6 +259,6 @@ def _blocks(realizations: int, block: int, drawn: bool) -> dict[str, int]:
 def study_head(
     name: str, folder: Path, tables: Mapping[str, Any], head: dict[str, Any]
 ) -> dict[str, Any]:
-    """Return the fields of a study that its file and the values of its table [study] give."""
+    """Return the fields of a study that follow from its file and its table [study]."""
     text = json.dumps(tables, indent=1, sort_keys=True, default=str)
     return {"name": name, "folder": folder, "text": text} | head | {"title": head["title"] or name}

@@ -1,4 +1,4 @@
-"""Every table of study.toml, and the one check of its keys: all that is wrong is said at once."""
+"""All tables of study.toml, and the check of their keys, which reports all errors together."""
 
 from collections.abc import Mapping
 from dataclasses import replace
@@ -19,15 +19,15 @@ Keys = Mapping[str, Key]
 HEAD = {
     "title": Key(
         as_text,
-        "The line that heads the output of `plan`, the figure and the result file.",
+        "The title of the output of `plan`, of the figure and of the result file.",
         default="",
         usual="the name of the study",
     ),
     "seed": Key(
         partial(integer, least=0),
-        "The number from which the random lines are drawn, together with H, the number of "
-        "elements and the index of the realization.",
-        "Doubled, or changed in any way, it draws other lines: estimates change within their "
+        "The seed of the random lines, together with H, the number of elements and the index of "
+        "the realization.",
+        "Doubled, or changed in any way, it draws other lines; estimates change within their "
         "standard errors.",
         default=0,
     ),
@@ -36,23 +36,22 @@ STUDY = HEAD | {
     "realizations": Key(
         partial(integer, least=2),
         "The number of lines over which estimates are averaged. For random lines it is rounded up "
-        "to whole quartets, four lines from one set of random phases, and to two blocks.",
-        "Doubled, standard errors fall by √2, and the time doubles but for lines that are stored "
-        "already.",
+        "to whole quartets, four lines from one set of random phases, and to at least two blocks.",
+        "Doubled, standard errors fall by √2, and the time doubles, except for stored lines.",
         default=None,
-        usual='as many as were measured with `surface.lines = "measured"`, else required',
+        usual='all measured lines with `surface.lines = "measured"`, else required',
     ),
     "realizations_per_block": Key(
         partial(integer, least=1),
-        "The number of lines whose mean is one record of the store, and which the jackknife "
-        "leaves out at a time. It must divide `realizations` into two blocks at least; for random "
-        "lines it is rounded up to a multiple of four.",
-        "Doubled, the store holds half as many records, and with fewer than 32 blocks standard "
-        "errors are themselves known less well.",
+        "The number of lines in a block. The mean of a block is one record of the store, and the "
+        "jackknife leaves out one block at a time. It must divide `realizations` into at least two "
+        "blocks; for random lines it is rounded up to a multiple of four.",
+        "Doubled, the store holds half as many records; with fewer than 32 blocks standard errors "
+        "are less reliable.",
         default=1,
     ),
 }
-# A scene is a study of one point, for which one line may do.
+# A scene is a study of one point and may have a single line.
 ONE_LINE = replace(STUDY["realizations"], check=partial(integer, least=1), default=1)
 ONE_POINT = STUDY | {"realizations": ONE_LINE}
 TABLES = {
@@ -64,61 +63,60 @@ TABLES = {
     "numerics": NUMERICS,
     "cluster": CLUSTER,
 }
-KNOWN = (*TABLES, "compare", "scales")
-WITHIN: dict[str, dict[str, Keys]] = {  # the tables that stand in one
+TABLE_NAMES = (*TABLES, "compare", "scales")
+SUBTABLES: dict[str, dict[str, Keys]] = {
     "material": {"material.wlf": WLF, "material.arrhenius": ARRHENIUS},
     "scene": {
         "scene.drive": DRIVE,
         **{f"scene.programme.{kind}".removesuffix(".file"): SEGMENTS[kind] for kind in SEGMENTS},
     },
 }
-ALL_TABLES: dict[str, Keys] = {  # of a study of a grid
+ALL_TABLES: dict[str, Keys] = {  # and subtables, of a grid study
     where: keys
     for name, table in TABLES.items()
-    for where, keys in {name: table, **WITHIN.get(name, {})}.items()
+    for where, keys in {name: table, **SUBTABLES.get(name, {})}.items()
 }
 
 
 def checked_tables(
     tables: Mapping[str, Any], scales: Mapping[str, Any], study: Keys
 ) -> dict[str, dict[str, Any]]:
-    """Return the checked values of every table of a study of a grid, empty where it has none.
+    """Return the checked values of every table of a grid study, empty for a missing table.
 
-    scales : those that are not asked for; what their values come to together, as the number of
-    points, is left to the day when they are. study : the keys of the table [study]. Raises
-    UserError for the keys, types and ranges of them all at once.
+    scales : tables of the scales that are not selected. Their keys and values are checked, but
+    not their combination, such as the number of points. study : keys of the table [study].
+    Raises UserError with all invalid keys, types and ranges.
     """
-    complaints, keys = ErrorCollector(), {**TABLES, "study": study}
-    found = _checked("", tables, keys, complaints)
+    errors, keys = ErrorCollector(), {**TABLES, "study": study}
+    values = _checked("", tables, keys, errors)
     for name, scale in scales.items():
-        with complaints:
-            own = as_table(f"scales.{name}", scale)
-            _checked(f"scales.{name}.", own, keys, complaints)
-    complaints.raise_collected()
-    return {name: {} for name in (*TABLES, "compare")} | found
+        with errors:
+            _checked(f"scales.{name}.", as_table(f"scales.{name}", scale), keys, errors)
+    errors.raise_collected()
+    return {name: {} for name in (*TABLES, "compare")} | values
 
 
 def _checked(
-    where: str, tables: Mapping[str, Any], keys: Mapping[str, Keys], complaints: ErrorCollector
+    where: str, tables: Mapping[str, Any], keys: Mapping[str, Keys], errors: ErrorCollector
 ) -> dict[str, dict[str, Any]]:
-    found: dict[str, dict[str, Any]] = {}
+    values: dict[str, dict[str, Any]] = {}
     for name, table in tables.items():
-        with complaints:
-            check_keys(where, [name], KNOWN)
+        with errors:
+            check_keys(where, [name], TABLE_NAMES)
             if name == "compare":
-                found[name] = {}
-                for label, own in as_table(f"{where}{name}", table).items():
-                    with complaints:
-                        found[name][label] = checked(f"{where}{name}.{label}", own, COMPARE)
+                values[name] = {}
+                for label, comparison in as_table(f"{where}{name}", table).items():
+                    with errors:
+                        values[name][label] = checked(f"{where}{name}.{label}", comparison, COMPARE)
             elif name in keys:
                 _check_place(f"{where}{name}", table, keys[name])
-                found[name] = checked(f"{where}{name}", table, keys[name])
-    return found
+                values[name] = checked(f"{where}{name}", table, keys[name])
+    return values
 
 
 def _check_place(where: str, table: object, keys: Keys) -> None:
-    """Raise UserError for a key that another table has, as grid.temperature, naming that table."""
+    """Raise UserError for a key of another table, such as grid.temperature, and name that table."""
     for key in as_table(where, table):
-        homes = [name for name, own in TABLES.items() if key in own]
+        homes = [name for name, known in TABLES.items() if key in known]
         if key not in keys and len(homes) == 1:
-            raise UserError(f"{where}.{key}: unknown key; it belongs in [{homes[0]}]")
+            raise UserError(f"{where}.{key}: unknown key; move it to [{homes[0]}]")

@@ -1,4 +1,4 @@
-"""The study itself and its comparisons: [numerics], [material], lines and [compare.NAME]."""
+"""Variants of a study: itself and its comparisons [compare.NAME]."""
 
 import re
 from collections.abc import Mapping
@@ -7,32 +7,31 @@ from typing import Any
 
 from ..ground import UserError
 from .effects import (
+    ELEMENT_QUANTITIES,
     FORCE,
     FOUNDATION,
     MATERIAL,
-    OF_ELEMENTS,
     SCENE,
     SHIFTS,
     Material,
     Scene,
     read_material,
 )
-from .numerics import NUMERICS, USUAL, Numerics, read_numerics
+from .numerics import DEFAULTS, NUMERICS, Numerics, read_numerics
 from .surfaces import LIKE, Surface, lines_like
 
-# All of a comparison are points of one grid, to which temperatures belong.
+# Not the temperature: it is an axis of the grid, which all variants share.
 COMPARE = NUMERICS | {key: MATERIAL[key] for key in MATERIAL if key != "temperature"}
 COMPARE |= LIKE | {"body": SCENE["body"]}
-EITHER = (("branches", "branches_file"), tuple(SHIFTS))  # one takes the place of the others
+ALTERNATIVES = (("branches", "branches_file"), tuple(SHIFTS))  # at most one key of each group
 
 
 def read_variants(
     tables: Mapping[str, dict[str, Any]], folder: Path, surface: Surface
 ) -> tuple[dict[str, Numerics], dict[str, Material], dict[str, Surface]]:
-    """Return numerics, material and surface by label, of the study ("") and its comparisons.
+    """Return numerics, material and surface by label, for the study ("") and its comparisons.
 
-    tables : their checked values. Files are found from ``folder``; ``surface`` is that of the
-    study. Raises UserError.
+    tables : checked values. folder : of the files. surface : that of the study. Raises UserError.
     """
     numerics, material = tables["numerics"], tables["material"]
     variants = {"": read_numerics("numerics", numerics)}
@@ -42,45 +41,45 @@ def read_variants(
     for label, given in tables["compare"].items():
         where = f"compare.{label}"
         if not re.fullmatch(r"[A-Za-z]\w*", label):
-            raise UserError(f'compare."{label}": name it by letters, digits and underscores')
+            raise UserError(f'compare."{label}": must be named by letters, digits and underscores')
         changed = {key: given[key] for key in given if key in NUMERICS}
         variants[label] = read_numerics(where, {**numerics, **changed})
         materials[label] = read_material(where, changed_material(material, given), folder)
         like = {key: given[key] for key in given if key in LIKE}
-        own = given.get("body", body)
-        if own != body and surface.profile is not None:
+        other_body = given.get("body", body)
+        if other_body != body and surface.profile is not None:
             raise UserError(
-                f"{where}.body = {own!r}: measured lines or maps are read for one body; give the "
-                "other in a study of its own"
+                f"{where}.body = {other_body!r}: measured lines or maps are read for one body; "
+                "compute the other one in a study of its own"
             )
-        surfaces[label] = lines_like(where, surface, like)._replace(body=own)
+        surfaces[label] = lines_like(where, surface, like)._replace(body=other_body)
     return variants, materials, surfaces
 
 
 def changed_material(material: Mapping[str, Any], given: Mapping[str, Any]) -> dict[str, Any]:
-    """Return the table [material] with what a comparison changes of it."""
-    others = {key for group in EITHER if set(group) & given.keys() for key in group}
-    kept = {key: value for key, value in material.items() if key not in others}
-    return kept | {key: given[key] for key in given if key in MATERIAL}
+    """Return the table [material] with the changes of a comparison."""
+    replaced = {key for group in ALTERNATIVES if set(group) & given.keys() for key in group}
+    unchanged = {key: value for key, value in material.items() if key not in replaced}
+    return unchanged | {key: given[key] for key in given if key in MATERIAL}
 
 
 def check_bodies(scene: Scene, surfaces: Mapping[str, Surface]) -> None:
-    """Raise UserError where a scene is asked for what a half-space does not have."""
+    """Raise UserError for keys of a scene that a half-space does not support."""
     if all(surface.body == FOUNDATION for surface in surfaces.values()):
         return
     if scene.control != FORCE:
         raise UserError(
-            f"scene.control = {scene.control!r}: the indentation of an infinite half-space has no "
-            f'meaning; use "{FORCE}", or scene.body = "{FOUNDATION}"'
+            f"scene.control = {scene.control!r}: the indentation of an infinite half-space is not "
+            f'defined; use "{FORCE}", or scene.body = "{FOUNDATION}"'
         )
     if not scene.indentation_rate:
         raise UserError(
-            "scene.indentation_rate = false: eq. 3 as printed is defined for the foundation alone"
+            "scene.indentation_rate = false: eq. 3 as printed needs the foundation; omit it"
         )
     for name in scene.quantities:
-        if name in OF_ELEMENTS:
+        if name in ELEMENT_QUANTITIES:
             raise UserError(
-                f'scene.quantities: "{name}": belongs to single elements; a half-space has none'
+                f'scene.quantities: "{name}": is not defined on a half-space, which has no elements'
             )
 
 
@@ -90,28 +89,28 @@ def check_numerics(
     scene: Scene,
     surfaces: Mapping[str, Surface],
 ) -> None:
-    """Raise UserError for energies of another scheme, and for an accuracy beyond its laws."""
+    """Raise UserError for energies with another scheme, and for an accuracy without error laws."""
     for label, numerics in variants.items():
         where = f"compare.{label}" if label else "numerics"
-        if "energy" in scene.quantities and numerics.scheme != USUAL.scheme:
+        if "energy" in scene.quantities and numerics.scheme != DEFAULTS.scheme:
             raise UserError(
-                f"{where}.scheme = {numerics.scheme!r}: energies are those of {USUAL.scheme} "
-                'alone; leave it out, or "energy" out of scene.quantities'
+                f'{where}.scheme = {numerics.scheme!r}: omit it, or omit "energy" from '
+                f"scene.quantities, which needs the scheme {DEFAULTS.scheme}"
             )
         if not numerics.accuracy:
             continue
-        own = surfaces[label]
-        of_maps = own.body != FOUNDATION
-        others = own.profile is not None or own.cutoff or (own.rolloff and not of_maps)
-        if scene.programme or others or materials[label].branches:
+        surface = surfaces[label]
+        of_maps = surface.body != FOUNDATION
+        bounded = surface.cutoff or (surface.rolloff and not of_maps)
+        if scene.programme or surface.profile is not None or bounded or materials[label].branches:
             raise UserError(
-                f"{where}.accuracy = {numerics.accuracy!r}: holds for one velocity step of Kelvin "
+                f"{where}.accuracy = {numerics.accuracy!r}: needs one velocity step of Kelvin "
                 "elements on self-affine lines or maps; give steps_per_spacing and "
-                "study.realizations"
+                "study.realizations instead"
             )
         if of_maps and "relaxation" in scene.quantities:
             raise UserError(
-                f"{where}.accuracy = {numerics.accuracy!r}: on a half-space holds for the "
-                'quantities "steady" and "jump", as the scatter of relaxations follows no law; '
-                'leave "relaxation" out, or give study.realizations in its place'
+                f"{where}.accuracy = {numerics.accuracy!r}: on a half-space it is available for "
+                '"steady" and "jump", not for "relaxation", whose scatter follows no known law; '
+                'omit "relaxation" or give study.realizations instead'
             )

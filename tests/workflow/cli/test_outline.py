@@ -52,7 +52,7 @@ def test_plan_says_what_was_read_of_a_file_of_lines():
         "lines       hole.csv: 1 line of 10 samples, 1e-06 m apart in the mean, hei"
     )
     assert "; columns 0 x, 1 z, by their names; 1 of 10 samples were missing and were fil" in own
-    assert own.endswith("one line, of which no standard error is known: errors are NaN")
+    assert own.endswith("a single line has no standard error: errors are NaN")
     assert like.startswith(
         "lines       random lines of the power spectrum of hole.csv: 1 line of 10"
     )

@@ -10,7 +10,7 @@ import pytest
 
 from elastomer_friction.workflow.study.read import known_studies
 from elastomer_friction.workflow.study.schema import study_schema
-from elastomer_friction.workflow.study.scripts import OWN, load_script
+from elastomer_friction.workflow.study.scripts import BUILT_IN_STUDIES, load_script
 from elastomer_friction.workflow.study.settings import default_of, values_of
 from elastomer_friction.workflow.study.tables import ALL_TABLES, HEAD, TABLES
 from elastomer_friction.workflow.study.variants import COMPARE
@@ -34,7 +34,7 @@ ENTRY = re.compile(
 )
 TABLES_OF = {
     path.parent.name: tomllib.loads(path.read_text(encoding="utf-8"))
-    for path in OWN.glob("*/study.toml")
+    for path in BUILT_IN_STUDIES.glob("*/study.toml")
 }
 MEASURED = [
     (name, key, value)
@@ -52,7 +52,7 @@ def test_the_page_of_measured_studies_has_every_key_once():
 @pytest.mark.parametrize(("name", "key", "value"), MEASURED)
 def test_a_key_of_a_measured_study_is_described_with_its_values_at_every_scale(name, key, value):
     (entry,) = (each for each in ENTRY.findall(PAGE) if each[:2] == (name, key))
-    values = values_of(load_script(OWN / name / "measure.py").SETTINGS[key])
+    values = values_of(load_script(BUILT_IN_STUDIES / name / "measure.py").SETTINGS[key])
     scales = {
         scale: own["measure"][key]
         for scale, own in TABLES_OF[name]["scales"].items()

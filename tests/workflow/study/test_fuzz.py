@@ -15,7 +15,7 @@ from hypothesis import strategies as st
 from elastomer_friction.workflow.ground import UserError
 from elastomer_friction.workflow.plan.plan import make_plan
 from elastomer_friction.workflow.study.effects.quantities import QUANTITIES
-from elastomer_friction.workflow.study.effects.segments import KINDS, OSCILLATE, SLIDE
+from elastomer_friction.workflow.study.effects.segment_keys import OSCILLATE, SEGMENTS, SLIDE
 from elastomer_friction.workflow.study.measured import Measured
 from elastomer_friction.workflow.study.read import known_studies, read_study
 from elastomer_friction.workflow.study.study import Study
@@ -146,7 +146,7 @@ SEGMENTS = st.one_of(
     GOOD,
     GOOD,
     st.dictionaries(
-        st.sampled_from(list(KINDS)),
+        st.sampled_from(list(SEGMENTS)),
         st.dictionaries(st.sampled_from([*OSCILLATE, *SLIDE, ""]), VALUES, max_size=3),
         max_size=2,
     ),

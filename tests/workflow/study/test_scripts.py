@@ -8,7 +8,7 @@ import pytest
 from elastomer_friction.workflow.ground import UserError
 from elastomer_friction.workflow.study.measured import Measured
 from elastomer_friction.workflow.study.read import read_study
-from elastomer_friction.workflow.study.scripts import OWN, load_script
+from elastomer_friction.workflow.study.scripts import BUILT_IN_STUDIES, load_script
 from tests.support.commands import refusal
 
 
@@ -35,8 +35,8 @@ def test_a_script_that_is_not_there_is_named(tmp_path):
         load_script(tmp_path / "figure.py")
 
 
-def test_a_script_of_the_program_is_run_in_silence(capsys):
-    load_script(OWN / "fig7" / "figure.py")
+def test_a_script_of_the_program_runs_without_a_note(capsys):
+    load_script(BUILT_IN_STUDIES / "fig7" / "figure.py")
     assert capsys.readouterr().err == ""
 
 
@@ -52,15 +52,15 @@ def test_another_script_is_named_with_its_owner_before_it_runs(tmp_path, capsys,
     load_script(script)
     load_script(script)
     name = pwd.getpwuid(owner).pw_name if owner == os.getuid() else f"user {owner}"
-    said = capsys.readouterr().err.splitlines()
-    assert said == [f"note: runs {script}, a file of {name}", "it runs", "it runs"]
+    lines = capsys.readouterr().err.splitlines()
+    assert lines == [f"note: running {script}, owned by {name}", "it runs", "it runs"]
 
 
 @pytest.mark.parametrize("line", ["from workflow.scene import run", "import workflow.scene"])
 def test_a_script_that_imports_an_old_name_is_told_the_new_one(tmp_path, line):
     script = tmp_path / "figure.py"
     script.write_text(f"import json\n\n{line}\n")
-    new = r"figure.py, line 3: imports workflow.scene, which is now elastomer_friction\.workflow"
+    new = r"figure.py, line 3: imports workflow.scene; import elastomer_friction\.workflow"
     with pytest.raises(UserError, match=new):
         load_script(script)
 

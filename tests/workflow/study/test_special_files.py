@@ -39,7 +39,7 @@ def device(path):
 def vast(path):
     with path.open("wb") as file:
         file.truncate(MAX_INPUT_BYTES + 1)  # it takes no room
-    return f"it has {MAX_INPUT_BYTES + 1} bytes, more than {MOST_BYTES}"
+    return f"it has {MAX_INPUT_BYTES + 1} bytes, more than {MAX_INPUT_BYTES}"
 
 
 SPECIAL = pytest.mark.parametrize("make", [pipe, device, vast])

@@ -84,14 +84,14 @@ def test_there_are_as_many_realizations_as_measured_lines(tmp_path):
 def test_one_measured_line_is_a_study_without_standard_errors(tmp_path):
     study = measured_study(tmp_path, 1)
     assert (study.realizations, study.blocks) == (1, 1)
-    assert study.surface.description.endswith("no standard error is known: errors are NaN")
+    assert study.surface.description.endswith("has no standard error: errors are NaN")
     with pytest.raises(
         UserError, match=r"only 1 line was measured; .* \"random-phase\", there may"
     ):
         measured_study(tmp_path, 1, "study.realizations = 4")
 
 
-def test_rows_of_a_map_that_are_alike_are_taken_in_blocks(tmp_path):
+def test_correlated_rows_of_a_map_are_used_in_blocks(tmp_path):
     phase = np.arange(128)[:, None] / 40.0  # a wave that turns slowly from row to row
     heights = np.zeros((40, 128))
     for mode in range(1, 9):
@@ -110,7 +110,7 @@ def test_rows_of_a_map_that_are_alike_are_taken_in_blocks(tmp_path):
     own = "study = {realizations_per_block = 2}\n" + text
     study = read_grid_study("map", tmp_path, tomllib.loads(own))
     assert study.realizations_per_block == 2
-    assert f"take study.realizations_per_block = {correlation.block}" in study.surface.description
+    assert f"set study.realizations_per_block = {correlation.block}" in study.surface.description
 
 
 def test_a_scene_is_a_study_of_one_point():

@@ -1,6 +1,6 @@
-"""What a scene can call for, as the user describes it: material, programme, quantities.
+"""Physical effects of a scene: material, programme and quantities.
 
-Plain data in SI units with the checks of what goes together; knows no later stage.
+Plain data in SI units with checks of valid combinations. Depends on no later stage.
 """
 
 from typing import TYPE_CHECKING
@@ -23,14 +23,14 @@ if TYPE_CHECKING:
         Velocity,
     )
     from .quantities import (
-        OF_ELEMENTS,
+        ELEMENT_QUANTITIES,
         QUANTITIES,
         accuracy_estimates,
         check_quantities,
         unavailable_reason,
     )
     from .scene import FOUNDATION, HALF_SPACE, SCENE, read_scene_table
-    from .segments import DRIVE, SEGMENTS
+    from .segment_keys import DRIVE, SEGMENTS
     from .shifting import (
         ARRHENIUS,
         GAS_CONSTANT,

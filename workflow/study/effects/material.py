@@ -1,8 +1,8 @@
-"""The table [material]: a relaxation modulus G(t) = G + sum_b g_b exp(-t/t_b), with a dashpot.
+"""The table [material]: a relaxation modulus G(t) = G + sum_b g_b exp(-t/t_b) and a dashpot.
 
-G is the relaxed modulus, each branch (g_b, t_b) a Maxwell element beside it, and the dashpot of
-viscosity G relaxation_time acts on rates at once. Without branches it is the Kelvin element. All
-times shift with the temperature by one factor a_T (shifting.py).
+G is the relaxed modulus, and each branch (g_b, t_b) a Maxwell element in parallel. The optional
+dashpot has viscosity G relaxation_time. Without branches this is the Kelvin element. The
+temperature multiplies all times by one shift factor a_T (shifting.py).
 """
 
 from collections.abc import Mapping
@@ -36,69 +36,69 @@ from .shifting import (
     read_shift_table,
 )
 
-MOST_BRANCHES = 200
-RATIOS = (1e-9, 1e9)  # of the modulus of a branch to the relaxed one
-TIMES = (1e-30, 1e30)  # s, of a branch
-ALIKE = 1e-12  # relative; times closer than this are one
+MAX_BRANCHES = 200
+MODULUS_RATIO_RANGE = (1e-9, 1e9)  # of a branch to the relaxed modulus
+TIME_RANGE = (1e-30, 1e30)  # s, of a branch
+TIME_TOLERANCE = 1e-12  # relative; closer times are merged
 
 Branch = tuple[float, float]  # modulus (Pa), time (s)
 
 
 class Material(NamedTuple):
-    """The elastomer, in SI units; times of dashpot and branches are those at the reference."""
+    """The elastomer in SI units, with times at the reference temperature."""
 
     shear_modulus: float  # Pa, relaxed
-    relaxation_time: float = 0.0  # s, of the dashpot beside it; 0: no dashpot
-    branches: tuple[Branch, ...] = ()  # times ascending, each once
+    relaxation_time: float = 0.0  # s, of the dashpot; 0: no dashpot
+    branches: tuple[Branch, ...] = ()  # with distinct, ascending times
     wlf: Wlf | None = None
-    temperature: float | None = None  # °C, with a law of the shift
-    poisson: float = 0.5  # Poisson's ratio, the same at all times
-    description: str = ""  # what its branches were read from
+    temperature: float | None = None  # °C, with a shift law
+    poisson: float = 0.5  # Poisson's ratio, constant in time
+    description: str = ""  # of the file of its branches
     arrhenius: Arrhenius | None = None  # in place of wlf
     shifts: ShiftTable | None = None  # in place of wlf
 
     @property
     def contact_modulus(self) -> float:
-        """Return the relaxed E* = 2 G/(1 - nu) (Pa), 4 G where the elastomer is incompressible."""
+        """The relaxed E* = 2 G/(1 - nu) (Pa), 4 G for an incompressible elastomer."""
         return 2.0 * self.shear_modulus / (1.0 - self.poisson)
 
     @property
     def tau(self) -> float:
-        """Return the time scale (s): relaxation_time + sum_b g_b t_b / G, times shifted."""
+        """The time scale (s): relaxation_time + sum_b g_b t_b / G, with shifted times."""
         branches = sum(g * t for g, t in self.branches) / self.shear_modulus
         return (self.relaxation_time + branches) * self.shift_factor
 
     @property
     def at_reference(self) -> "Material":
-        """Return the material at the temperature at which its times are given."""
+        """The material at its reference temperature."""
         return self._replace(temperature=None)
 
     @property
     def longest_time(self) -> float:
-        """Return the longest of the times of branches and dashpot (s): how far memory reaches."""
+        """The longest shifted time of branches and dashpot (s), which bounds the memory."""
         return self.shift_factor * max([self.relaxation_time, *(time for _, time in self.branches)])
 
     @property
     def jumps(self) -> bool:
-        """Return whether forces jump with the velocity: whether there is a dashpot."""
+        """Whether forces jump with the velocity, as they do with a dashpot."""
         return self.relaxation_time > 0.0
 
     @property
     def shift_law(self) -> ShiftLaw | None:
-        """Return how its times shift with the temperature; None where they do not."""
+        """The law of the shift with the temperature, if there is one."""
         return self.wlf or self.arrhenius or self.shifts
 
     def shift(self, temperature: float) -> float:
-        """Return a_T, by which all times are longer at a temperature (°C); 1 without a law."""
+        """Return the factor a_T of all times at a temperature (°C); 1 without a law."""
         return 10.0 ** self.shift_law.decades(temperature) if self.shift_law else 1.0
 
     @property
     def shift_factor(self) -> float:
-        """Return a_T at its own temperature."""
+        """The factor a_T at the temperature of the material."""
         return 1.0 if self.temperature is None else self.shift(self.temperature)
 
     def spectrum(self) -> Spectrum:
-        """Return the material in units of G and tau: the same at all temperatures."""
+        """Return the material in units of G and tau, which does not depend on the temperature."""
         tau = self.at_reference.tau
         return Spectrum(
             moduli=tuple(modulus / self.shear_modulus for modulus, _ in self.branches),
@@ -110,15 +110,15 @@ class Material(NamedTuple):
 def read_material(where: str, table: Mapping[str, Any], folder: Path) -> Material:
     """Return the material of the checked values of a table. Raises UserError.
 
-    where : the name of the table, for messages. Files are found from ``folder``.
+    where : name of the table, for messages. folder : of the files.
     """
     given = filled(where, table, MATERIAL)
-    branches, told = given["branches"], ""
+    branches, description = given["branches"], ""
     if given["branches_file"]:
         if "branches" in table:
-            raise UserError(f"{where}.branches_file: give it or {where}.branches, not both")
+            raise UserError(f"{where}.branches_file: give either it or {where}.branches")
         key, path = f"{where}.branches_file", folder / given["branches_file"]
-        rows, told = read_branches(key, path, given["shear_modulus"], given["poisson"])
+        rows, description = read_branches(key, path, given["shear_modulus"], given["poisson"])
         branches = _branches(key, rows)
     modulus, time = given["shear_modulus"], given["relaxation_time"]
     if not branches and time is None:
@@ -126,15 +126,16 @@ def read_material(where: str, table: Mapping[str, Any], folder: Path) -> Materia
     if not branches and time == 0.0:
         raise UserError(f"{where}.relaxation_time = 0.0: must be greater than zero")
     for g, _ in branches:
-        if not RATIOS[0] <= g / modulus <= RATIOS[1]:
+        if not MODULUS_RATIO_RANGE[0] <= g / modulus <= MODULUS_RATIO_RANGE[1]:
             raise UserError(
-                f"{where}.branches: the modulus {g!r} must lie between {RATIOS[0]:g} and "
-                f"{RATIOS[1]:g} of shear_modulus = {modulus!r}"
+                f"{where}.branches: the modulus {g!r} must lie between "
+                f"{MODULUS_RATIO_RANGE[0]:g} and {MODULUS_RATIO_RANGE[1]:g} times shear_modulus = "
+                f"{modulus!r}"
             )
     shifts = {key: given[key] for key in SHIFT_KEYS}
     if given["shifts_file"]:
         if shifts["shifts"]:
-            raise UserError(f"{where}.shifts_file: give it or {where}.shifts, not both")
+            raise UserError(f"{where}.shifts_file: give either it or {where}.shifts")
         path = folder / given["shifts_file"]
         shifts["shifts"] = read_shift_table(f"{where}.shifts_file", path)
     check_shift(where, shifts, given["temperature"])
@@ -144,35 +145,38 @@ def read_material(where: str, table: Mapping[str, Any], folder: Path) -> Materia
         branches=_merged(branches),
         temperature=given["temperature"],
         poisson=given["poisson"],
-        description=told,
+        description=description,
         **shifts,
     )
 
 
 def shift_law_of(table: Mapping[str, Any]) -> ShiftLaw | None:
-    """Return the shift that stands in a table [material], as written, and not in a file.
+    """Return the shift law written in a table [material], or None. A file is not read.
 
-    None where there is none. Raises UserError for one that is none.
+    Raises UserError for an invalid law.
     """
     laws = {key: table[key] for key in SHIFT_KEYS if key in table}
     return next(iter(checked("material", laws, MATERIAL).values()), None)
 
 
 def shift_of(laws: Mapping[str, Any], temperature: float) -> float:
-    """Return a_T at a temperature (°C); laws : what a table holds of SHIFT_KEYS, as written.
+    """Return a_T at a temperature (°C); laws : keys SHIFT_KEYS of a table, as written.
 
-    Raises UserError for a temperature without one.
+    Raises UserError for a temperature out of range.
     """
     table = {"shear_modulus": 1.0, "relaxation_time": 1.0, "temperature": temperature, **laws}
     return read_material("material", checked("material", table, MATERIAL), Path()).shift_factor
 
 
 def _branches(key: str, value: object) -> tuple[Branch, ...]:
-    if not isinstance(value, list) or len(value) > MOST_BRANCHES:
+    if not isinstance(value, list) or len(value) > MAX_BRANCHES:
         raise UserError(
-            f"{key} = {value!r:.60}: must be a list of [modulus, time], {MOST_BRANCHES} at most"
+            f"{key} = {value!r:.60}: must be a list of up to {MAX_BRANCHES} pairs [modulus, time]"
         )
-    words, of_times = "[modulus in Pa, time in s]", partial(within, least=TIMES[0], most=TIMES[1])
+    words, of_times = (
+        "[modulus in Pa, time in s]",
+        partial(within, least=TIME_RANGE[0], most=TIME_RANGE[1]),
+    )
     return tuple(
         two_numbers(f"{key}[{i}]", entry, words, positive, of_times)
         for i, entry in enumerate(value)
@@ -180,54 +184,58 @@ def _branches(key: str, value: object) -> tuple[Branch, ...]:
 
 
 def _merged(branches: tuple[Branch, ...]) -> tuple[Branch, ...]:
-    """Return the branches sorted by time, those of equal times as one."""
-    found: list[Branch] = []
+    """Return the branches sorted by time; branches with equal times are merged."""
+    merged: list[Branch] = []
     for modulus, time in sorted(branches, key=lambda branch: (branch[1], branch[0])):
-        if found and time <= found[-1][1] * (1.0 + ALIKE):
-            found[-1] = (found[-1][0] + modulus, found[-1][1])
+        if merged and time <= merged[-1][1] * (1.0 + TIME_TOLERANCE):
+            merged[-1] = (merged[-1][0] + modulus, merged[-1][1])
         else:
-            found.append((modulus, time))
-    return tuple(found)
+            merged.append((modulus, time))
+    return tuple(merged)
 
 
 MATERIAL = {
     "shear_modulus": Key(
         positive,
         "The relaxed (static, long-time) shear modulus G of the elastomer.",
-        "Doubled, a Kelvin element behaves exactly as under half the normal force, since the two "
-        "enter as F̄ alone.",
+        "Doubled, a Kelvin element behaves exactly as under half the normal force, because both "
+        "enter only through F̄.",
         "Pa",
     ),
     "relaxation_time": Key(
-        partial(within, least=0.0, most=TIMES[1]),
-        "The relaxation time τ = η/G of the dashpot of viscosity η beside the springs, the only "
+        partial(within, least=0.0, most=TIME_RANGE[1]),
+        "The relaxation time τ = η/G of a dashpot of viscosity η parallel to the springs, the only "
         "time of a material without branches. 0 means no dashpot, and needs branches.",
-        "Doubled, a Kelvin element at v rubs exactly as it did at 2v, and relaxes in twice the "
-        "time.",
+        "Doubled, friction of a Kelvin element at v equals its former friction at 2v, and "
+        "relaxation takes twice as long.",
         "s",
         default=None,
-        usual="0 where there are branches, else required",
+        usual="0 with branches, else required",
     ),
     "branches": Key(
         _branches,
         "A Prony series: Maxwell elements of modulus g_b (Pa) and relaxation time t_b (s), in any "
         "order, so that G(t) = G + Σ g_b exp(−t/t_b).",
-        "With all g_b doubled, their instantaneous forces and what they dissipate in a given "
-        "motion double. With all t_b doubled and no dashpot, friction at v is what it was at 2v.",
+        "With all g_b doubled, their instantaneous forces and the energy dissipated in a given "
+        "motion double. With all t_b doubled and no dashpot, friction at v equals its former value "
+        "at 2v.",
         default=(),
         values="a list of `[g_b, t_b]`, 200 at most, g_b from 1e-9 to 1e9 times `shear_modulus`, "
         "t_b from 1e-30 to 1e30",
         schema={
             "type": "array",
-            "maxItems": MOST_BRANCHES,
-            "items": pair(POSITIVE, {"type": "number", "minimum": TIMES[0], "maximum": TIMES[1]}),
+            "maxItems": MAX_BRANCHES,
+            "items": pair(
+                POSITIVE, {"type": "number", "minimum": TIME_RANGE[0], "maximum": TIME_RANGE[1]}
+            ),
         },
     ),
     "branches_file": Key(
         as_text,
-        "A text file beside `study.toml` with columns g_b (Pa) and t_b (s), or in the order and "
-        "units that its header names, in place of `branches`; shares of G₀ (`alpha`, or below "
-        "`*VISCOELASTIC`) are read too. The command `prony` writes one from measured moduli.",
+        "A text file in the folder of `study.toml` with columns g_b (Pa) and t_b (s), or in the "
+        "order and units of its header, in place of `branches`. Shares of G₀ (a column `alpha`, or "
+        "rows below `*VISCOELASTIC`) are read too. The command `prony` writes such a file from "
+        "measured moduli.",
         default="",
         values="the name of a file",
     ),
@@ -235,18 +243,17 @@ MATERIAL = {
     "temperature": Key(
         number,
         "The temperature of the elastomer, with `wlf`, `arrhenius` or a table of shifts.",
-        "A higher temperature shortens all times: friction at v is what it was at a_T v. To "
-        "double degrees Celsius means nothing.",
+        "A higher temperature shortens all times: friction at v equals that at a_T v and the "
+        "reference temperature.",
         "°C",
         default=None,
         values="a number above `reference` − c2, or within the table",
     ),
     "poisson": Key(
         partial(within, least=0.0, most=0.5),
-        "Poisson's ratio ν. The stiffness in contact is E* = 2G/(1−ν), which is the paper's 4G for "
-        "an incompressible elastomer.",
-        "Doubled from 0.25 to 0.5, E* is larger by one half, as if the force were smaller by a "
-        "third.",
+        "Poisson's ratio ν. The contact stiffness is E* = 2G/(1−ν), the paper's 4G for an "
+        "incompressible elastomer.",
+        "Doubled from 0.25 to 0.5, E* rises by half, which acts as a force smaller by a third.",
         default=0.5,
     ),
 }

@@ -1,4 +1,4 @@
-"""A scene: how the line is pressed on and driven, segment by segment, in SI units."""
+"""A scene: load and motion of the line, segment by segment, in SI units."""
 
 import math
 from itertools import pairwise
@@ -6,17 +6,17 @@ from typing import Any, NamedTuple
 
 FORCE, INDENTATION = "force", "indentation"  # controls
 STEADY, RELAXED, FRESH = "steady", "relaxed", "fresh"  # starts
-PROGRAMME_AXES = ("hold", "velocity_amplitude", "frequency")  # axes whose values a segment gives
+PROGRAMME_AXES = ("hold", "velocity_amplitude", "frequency")  # axes with values in a segment
 
 
 class Velocity(NamedTuple):
-    """A velocity, positive in the direction of sliding, as such or as a share of another."""
+    """A velocity, positive in the direction of sliding, in m/s or relative to the grid's."""
 
     value: float  # m/s, or a ratio
     relative: bool = False  # to the velocity of the grid
 
     def at(self, reference: float) -> float:
-        """Return the velocity (m/s) where that of the grid is ``reference``."""
+        """Return the velocity (m/s) for the velocity ``reference`` of the grid."""
         return self.value * reference if self.relative else self.value
 
 
@@ -25,20 +25,20 @@ class SlideSegment(NamedTuple):
 
     velocity: Velocity
     distance: float | None = None  # m
-    duration: float | None = None  # s; one of the two is given
+    duration: float | None = None  # s; either distance or duration is given
 
     def seconds(self, reference: float) -> float:
-        """Return the duration (s) where the velocity of the grid is ``reference``."""
+        """Return the duration (s) for the velocity ``reference`` of the grid."""
         if self.distance is None:
             return self.duration or 0.0
         return self.distance / abs(self.velocity.at(reference))
 
 
 class HoldSegment(NamedTuple):
-    """Stay where it is; several durations make one programme each."""
+    """Hold the line at rest; each of several durations gives one programme."""
 
     durations: tuple[float, ...]  # s
-    several: bool = False  # given as a list: a dimension of the result
+    several: bool = False  # whether durations are a dimension of the result
 
 
 class RampSegment(NamedTuple):
@@ -56,11 +56,11 @@ class Oscillate(NamedTuple):
     amplitude: float  # m
     frequency: float  # Hz
     cycles: int
-    velocity_amplitude: float | None = None  # m/s, where it was given in place of the other
+    velocity_amplitude: float | None = None  # m/s, if given in place of amplitude
     several: tuple[tuple[str, tuple[float, ...]], ...] = ()  # dimensions of the result
 
     def with_derived_amplitude(self) -> "Oscillate":
-        """Return it with the amplitude that follows from that of the velocity, where it does."""
+        """Return the segment with ``amplitude`` computed from ``velocity_amplitude``, if given."""
         if self.velocity_amplitude is None:
             return self
         omega = 2.0 * math.pi * self.frequency
@@ -72,7 +72,7 @@ class FromFile(NamedTuple):
 
     times: tuple[float, ...]  # s, ascending
     velocities: tuple[float, ...]  # m/s
-    description: str = ""  # what it was read as
+    description: str = ""  # of the file or arrays
 
 
 Segment = SlideSegment | HoldSegment | RampSegment | Oscillate | FromFile
@@ -81,7 +81,7 @@ History = tuple[tuple[float, ...], tuple[float, ...]]  # times (s), values
 
 
 def velocities_of(segment: Segment) -> tuple[Velocity, ...]:
-    """Return the velocities at the beginning and at the end of a segment; none of a hold."""
+    """Return the first and the last velocity of a segment, nothing for a hold."""
     match segment:
         case SlideSegment() | Oscillate():
             return (segment.velocity, segment.velocity)
@@ -93,40 +93,40 @@ def velocities_of(segment: Segment) -> tuple[Velocity, ...]:
 
 
 class Spring(NamedTuple):
-    """What a slider is pulled through."""
+    """Spring and damper between a drive and the slider, and the slider's mass."""
 
     stiffness: float  # N/m
     mass: float = 0.0  # kg, of the slider
-    damping: float = 0.0  # N s/m, beside the spring
+    damping: float = 0.0  # N s/m, parallel to the spring
 
 
 class Scene(NamedTuple):
-    """What is simulated."""
+    """Quantities, programme, load and drive of a simulation."""
 
     quantities: tuple[str, ...] = ("steady", "jump", "relaxation")
     indentation_rate: bool = True
     control: str = FORCE
     start: str = STEADY  # of a programme
-    repeat: int = 1  # times that the whole list is followed
+    repeat: int = 1  # number of times that the programme is run
     programme: Programme = ()  # empty: steady at v1, a jump to v2, relaxation
     indentation_history: History | None = None  # d(t) (s, m), constant beyond its ends
-    drive: Spring | None = None  # through which the programme pulls; None: it moves the line
-    indentation_description: str = ""  # what it was read from
+    drive: Spring | None = None  # None: the programme moves the line itself
+    indentation_description: str = ""  # of the file of the indentation
 
     @property
     def segments(self) -> Programme:
-        """Return the programme with its repetitions."""
+        """The programme with its repetitions."""
         return self.programme * self.repeat
 
     @property
     def sampled(self) -> tuple[str, ...]:
-        """Return what the sampled velocities of the programme were read as, each once."""
-        found = [segment.description for segment in self.programme if isinstance(segment, FromFile)]
-        return tuple(dict.fromkeys(found))
+        """Distinct descriptions of the sampled velocities of the programme."""
+        texts = [segment.description for segment in self.programme if isinstance(segment, FromFile)]
+        return tuple(dict.fromkeys(texts))
 
     @property
     def velocity_steps(self) -> list[int]:
-        """Return the segments i where a slide changes over to another velocity of the same sign."""
+        """Indices of slides that are followed by a slide at another velocity of the same sign."""
         return [
             i
             for i, (before, after) in enumerate(pairwise(self.segments))
@@ -138,56 +138,57 @@ class Scene(NamedTuple):
 
     @property
     def heals(self) -> bool:
-        """Return whether a segment holds between a slide and another slide."""
+        """Whether a hold follows a slide and precedes another slide."""
         kinds = [type(segment) for segment in self.segments]
         healing = [SlideSegment, HoldSegment, SlideSegment]
         return any(kinds[i : i + 3] == healing for i in range(len(kinds)))
 
     @property
     def starts_after_sliding(self) -> bool:
-        """Return whether it begins at rest after steady sliding at the velocity of the grid."""
-        first = self.programme[:1]
-        return self.start == STEADY and any(isinstance(one, HoldSegment) for one in first)
+        """Whether it begins at rest after steady sliding at the velocity of the grid."""
+        first = self.programme[0] if self.programme else None
+        return self.start == STEADY and isinstance(first, HoldSegment)
 
     @property
     def uses_velocity(self) -> bool:
-        """Return whether the velocity of the grid is used at all."""
-        relative = any(v.relative for one in self.programme for v in velocities_of(one))
+        """Whether the velocity of the grid is used."""
+        relative = any(v.relative for segment in self.programme for v in velocities_of(segment))
         return not self.programme or relative or self.starts_after_sliding
 
     @property
     def uses_indentation(self) -> bool:
-        """Return whether the grid prescribes the indentation."""
+        """Whether the grid prescribes the indentation."""
         return self.control == INDENTATION and self.indentation_history is None
 
     @property
     def listed(self) -> dict[str, tuple[float, ...]]:
-        """Return the dimensions of the result whose values its programme gives as lists."""
-        found: dict[str, tuple[float, ...]] = {}
+        """Axes of the result whose values the programme gives as lists."""
+        axes: dict[str, tuple[float, ...]] = {}
         for segment in self.programme:
             if isinstance(segment, HoldSegment) and segment.several:
-                found["hold"] = segment.durations
+                axes["hold"] = segment.durations
             elif isinstance(segment, Oscillate):
-                found |= segment.several
-        return found
+                axes |= segment.several
+        return axes
 
     def with_axis_value(self, axis: str, value: float) -> "Scene":
-        """Return the scene with one value of what its programme gives as a list."""
+        """Return the scene with one value of an axis of its programme."""
 
-        def own(segment: Segment) -> Segment:
+        def with_value(segment: Segment) -> Segment:
             if isinstance(segment, Oscillate) and axis in dict(segment.several):
                 changed: dict[str, Any] = {axis: value}
                 return segment._replace(**changed).with_derived_amplitude()
-            held = axis == "hold" and isinstance(segment, HoldSegment) and segment.several
-            return HoldSegment((value,)) if held else segment
+            if isinstance(segment, HoldSegment) and segment.several and axis == "hold":
+                return HoldSegment((value,))
+            return segment
 
-        return self._replace(programme=tuple(map(own, self.programme)))
+        return self._replace(programme=tuple(map(with_value, self.programme)))
 
     @property
     def typical_speed(self) -> float:
-        """Return the first speed (m/s) that is not zero, of a programme without the grid's.
+        """First nonzero speed (m/s) of a programme that does not use the grid's velocity.
 
-        Of an oscillation about rest it is the amplitude. NaN where there is none.
+        For an oscillation about rest it is the velocity amplitude. NaN if nothing moves.
         """
         for segment in self.programme:
             speeds = [velocity.value for velocity in velocities_of(segment)]
@@ -200,6 +201,6 @@ class Scene(NamedTuple):
         return math.nan
 
     def start_velocity(self, reference: float) -> float:
-        """Return the velocity (m/s) at which it begins where that of the grid is ``reference``."""
-        found = [velocity for one in self.programme[:1] for velocity in velocities_of(one)]
-        return found[0].at(reference) if found else reference
+        """Return the first velocity (m/s) for the velocity ``reference`` of the grid."""
+        velocities = velocities_of(self.programme[0]) if self.programme else ()
+        return velocities[0].at(reference) if velocities else reference

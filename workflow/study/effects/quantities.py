@@ -1,4 +1,4 @@
-"""What a scene can be asked for: one table for study, plan, reduction and accuracy."""
+"""Quantities of a scene: one table for study, plan, reduction and accuracy."""
 
 from collections.abc import Callable, Mapping
 from typing import NamedTuple
@@ -8,129 +8,148 @@ from ..settings import choice
 from .material import Material
 from .programme import FORCE, Oscillate, Scene
 
-Materials = Mapping[str, Material]  # of a study ("") and of its comparisons
+Materials = Mapping[str, Material]  # by label: "" is the study, others are comparisons
 
 
-class Need(NamedTuple):
-    """What a quantity asks of a scene."""
-
-    met: Callable[[Scene, bool], bool]  # by a scene, of a single line or not
-    otherwise: str  # why there is none of it
-
-    def lacking(self, scene: Scene, _: Materials, alone: bool) -> str:
-        """Return why a scene cannot be asked for it, in words; "" where it can."""
-        return "" if self.met(scene, alone) else self.otherwise
+# Return why a quantity is unavailable, or "": scene, materials, whether it is a single line.
+Requirement = Callable[[Scene, Materials, bool], str]
 
 
-class Dashpot(NamedTuple):
-    """That a material of every variant has a dashpot."""
-
-    def lacking(self, _: Scene, materials: Materials, __: bool) -> str:
-        """Return which material has none, in words; "" where all have one."""
-        for label, material in materials.items():
-            if not material.jumps:
-                where = f"compare.{label}" if label else "material"
-                return f"{where} has a finite instantaneous modulus: mu does not jump; ask for peak"
-        return ""
+def _required(is_met: Callable[[Scene, bool], bool], reason: str) -> Requirement:
+    """Return the requirement that ``is_met(scene, single_line)`` is true."""
+    return lambda scene, _, single_line: "" if is_met(scene, single_line) else reason
 
 
-PRESSED = Need(
+def _dashpot(_: Scene, materials: Materials, __: bool) -> str:
+    """Return which material has no dashpot, or ""."""
+    for label, material in materials.items():
+        if not material.jumps:
+            where = f"compare.{label}" if label else "material"
+            return f"{where} has no dashpot: mu does not jump; request peak instead"
+    return ""
+
+
+CONSTANT_FORCE = _required(
     lambda scene, _: scene.control == FORCE,
-    'is defined at a given normal force; with scene.control = "indentation" ask for trace',
+    'needs a given normal force; with scene.control = "indentation" request trace',
 )
-PROGRAMME = Need(lambda scene, _: bool(scene.programme), "there is no [[scene.programme]]")
-STEP = Need(
+PROGRAMME = _required(lambda scene, _: bool(scene.programme), "needs a [[scene.programme]]")
+VELOCITY_STEP = _required(
     lambda scene, _: not scene.programme or bool(scene.velocity_steps),
-    "the programme has no velocity step, which is one slide after another at another velocity of "
-    "the same sign",
+    "needs a velocity step: two successive slides at different velocities of the same sign",
 )
-HELD = Need(lambda scene, _: scene.heals, "the programme has no hold between two slides")
-SWUNG = Need(
+HEALING_HOLD = _required(lambda scene, _: scene.heals, "needs a hold between two slides")
+OSCILLATION = _required(
     lambda scene, _: any(isinstance(segment, Oscillate) for segment in scene.programme),
-    "the programme has no oscillation",
+    "needs a segment oscillate in the programme",
 )
-PULLED_BY = Need(
+PULLED_LINE = _required(
     lambda scene, _: scene.drive is not None,
-    "nothing is pulled; give [scene.drive] and a programme of segments pull",
+    "needs [scene.drive] and a programme of segments pull",
 )
-ALONE = Need(
-    lambda _, alone: alone,
-    "is there for a single line alone, from workflow.scene or the command animate",
+SINGLE_LINE = _required(
+    lambda _, single_line: single_line,
+    "needs a single line, from workflow.scene or the command animate",
 )
 
 
 class Quantity(NamedTuple):
-    """One thing a scene can be asked for."""
+    """A quantity that a scene can compute."""
 
-    effect: str  # what is simulated for it, in words
-    means: tuple[str, ...] = ()  # block means that are estimates of it, as the kernels name them
-    judged: str = ""  # the estimate whose accuracy can be asked for
-    needs: tuple[str, ...] = ()  # other quantities, from one of which it follows
-    asks: tuple[Need | Dashpot, ...] = ()  # of the scene
+    effect: str  # description of the computation
+    means: tuple[str, ...] = ()  # kernels' names of the block means that estimate it
+    accuracy_estimate: str = ""  # the estimate to which a requested accuracy applies
+    needs: tuple[str, ...] = ()  # other quantities, one of which must be requested too
+    requirements: tuple[Requirement, ...] = ()
 
 
 QUANTITIES = {
     "steady": Quantity(
         "steady sliding at v1 and v2 (no relaxation is marched)",
         ("mu_1", "mu_2", "indentation", "contact_fraction"),
-        judged="mu_1",
-        asks=(PRESSED,),
+        accuracy_estimate="mu_1",
+        requirements=(CONSTANT_FORCE,),
     ),
     "persson": Quantity(
-        "friction and contact area by Persson's theory (closed form)", asks=(PRESSED,)
+        "friction and contact area by Persson's theory (closed form)",
+        requirements=(CONSTANT_FORCE,),
     ),
     "jump": Quantity(
         "jump at t0+ (no relaxation is marched)",
         ("jump",),
-        judged="jump",
-        asks=(PRESSED, STEP, Dashpot()),
+        accuracy_estimate="jump",
+        requirements=(CONSTANT_FORCE, VELOCITY_STEP, _dashpot),
     ),
     "relaxation": Quantity(
-        "relaxation after the jump (time marching)", judged="relaxation_rate", asks=(PRESSED, STEP)
+        "relaxation after the jump (time marching)",
+        accuracy_estimate="relaxation_rate",
+        requirements=(CONSTANT_FORCE, VELOCITY_STEP),
     ),
     "models": Quantity("fits beyond eq. 6 (no further simulation)", needs=("relaxation",)),
     "peak": Quantity(
         "peak of the friction after the velocity step, and its first slope",
         needs=("relaxation", "trace"),
-        asks=(PRESSED, STEP),
+        requirements=(CONSTANT_FORCE, VELOCITY_STEP),
     ),
-    "trace": Quantity("friction over time along the programme (time marching)", asks=(PROGRAMME,)),
+    "trace": Quantity(
+        "friction over time along the programme (time marching)", requirements=(PROGRAMME,)
+    ),
     "stick_slip": Quantity(
-        "stick and slip: swing of the drive's force, period and highest velocity",
-        asks=(PULLED_BY,),
+        "stick-slip: amplitude of the drive's force, period and highest velocity",
+        requirements=(PULLED_LINE,),
     ),
     "slip_events": Quantity(
-        "when slips of the line begin and end, and when it turns", asks=(ALONE, PULLED_BY)
+        "times at which slips of the line begin and end, and at which it reverses",
+        requirements=(SINGLE_LINE, PULLED_LINE),
     ),
     "loop": Quantity(
         "loops of an oscillation: work, in-phase and quadrature part of the friction",
         needs=("trace",),
-        asks=(SWUNG,),
+        requirements=(OSCILLATION,),
     ),
     "cycle_mean": Quantity(
-        "mean friction over the later half of the cycles of an oscillation", asks=(SWUNG,)
+        "mean friction over the later half of the cycles of an oscillation",
+        requirements=(OSCILLATION,),
     ),
     "healing": Quantity(
-        "static peak of the friction after a hold", needs=("trace",), asks=(PRESSED, HELD)
+        "static peak of the friction after a hold",
+        needs=("trace",),
+        requirements=(CONSTANT_FORCE, HEALING_HOLD),
     ),
     "rate_state": Quantity(
         "fits of rate-and-state laws: a, b and D_c of Ruina and Dieterich",
         needs=("relaxation", "trace"),
-        asks=(PRESSED, STEP),
+        requirements=(CONSTANT_FORCE, VELOCITY_STEP),
     ),
-    "energy": Quantity("energies stored and dissipated, work and their balance", asks=(PROGRAMME,)),
-    "contact_lengths": Quantity("distribution of the lengths of contacts", asks=(PROGRAMME,)),
-    "snapshots": Quantity("shapes of line and foundation on the way", asks=(ALONE, PROGRAMME)),
-    "state": Quantity("state at the end, from which to go on", asks=(ALONE, PROGRAMME)),
+    "energy": Quantity(
+        "energies stored and dissipated, work and their balance", requirements=(PROGRAMME,)
+    ),
+    "contact_lengths": Quantity(
+        "distribution of the lengths of contacts", requirements=(PROGRAMME,)
+    ),
+    "snapshots": Quantity(
+        "shapes of line and foundation during the motion", requirements=(SINGLE_LINE, PROGRAMME)
+    ),
+    "state": Quantity(
+        "final state, from which another scene can continue", requirements=(SINGLE_LINE, PROGRAMME)
+    ),
 }
-OF_A_DRIVE = ("steady", "persson", "trace", "healing", "rate_state", "stick_slip", "slip_events")
-OF_ELEMENTS = ("energy", "contact_lengths", "state")
+DRIVE_QUANTITIES = (
+    "steady",
+    "persson",
+    "trace",
+    "healing",
+    "rate_state",
+    "stick_slip",
+    "slip_events",
+)
+ELEMENT_QUANTITIES = ("energy", "contact_lengths", "state")
 
 
 def read_quantities(key: str, value: object) -> tuple[str, ...]:
-    """Return the quantities of a list in the order of the table. Raises UserError."""
+    """Return the requested quantities in the order of the table. Raises UserError."""
     if not isinstance(value, list) or not value:
-        raise UserError(f"{key} = {value!r}: must be a list out of {tuple(QUANTITIES)}")
+        raise UserError(f"{key} = {value!r}: must be a list of names from {tuple(QUANTITIES)}")
     for name in value:
         needed = QUANTITIES[choice(key, name, QUANTITIES)].needs
         if needed and not any(other in value for other in needed):
@@ -140,26 +159,26 @@ def read_quantities(key: str, value: object) -> tuple[str, ...]:
 
 
 def accuracy_estimates(quantities: tuple[str, ...]) -> tuple[str, ...]:
-    """Return the estimates whose accuracy is asked for with some quantities."""
-    return tuple(QUANTITIES[q].judged for q in quantities if QUANTITIES[q].judged)
+    """Return the estimates to which a requested accuracy applies."""
+    return tuple(
+        QUANTITIES[q].accuracy_estimate for q in quantities if QUANTITIES[q].accuracy_estimate
+    )
 
 
-def unavailable_reason(name: str, scene: Scene, materials: Materials, alone: bool) -> str:
-    """Return why a scene cannot be asked for a quantity, in words; "" where it can.
-
-    alone : whether it is a single line.
-    """
-    if scene.drive and name not in OF_A_DRIVE:
+def unavailable_reason(name: str, scene: Scene, materials: Materials, single_line: bool) -> str:
+    """Return why a quantity is unavailable in a scene, or ""."""
+    if scene.drive and name not in DRIVE_QUANTITIES:
         return (
-            "is not computed of a line on a spring; ask for trace, stick_slip, slip_events, "
+            "is not available for a line on a spring; request trace, stick_slip, slip_events, "
             "healing, steady or rate_state"
         )
-    found = (need.lacking(scene, materials, alone) for need in QUANTITIES[name].asks)
-    return next(filter(None, found), "")
+    checks = QUANTITIES[name].requirements
+    reasons = (check(scene, materials, single_line) for check in checks)
+    return next(filter(None, reasons), "")
 
 
-def check_quantities(scene: Scene, materials: Materials, alone: bool) -> None:
-    """Raise UserError where a scene is asked for what it has not."""
+def check_quantities(scene: Scene, materials: Materials, single_line: bool) -> None:
+    """Raise UserError for a requested quantity that is unavailable."""
     for name in scene.quantities:
-        if reason := unavailable_reason(name, scene, materials, alone):
+        if reason := unavailable_reason(name, scene, materials, single_line):
             raise UserError(f'scene.quantities: "{name}": {reason}')

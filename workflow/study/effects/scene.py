@@ -1,13 +1,15 @@
-"""The table [scene]: what is simulated and how the line is driven and pressed on."""
+"""The table [scene]: requested quantities, motion of the line, load and body."""
 
 import math
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from functools import partial
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 from ...ground import UserError
 from ..settings import Key, as_text, choice, filled, flag, integer, read_table
+from .histories import INDENTATION as INDENTATION_COLUMN
+from .histories import read_history
 from .material import Material
 from .programme import (
     FORCE,
@@ -20,173 +22,200 @@ from .programme import (
     Spring,
 )
 from .quantities import QUANTITIES, read_quantities
-from .segments import DRIVE, INDENTED, MOST_SEGMENTS, is_pulled, read_programme, read_sampled
+from .segment_keys import DRIVE
+from .segments import MAX_SEGMENTS, is_pulled, read_programme
 
 FOUNDATION, HALF_SPACE = "foundation", "half-space"
-USUAL = Scene()
+DEFAULT_SCENE = Scene()
 
 
-def read_scene_table(own: Mapping[str, Any], folder: Path, materials: Iterable[Material]) -> Scene:
+def read_scene_table(
+    table: Mapping[str, Any], folder: Path, materials: Iterable[Material]
+) -> Scene:
     """Return the scene of the checked values of a table. Raises UserError.
 
-    own : the programme in it as it is written. Files are found from ``folder``.
-    materials : of the study and its comparisons; what is asked for by default depends on them.
+    table : with the programme as written. folder : of the files. materials : of the study and its
+    comparisons; the default quantities depend on them.
     """
-    given = filled("scene", own, SCENE)
-    del given["body"]  # that of the surfaces (study/variants.py)
+    given = filled("scene", table, SCENE)
+    del given["body"]  # a property of the surfaces (study/variants.py)
     segments, history = given.pop("programme"), given.pop("indentation_file")
     programme = () if segments is None else read_programme("scene.programme", segments, folder)
     drive = _drive(given.pop("drive"), is_pulled("scene.programme", segments or []))
-    times, told = None, ""
+    times, description = None, ""
     if history and given["control"] != INDENTATION:
         raise UserError('scene.indentation_file: needs scene.control = "indentation"')
     if history:
         key = "scene.indentation_file"
-        columns, told = read_sampled(key, folder / history, INDENTED)
-        times = (tuple(columns[0].tolist()), tuple(columns[1].tolist()))
-    asked = given.pop("quantities") or _usual(programme, given["control"], materials)
+        samples, description = read_history(key, folder / history, INDENTATION_COLUMN)
+        times = (tuple(samples[0].tolist()), tuple(samples[1].tolist()))
+    requested = given.pop("quantities")
     scene = Scene(
-        quantities=asked,
+        quantities=requested or _default_quantities(programme, given["control"], materials),
         programme=programme,
         indentation_history=times,
-        indentation_description=told,
+        indentation_description=description,
         drive=drive,
         **given,
     )
-    _check(own, scene, tuple(materials))
+    _check(table, scene, tuple(materials))
     return scene
 
 
 def _drive(given: dict[str, Any] | None, pulled: bool) -> Spring | None:
-    """Return the drive of a programme that pulls. Raises UserError where one lacks the other."""
+    """Return the drive, if any. Raises UserError for a drive without pulls or the reverse."""
     if pulled and given is None:
         raise UserError(
-            "scene.drive: missing; a programme that pulls needs the stiffness of its spring, as in "
+            "scene.drive: missing; segments pull need the stiffness of a spring, for example "
             "[scene.drive] stiffness = 1e4"
         )
     if given is not None and not pulled:
         raise UserError(
-            "scene.drive: belongs to a programme of segments pull = {…}, and there is none"
+            "scene.drive: needs a programme of segments pull = {…}; omit it without one"
         )
     return None if given is None else Spring(**given)
 
 
-def _usual(programme: Programme, control: str, materials: Iterable[Material]) -> tuple[str, ...]:
-    """Return what is asked for where nothing is said."""
+def _default_quantities(
+    programme: Programme, control: str, materials: Iterable[Material]
+) -> tuple[str, ...]:
+    """Return the quantities computed by default."""
     if control == INDENTATION:
         return ("trace",)
     if programme:
         return "steady", "trace"
     jumps = all(material.jumps for material in materials)
-    return USUAL.quantities if jumps else ("steady", "relaxation", "peak")
+    return DEFAULT_SCENE.quantities if jumps else ("steady", "relaxation", "peak")
+
+
+class Rule(NamedTuple):
+    """An invalid combination of keys of a scene, and the message about it."""
+
+    is_broken: Callable[[Scene, tuple[Material, ...]], bool]  # scene, materials of all variants
+    message: str  # with fields of the scene as {scene.control}
+
+
+RULES = (
+    Rule(
+        lambda scene, _: scene.repeat * len(scene.programme) > MAX_SEGMENTS,
+        "scene.repeat = {scene.repeat}: with repetitions the programme may have at most "
+        f"{MAX_SEGMENTS} segments",
+    ),
+    Rule(
+        lambda scene, materials: (
+            not scene.indentation_rate
+            and (bool(scene.programme) or any(material.branches for material in materials))
+        ),
+        "scene.indentation_rate = false: eq. 3 as printed holds for one velocity step of a Kelvin "
+        "element only; omit it",
+    ),
+    Rule(
+        lambda scene, materials: (
+            scene.start == FRESH and any(material.jumps for material in materials)
+        ),
+        'scene.start = "fresh": a dashpot would carry any load at zero indentation; use "relaxed" '
+        "or a material without relaxation_time",
+    ),
+    Rule(
+        lambda scene, _: scene.drive is not None and scene.control != FORCE,
+        "scene.control = {scene.control!r}: a drive needs a given normal force; omit it",
+    ),
+    Rule(
+        lambda scene, _: bool(scene.programme) and math.isnan(scene.typical_speed),
+        "scene.programme: nothing moves; add a slide, a ramp, an oscillation or a pull",
+    ),
+    Rule(
+        lambda scene, _: (
+            bool(scene.programme) and scene.start == STEADY and scene.start_velocity(1.0) == 0.0
+        ),
+        'scene.start = "steady": the programme begins at velocity 0, without steady sliding; use '
+        '"relaxed"',
+    ),
+)
 
 
 def _check(table: Mapping[str, Any], scene: Scene, materials: tuple[Material, ...]) -> None:
-    """Raise UserError where the keys of a scene do not go together."""
+    """Raise UserError for an invalid combination of keys."""
     for key in ("control", "start", "repeat"):
-        if key in table and not scene.programme and getattr(scene, key) != getattr(USUAL, key):
+        changed = key in table and getattr(scene, key) != getattr(DEFAULT_SCENE, key)
+        if changed and not scene.programme:
             raise UserError(
-                f"scene.{key} = {table[key]!r}: belongs to a programme, and there is no "
-                "[[scene.programme]]"
+                f"scene.{key} = {table[key]!r}: needs a programme; add [[scene.programme]] or omit "
+                "it"
             )
-    if scene.repeat * len(scene.programme) > MOST_SEGMENTS:
-        raise UserError(
-            f"scene.repeat = {scene.repeat}: makes {scene.repeat * len(scene.programme)} segments, "
-            f"more than {MOST_SEGMENTS}"
-        )
-    if not scene.indentation_rate and (scene.programme or any(m.branches for m in materials)):
-        raise UserError(
-            "scene.indentation_rate = false: eq. 3 as printed is defined for one velocity step of "
-            "a Kelvin element alone; leave it out"
-        )
-    if scene.start == FRESH and any(material.jumps for material in materials):
-        raise UserError(
-            'scene.start = "fresh": a dashpot would carry any load at no indentation; use '
-            '"relaxed", or a material without relaxation_time'
-        )
-    if scene.drive and scene.control != FORCE:
-        raise UserError(
-            f"scene.control = {scene.control!r}: a drive pulls under a given normal force; leave "
-            "it out"
-        )
-    if scene.programme and math.isnan(scene.typical_speed):
-        raise UserError(
-            "scene.programme: never moves; add a slide, a ramp or an oscillation, or a pull"
-        )
-    if scene.programme and scene.start == STEADY and scene.start_velocity(1.0) == 0.0:
-        raise UserError(
-            'scene.start = "steady": the programme begins at velocity 0, where nothing is steady '
-            'sliding; use "relaxed"'
-        )
+    for rule in RULES:
+        if rule.is_broken(scene, materials):
+            raise UserError(rule.message.format(scene=scene))
 
 
 SCENE = {
     "body": Key(
         partial(choice, known=(FOUNDATION, HALF_SPACE)),
-        "What is behind the surface. `foundation` is the paper's row of independent elements on a "
-        "line; `half-space` is a deep elastic block on a periodic square of side `surface.length`, "
-        "where each pressed point pulls down its neighbours (docs/bodies.md).",
+        "The elastic body. `foundation` is the paper's row of independent elements along a line; "
+        "`half-space` is a deep elastic block with a periodic square surface of side "
+        "`surface.length`, on which each pressed point lowers its neighbours (docs/bodies.md).",
         default=FOUNDATION,
     ),
     "quantities": Key(
         read_quantities,
-        "What is computed, by the names of the table below. What is not named is not in the "
-        "result either. Steady states and jumps march no relaxation.",
+        "The computed quantities, by the names of the table below. The result contains only these. "
+        "Steady states and jumps do not need the march of a relaxation.",
         default=None,
         values="a list of names of quantities",
         usual='`["steady", "jump", "relaxation"]`; without a dashpot `["steady", "relaxation", '
-        '"peak"]`; with a programme `["steady", "trace"]`; at a prescribed indentation '
+        '"peak"]`; with a programme `["steady", "trace"]`; with a prescribed indentation '
         '`["trace"]`',
         schema={"type": "array", "minItems": 1, "items": {"enum": list(QUANTITIES)}},
     ),
     "indentation_rate": Key(
         flag,
-        "Whether the rate ḋ of the indentation enters the force of an element. `false` is eq. 3 "
-        "as the paper prints it, without physical relaxation; it is there for comparison, for one "
-        "velocity step of Kelvin elements alone.",
+        "Whether the rate ḋ of the indentation enters the force of an element. `false` gives eq. 3 "
+        "as printed in the paper, without physical relaxation. It is meant for comparison and "
+        "limited to one velocity step of Kelvin elements.",
         default=True,
     ),
     "control": Key(
         partial(choice, known=(FORCE, INDENTATION)),
-        "What presses line and elastomer together: a constant normal force, or in a programme a "
-        "given indentation, from which the force follows.",
+        "The control of the contact: a constant normal force or, in a programme, a given "
+        "indentation from which the force follows.",
         default=FORCE,
     ),
     "indentation_file": Key(
         as_text,
-        "A text file beside `study.toml` with columns time (s) and indentation (m), linear "
-        "between the times and constant beyond them, in place of `grid.prescribed_indentation`.",
+        "A text file in the folder of `study.toml` with columns time (s) and indentation (m), in "
+        "place of `grid.prescribed_indentation`. The indentation is linear between the times and "
+        "constant beyond them.",
         default="",
         values="the name of a file",
     ),
     "start": Key(
         partial(choice, known=(STEADY, RELAXED, FRESH)),
-        "How a programme begins: in steady sliding at its first velocity, at rest with the "
-        "elastomer fully relaxed under the load, or just pressed on, which needs a material "
-        "without a dashpot. After a few relaxation times nothing is remembered of it.",
+        "The initial state of a programme: steady sliding at its first velocity, rest with the "
+        "elastomer fully relaxed under the load, or rest immediately after loading, which needs a "
+        "material without a dashpot. Its influence vanishes after a few relaxation times.",
         default=STEADY,
     ),
     "repeat": Key(
-        partial(integer, least=1, most=MOST_SEGMENTS),
-        "How often the whole programme is followed.",
+        partial(integer, least=1, most=MAX_SEGMENTS),
+        "The number of times that the programme is run.",
         "Doubled, the march takes twice as long.",
         default=1,
     ),
     "drive": Key(
         lambda key, value: read_table(key, value, DRIVE),
-        "What the line is pulled through by segments `pull`, whose motion is then that of the "
-        "drive. The spring begins stretched by steady friction, or slack where the scene does not "
-        "begin in steady sliding.",
+        "The spring and damper through which a drive pulls the line; segments `pull` give the "
+        "motion of the drive. Initially the spring is stretched by steady friction, or slack if "
+        "the scene does not begin in steady sliding.",
         default=None,
         values="a table, `[scene.drive]`",
         usual="none: the programme moves the line itself",
     ),
     "programme": Key(
         lambda _, value: value,
-        "The motion of the line, as segments `[[scene.programme]]` that follow one another, in "
-        "place of `grid.velocity_step`. Without it there is one velocity step from v₁ to v₂.",
+        "The motion of the line as successive segments `[[scene.programme]]`, in place of "
+        "`grid.velocity_step`. Without a programme there is one velocity step from v₁ to v₂.",
         default=None,
-        values="a list of up to 1000 segments: `slide`, `hold`, `ramp`, `oscillate` or `file`, or "
-        "all of them `pull`",
+        values="a list of up to 1000 segments: either `slide`, `hold`, `ramp`, `oscillate` and "
+        "`file`, or only `pull`",
     ),
 }

@@ -1,10 +1,10 @@
-"""How relaxation times shift with the temperature: laws and measured tables of log10 a_T.
+"""Shift of relaxation times with the temperature: laws and measured tables of log10 a_T.
 
-One factor a_T multiplies all times (thermorheologically simple). Three ways to give it:
+One factor a_T multiplies all times (thermorheologically simple material). It is given by
 
     log10 a_T = -c1 (T - T_ref)/(c2 + T - T_ref)        Williams, Landel and Ferry
     log10 a_T = E_a/(R ln 10) (1/T - 1/T_ref)           Arrhenius, T in K
-    log10 a_T over T, interpolated                      a table that was measured
+    log10 a_T over T, interpolated                      a measured table
 
 The law of Vogel, Fulcher and Tammann, ln a_T = B/(T - T_0) - B/(T_ref - T_0), is the first one
 with c2 = T_ref - T_0 and c1 = B/(c2 ln 10).
@@ -24,9 +24,9 @@ from ...ground import UserError
 from ...text_tables import ZERO, ColumnSpec, describe_columns, read_text_table, select_columns
 from ..settings import NUMBER, Key, as_text, number, pair, positive, read_table, two_numbers
 
-SHIFT_KEYS = ("wlf", "arrhenius", "shifts")  # by their keys
-MAX_SHIFT_DECADES = 30.0  # decades
-KELVIN = 230.0  # degrees above the reference: 0 °C in K is 273 above itself
+SHIFT_KEYS = ("wlf", "arrhenius", "shifts")  # keys of [material]
+MAX_SHIFT_DECADES = 30.0
+KELVIN_SUSPICION = 230.0  # degrees above the reference; a value in K is 273 too large
 GAS_CONSTANT = 8.314462618  # J/(mol K)
 Numbers = TypeVar("Numbers", float, np.ndarray)
 HEADER = 'a header "temperature [°C], log a_T"'
@@ -47,10 +47,10 @@ class Wlf(NamedTuple):
         return -self.c1 * above / (self.c2 + above)
 
     def outside(self, temperature: float) -> str:
-        """Return why a temperature (°C) is none of this law, "" where it is one."""
+        """Return why a temperature (°C) is out of range, or ""."""
         least = self.reference - self.c2
         if temperature <= least:
-            return f"must be above reference - c2 = {least:g}, where the WLF shift has its pole"
+            return f"must be above reference - c2 = {least:g}, the pole of the WLF shift"
         return _in_kelvin(temperature, self.reference)
 
 
@@ -71,28 +71,28 @@ class Arrhenius(NamedTuple):
         return decades * inverse_temperature(temperature, self.reference)
 
     def outside(self, temperature: float) -> str:
-        """Return why a temperature (°C) is none of this law, "" where it is one."""
+        """Return why a temperature (°C) is out of range, or ""."""
         if min(temperature, self.reference) <= -ZERO:
-            return f"it and the reference, {self.reference:g}, must be above {-ZERO:g}"
+            return f"it and the reference {self.reference:g} must be above {-ZERO:g}"
         return _in_kelvin(temperature, self.reference)
 
 
 class ShiftTable(NamedTuple):
-    """A measured table, linear in between."""
+    """A measured table with linear interpolation."""
 
     rows: tuple[tuple[float, float], ...]  # temperature (°C), log10 a_T; temperatures ascending
-    told: str = ""  # what it was read from
+    description: str = ""  # of its file
 
     def decades(self, temperature: float) -> float:
         """Return log10 a_T at a temperature (°C) within the table."""
         return float(np.interp(temperature, *np.transpose(self.rows)))
 
     def outside(self, temperature: float) -> str:
-        """Return why a temperature (°C) is none of this table, "" where it is one."""
+        """Return why a temperature (°C) is out of range, or ""."""
         low, high = self.rows[0][0], self.rows[-1][0]
         if low <= temperature <= high:
             return ""
-        hint = ": is it in K? Give it in °C" if temperature > high + KELVIN else ""
+        hint = "; give it in °C, not K" if temperature > high + KELVIN_SUSPICION else ""
         return f"must lie within the table of shifts, {low:g} to {high:g} °C{hint}"
 
 
@@ -100,14 +100,15 @@ ShiftLaw = Wlf | Arrhenius | ShiftTable
 
 
 def _in_kelvin(temperature: float, reference: float) -> str:
+    """Return a message if a temperature appears to be in K, or ""."""
     above = temperature - reference
-    if above <= KELVIN:
+    if above <= KELVIN_SUSPICION:
         return ""
-    return f"is {above:g} degrees above the reference, {reference:g}: is it in K? Give both in °C"
+    return f"is {above:g} degrees above the reference {reference:g}; give both in °C, not K"
 
 
 def read_shift_table(key: str, path: Path) -> ShiftTable:
-    """Return the shifts of a text table with a temperature and log10 a_T, ln a_T or a_T itself.
+    """Return the shifts of a text table with columns temperature and log10 a_T, ln a_T or a_T.
 
     Raises UserError, which begins with ``key``.
     """
@@ -121,32 +122,36 @@ def read_shift_table(key: str, path: Path) -> ShiftTable:
             raise UserError(f"{key} = {path.name!r}: a_T must be greater than zero; give {HEADER}")
         values = np.log10(values)
     rows = np.stack([temperature.values - ZERO, values], axis=1).tolist()
-    return _shift_table(key, rows)._replace(told=describe_columns(table, (temperature, shift)))
+    return _shift_table(key, rows)._replace(
+        description=describe_columns(table, (temperature, shift))
+    )
 
 
 def _shift_table(key: str, value: object) -> ShiftTable:
     """Return a checked list of [temperature, log10 a_T]."""
     if not isinstance(value, list) or len(value) < 2:
-        raise UserError(f"{key} = {value!r:.60}: must be a list of two or more [°C, log10 a_T]")
+        raise UserError(
+            f"{key} = {value!r:.60}: must be a list of at least two rows [°C, log10 a_T]"
+        )
     words = "[temperature in °C, log10 a_T]"
     rows = sorted(
         two_numbers(f"{key}[{i}]", row, words, number, number) for i, row in enumerate(value)
     )
-    twice = [one[0] for one, two in pairwise(rows) if one[0] == two[0]]
-    if twice:
-        raise UserError(f"{key}: holds the temperature {twice[0]:g} twice")
+    repeated = [row[0] for row, following in pairwise(rows) if row[0] == following[0]]
+    if repeated:
+        raise UserError(f"{key}: must not contain the temperature {repeated[0]:g} twice")
     return ShiftTable(tuple(rows))
 
 
 def check_shift(where: str, laws: dict[str, ShiftLaw | None], value: float | None) -> None:
-    """Raise UserError for a temperature that has no shift, and for a law without one or another.
+    """Raise UserError for an inconsistent choice of laws or a temperature out of range.
 
-    where : the name of the table, for messages. laws : key -> what it gives. value : °C.
+    where : name of the table, for messages. laws : key -> law or None. value : temperature, °C.
     """
     given = {key: law for key, law in laws.items() if law is not None}
     if len(given) > 1:
         one, other, *_ = given
-        raise UserError(f"{where}.{other}: give it or {where}.{one}, not both")
+        raise UserError(f"{where}.{other}: give either it or {where}.{one}")
     if not given and value is None:
         return
     if not given:
@@ -156,21 +161,21 @@ def check_shift(where: str, laws: dict[str, ShiftLaw | None], value: float | Non
     if value is None:
         raise UserError(f"{where}.temperature: missing; {where}.{key} needs it")
     assert law is not None
-    why = law.outside(value)
-    if not why and not abs(law.decades(value)) <= MAX_SHIFT_DECADES:
-        why = (
+    reason = law.outside(value)
+    if not reason and not abs(law.decades(value)) <= MAX_SHIFT_DECADES:
+        reason = (
             f"shifts times by {law.decades(value):.3g} decades; at most {MAX_SHIFT_DECADES:g} are "
             "supported"
         )
-    if why:
-        raise UserError(f"{where}.temperature = {value!r}: {why}")
+    if reason:
+        raise UserError(f"{where}.temperature = {value!r}: {reason}")
 
 
 REFERENCE = Key(
     number,
-    "The temperature at which relaxation times are those that are given.",
-    "Raised by ten degrees, all curves are those that were found ten degrees lower; to double "
-    "degrees Celsius means nothing.",
+    "The temperature to which the given relaxation times refer.",
+    "With a reference ten degrees higher, all curves equal those at a temperature ten degrees "
+    "lower.",
     "°C",
 )
 WLF = {
@@ -200,9 +205,9 @@ SHIFTS = {
     "wlf": Key(
         lambda key, value: Wlf(**read_table(key, value, WLF)),
         "The constants of the shift of Williams, Landel and Ferry, log₁₀ a_T = −c1 (T − "
-        "reference)/(c2 + T − reference). All relaxation times are multiplied by a_T. It goes "
-        "together with `temperature`. The law of Vogel, Fulcher and Tammann is the same with "
-        "c2 = reference − T₀ and c1 = B/(c2 ln 10).",
+        "reference)/(c2 + T − reference). All relaxation times are multiplied by a_T. It needs "
+        "`temperature`. The law of Vogel, Fulcher and Tammann is the same with c2 = reference − T₀ "
+        "and c1 = B/(c2 ln 10).",
         default=None,
         values="`{c1 = …, c2 = …, reference = …}`",
     ),
@@ -215,17 +220,17 @@ SHIFTS = {
     ),
     "shifts": Key(
         _shift_table,
-        "A measured table of the shift, rows `[T, log₁₀ a_T]` with T in °C, in place of `wlf`. "
-        "In between it is linear; beyond it there is no temperature. The command `prony` prints "
-        "one from moduli at several temperatures.",
+        "A measured table of the shift, rows `[T, log₁₀ a_T]` with T in °C, in place of `wlf`, "
+        "interpolated linearly; temperatures must lie within it. The command `prony` prints one "
+        "from moduli at several temperatures.",
         default=None,
-        values="a list of `[T, log₁₀ a_T]`, two at least",
+        values="a list of at least two rows `[T, log₁₀ a_T]`",
         schema={"type": "array", "minItems": 2, "items": pair(NUMBER, NUMBER)},
     ),
     "shifts_file": Key(
         as_text,
-        "A text file beside `study.toml` with these columns, in place of `shifts`; a column named "
-        "a_T or ln a_T is read as such.",
+        "A text file in the folder of `study.toml` with these columns, in place of `shifts`. A "
+        "column may also be named a_T or ln a_T.",
         default="",
         values="the name of a file",
     ),

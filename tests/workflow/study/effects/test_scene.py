@@ -104,7 +104,7 @@ def test_a_full_programme_of_one_line_can_be_asked_for_everything(name):
     scene = Scene(programme=EVERYTHING)
     if name in ("stick_slip", "slip_events"):
         scene = Scene(programme=(SLOW,), drive=Spring(1e4))
-    assert unavailable_reason(name, scene, {"": KELVIN}, alone=True) == ""
+    assert unavailable_reason(name, scene, {"": KELVIN}, single_line=True) == ""
 
 
 def test_of_a_line_on_a_spring_there_is_what_its_drive_tells():
@@ -112,8 +112,10 @@ def test_of_a_line_on_a_spring_there_is_what_its_drive_tells():
     assert set(QUANTITIES) - missing == {"steady", "persson", "trace", "healing", "stick_slip"}
 
 
-def reasons(scene, material=KELVIN, alone=False):
-    return {name for name in QUANTITIES if unavailable_reason(name, scene, {"": material}, alone)}
+def reasons(scene, material=KELVIN, single_line=False):
+    return {
+        name for name in QUANTITIES if unavailable_reason(name, scene, {"": material}, single_line)
+    }
 
 
 def test_the_scene_of_the_paper_has_no_programme():
@@ -132,12 +134,12 @@ def test_the_scene_of_the_paper_has_no_programme():
 
 def test_without_a_dashpot_nothing_jumps():
     of_springs = {"stick_slip", "slip_events"}
-    assert reasons(Scene(programme=EVERYTHING), GLASSY, alone=True) == {"jump"} | of_springs
+    assert reasons(Scene(programme=EVERYTHING), GLASSY, single_line=True) == {"jump"} | of_springs
 
 
 def test_what_is_defined_at_a_normal_force():
     scene = Scene(programme=EVERYTHING, control="indentation")
-    left = set(QUANTITIES) - reasons(scene, alone=True)
+    left = set(QUANTITIES) - reasons(scene, single_line=True)
     assert left == {
         "models",
         "trace",

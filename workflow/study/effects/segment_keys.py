@@ -1,0 +1,202 @@
+"""Keys of the segments of [[scene.programme]] and of the table [scene.drive]."""
+
+from dataclasses import replace
+from functools import partial
+
+from ...ground import UserError
+from ..settings import (
+    NOT_ZERO,
+    NUMBER,
+    Key,
+    as_text,
+    integer,
+    number,
+    one_or_several,
+    pair,
+    positive,
+    two_numbers,
+    within,
+)
+
+MAX_MASS_OR_DAMPING = 1e12  # kg or N s/m; beyond it nothing moves
+
+
+def _not_zero(key: str, value: object) -> float:
+    checked = number(key, value)
+    if checked == 0.0:
+        raise UserError(f"{key} = {value!r}: must not be zero; use a segment hold")
+    return checked
+
+
+def _pair(key: str, value: object) -> tuple[float, float]:
+    return two_numbers(key, value, "[first, last]", number, number)
+
+
+OPTIONAL_NOT_ZERO = partial(
+    Key, _not_zero, default=None, values="a number other than 0", schema=NOT_ZERO
+)
+OPTIONAL_PAIR = partial(
+    Key, _pair, default=None, values="two numbers, `[first, last]`", schema=pair(NUMBER, NUMBER)
+)
+SLIDE = {
+    "velocity": OPTIONAL_NOT_ZERO(
+        "The velocity, backwards if negative. Give either it or `ratio`.",
+        "Doubled, x doubles, and the same distance takes half the time.",
+        "m/s",
+    ),
+    "ratio": OPTIONAL_NOT_ZERO(
+        "The velocity as a multiple of `grid.velocity`.",
+        "Doubled, the motion is twice as fast.",
+    ),
+    "distance": Key(
+        positive,
+        "The distance that the line, or the drive, moves. Give either it or `duration`.",
+        "Doubled, the march of this segment takes twice as long.",
+        "m",
+        default=None,
+    ),
+    "duration": Key(
+        positive,
+        "The duration of the segment.",
+        "Doubled, the march of this segment takes twice as long.",
+        "s",
+        default=None,
+    ),
+}
+RAMP = {
+    "velocity": OPTIONAL_PAIR(
+        "The velocities at the beginning and at the end; the velocity is linear in time between "
+        "them. Give either them or `ratio`.",
+        "Doubled, the line moves twice as far in the same time, in twice as many steps.",
+        "m/s",
+    ),
+    "ratio": OPTIONAL_PAIR(
+        "Both velocities as multiples of `grid.velocity`.",
+        "Doubled, the line moves twice as far in the same time.",
+    ),
+    "duration": Key(
+        positive,
+        "The duration of the ramp.",
+        "Doubled, the velocity changes half as quickly.",
+        "s",
+    ),
+}
+OSCILLATE = {
+    "velocity": Key(
+        number,
+        "The mean velocity, on which the oscillation is superposed. Give either it or `ratio`.",
+        "Doubled, the mean motion is twice as fast.",
+        "m/s",
+        default=None,
+        usual="0 without `ratio`",
+    ),
+    "ratio": Key(
+        number,
+        "The mean velocity as a multiple of `grid.velocity`.",
+        "Doubled, the mean motion is twice as fast.",
+        default=None,
+    ),
+    "amplitude": Key(
+        positive,
+        "The amplitude of the sinusoidal displacement. Give either it or `velocity_amplitude`.",
+        "Doubled, a loop of small amplitude dissipates four times the work.",
+        "m",
+        default=None,
+    ),
+    "velocity_amplitude": Key(
+        partial(one_or_several, positive),
+        "The amplitude of the velocity, 2π `frequency` times that of the displacement. A list "
+        "makes it a dimension of the result.",
+        "Doubled, a loop of small amplitude dissipates four times the work.",
+        "m/s",
+        default=None,
+    ),
+    "frequency": Key(
+        partial(one_or_several, positive),
+        "The frequency of the oscillation. A list makes it a dimension of the result.",
+        "Doubled, the response is that of the material at twice the frequency.",
+        "Hz",
+    ),
+    "cycles": Key(
+        partial(integer, least=1),
+        "The number of cycles. The loop is that of the last cycle; the mean is taken over the "
+        "second half of the cycles.",
+        "Doubled, the march takes twice as long, and the initial state has less influence.",
+    ),
+}
+HOLD = {
+    "duration": Key(
+        partial(one_or_several, positive),
+        "The duration of rest. A list or range makes one programme for each value and the "
+        "dimension `hold` of the result; at most one hold of a programme may have one.",
+        "Doubled, the contact ages twice as long, at the cost of a few steps, which grow with the "
+        "age.",
+        "s",
+    ),
+}
+FILE = {  # its value is text, not a table
+    "file": Key(
+        as_text,
+        "A text file with columns time (s, increasing) and velocity (m/s), or in the units and "
+        "the order of its header. The velocity is linear between the rows, and the first row is at "
+        't = 0. From Python, `{"time": …, "velocity": …}` with two arrays may be given instead.',
+        values="the name of a file with 2 to 100000 rows",
+        usual="none",
+    ),
+}
+
+PULL = {
+    "velocity": Key(
+        number,
+        "The velocity of the drive, backwards if negative; 0 holds it. Give one of it, `ratio` and "
+        "`file`.",
+        "Doubled, the drive and on average the line move twice as fast.",
+        "m/s",
+        default=None,
+    ),
+    "ratio": SLIDE["ratio"],
+    "file": replace(FILE["file"], default=None),
+    "distance": SLIDE["distance"],
+    "duration": replace(
+        SLIDE["duration"],
+        check=partial(one_or_several, positive),
+        means="The duration of the segment. At velocity 0, a list or range makes one programme for "
+        "each value and the dimension `hold` of the result.",
+        doubled="Doubled, the march of this segment takes twice as long; at velocity 0 the contact "
+        "ages twice as long.",
+    ),
+}
+
+DRIVE = {
+    "stiffness": Key(
+        partial(one_or_several, positive),
+        "The stiffness k of the spring between the drive and the line. A list makes it a "
+        "dimension of the result.",
+        "Doubled, the line follows the drive more closely. If friction falls with the velocity, "
+        "there is stick-slip below a critical stiffness.",
+        "N/m",
+    ),
+    "mass": Key(
+        partial(within, least=0.0, most=MAX_MASS_OR_DAMPING),
+        "The mass of the slider.",
+        "Doubled, the slider accelerates and stops more slowly.",
+        "kg",
+        default=0.0,
+    ),
+    "damping": Key(
+        partial(within, least=0.0, most=MAX_MASS_OR_DAMPING),
+        "The constant c of a damper parallel to the spring, with the force c (dY/dt − dX/dt).",
+        "Doubled, the damper resists the motion relative to the drive twice as strongly.",
+        "N s/m",
+        default=0.0,
+    ),
+}
+
+SEGMENTS = {  # kind -> keys
+    "slide": SLIDE,
+    "hold": HOLD,
+    "ramp": RAMP,
+    "oscillate": OSCILLATE,
+    "pull": PULL,
+    "file": FILE,
+}
