@@ -46,7 +46,7 @@ def test_every_key_and_quantity_has_an_entry(written):
 
 def test_an_entry_states_values_unit_and_default(written):
     assert (
-        "\n*A number from 1 to 100. Default: 4; 6 where `accuracy` is below 1 %.*"
+        "\n*A number from 1 to 100. Default: 4; 6 if `accuracy` is below 1 %.*"
         in written["keys.md"]
     )
     assert "\n*A number above 0, in Pa. Required.*" in written["keys.md"]

@@ -1,4 +1,4 @@
-"""Every mistake in a study is answered with one line: the key, its value, what would be right."""
+"""Refusals of a study: one line each with key, value and remedy."""
 
 import pytest
 
@@ -19,17 +19,17 @@ def test_the_nearest_spacing_proposed_is_accepted():
 @pytest.mark.parametrize(
     ("scales", "answer"),
     [
-        ("", "--scale wide: the study knows none"),
+        ("", "--scale wide: must be a scale of the study: none"),
         ("scales.wide = 3", "scales.wide = 3: must be a table"),
         ("scales = 3", "scales = 3: must be a table"),
     ],
 )
-def test_a_scale_that_is_none(scales, answer):
+def test_an_unknown_scale_is_refused(scales, answer):
     assert complaint(text=f"{scales}\n{TEXT.partition('[scales')[0]}", scale="wide") == answer
 
 
 def test_unknown_name_lists_the_known_studies():
-    with pytest.raises(UserError, match=r"^study 'fig77': not among .*fig7"):
+    with pytest.raises(UserError, match=r"^study 'fig77': must be one of .*fig7"):
         find_study("fig77")
 
 
@@ -41,17 +41,19 @@ def test_a_missing_file_is_named_and_a_folder_is_no_study(tmp_path):
 
 
 @pytest.mark.parametrize("content", [b"\xff\xfe[study]", b"a = 1\na = 2", b"\x00"])
-def test_what_is_not_toml_is_named(tmp_path, content):
+def test_a_file_that_is_not_toml_is_named(tmp_path, content):
     path = tmp_path / "bad.toml"
     path.write_bytes(content)
     with pytest.raises(UserError, match=r"bad\.toml: cannot be read as TOML.*\Z"):
         read_study(str(path))
 
 
-def test_a_list_without_brackets_is_shown_one(tmp_path):
+def test_a_list_without_brackets_gets_a_hint(tmp_path):
     path = tmp_path / "bad.toml"
     path.write_text("[grid]\nhurst = 0.3, 0.5\n")
-    with pytest.raises(UserError, match=r"cannot be read as TOML: .*; a list is \[0\.3, 0\.5\]$"):
+    with pytest.raises(
+        UserError, match=r"cannot be read as TOML: .*; write a list as \[0\.3, 0\.5\]$"
+    ):
         read_study(str(path))
 
 
@@ -74,9 +76,9 @@ def test_no_key_takes_a_date(key):
 
 @pytest.mark.parametrize("table", KNOWN)
 def test_a_typo_in_a_key_is_answered_with_the_known_ones(table):
-    said = complaint(f"{table}.hurts=1")
+    message = complaint(f"{table}.hurts=1")
     end = "; did you mean hurst?" if "hurst" in KNOWN[table] else ""
-    assert said == f"{table}.hurts: unknown key; known are {', '.join(KNOWN[table])}{end}"
+    assert message == f"{table}.hurts: unknown key; known are {', '.join(KNOWN[table])}{end}"
 
 
 SEVERAL = """
@@ -101,10 +103,10 @@ scheme = "euler"
 """
 
 
-def test_everything_is_said_at_once_in_the_order_of_the_file():
+def test_all_errors_are_reported_together_in_the_order_of_the_file():
     with pytest.raises(UserErrors) as caught:
         small_study(text=SEVERAL)
-    said = [str(error) for error in caught.value.errors]
+    messages = [str(error) for error in caught.value.errors]
     beginnings = [
         "study.sead: unknown key",
         "material.shear_modulus = -10000000.0: must be greater than zero",
@@ -113,16 +115,16 @@ def test_everything_is_said_at_once_in_the_order_of_the_file():
         "scales.wide.numerics.sceme: unknown key",
         "scales.tall.gird: unknown key",
     ]
-    assert len(said) == len(beginnings)
-    for line, beginning in zip(said, beginnings, strict=True):
+    assert len(messages) == len(beginnings)
+    for line, beginning in zip(messages, beginnings, strict=True):
         assert line.startswith(beginning)
-    assert str(caught.value).splitlines() == said
+    assert str(caught.value).splitlines() == messages
     assert [error.place.rpartition(" ")[2] for error in caught.value.errors] == [
         *("3)", "7)", "19)", "10)", "13)", "16)")
     ]
 
 
-def test_all_missing_keys_of_a_table_are_said_at_once():
+def test_all_missing_keys_of_a_table_are_reported_together():
     lacking = TEXT.replace("hurst = [0.3, 0.7]\n", "").replace("roughness = 1e-5\n", "")
     with pytest.raises(UserErrors) as caught:
         small_study(text=lacking)
@@ -132,8 +134,8 @@ def test_all_missing_keys_of_a_table_are_said_at_once():
     ]
 
 
-def test_what_values_come_to_together_is_left_to_the_scale_that_is_asked_for():
+def test_combinations_of_values_are_checked_for_the_selected_scale_only():
     large = TEXT + "[scales.fine.grid]\nspacing = 1e-12\n"
     assert small_study(text=large).name == "small"
-    with pytest.raises(Exception, match=r"^grid.spacing = 1e-12: more than 1e\+08 elements"):
+    with pytest.raises(Exception, match=r"^grid.spacing = 1e-12: makes more than 1e\+08 elements"):
         small_study(text=large, scale="fine")

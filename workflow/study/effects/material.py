@@ -244,7 +244,7 @@ MATERIAL = {
         number,
         "The temperature of the elastomer, with `wlf`, `arrhenius` or a table of shifts.",
         "A higher temperature shortens all times: friction at v equals that at a_T v and the "
-        "reference temperature.",
+        "reference temperature. Doubling degrees Celsius has no meaning.",
         "°C",
         default=None,
         values="a number above `reference` − c2, or within the table",

@@ -92,14 +92,14 @@ class Rule(NamedTuple):
     """An invalid combination of keys of a scene, and the message about it."""
 
     is_broken: Callable[[Scene, tuple[Material, ...]], bool]  # scene, materials of all variants
-    message: str  # with fields of the scene as {scene.control}
+    message: str  # with placeholders such as {scene.control}
 
 
 RULES = (
     Rule(
         lambda scene, _: scene.repeat * len(scene.programme) > MAX_SEGMENTS,
-        "scene.repeat = {scene.repeat}: with repetitions the programme may have at most "
-        f"{MAX_SEGMENTS} segments",
+        "scene.repeat = {scene.repeat}: makes {segments} segments; must make at most "
+        f"{MAX_SEGMENTS}",
     ),
     Rule(
         lambda scene, materials: (
@@ -145,7 +145,7 @@ def _check(table: Mapping[str, Any], scene: Scene, materials: tuple[Material, ..
             )
     for rule in RULES:
         if rule.is_broken(scene, materials):
-            raise UserError(rule.message.format(scene=scene))
+            raise UserError(rule.message.format(scene=scene, segments=len(scene.segments)))
 
 
 SCENE = {

@@ -175,7 +175,7 @@ REFERENCE = Key(
     number,
     "The temperature to which the given relaxation times refer.",
     "With a reference ten degrees higher, all curves equal those at a temperature ten degrees "
-    "lower.",
+    "lower. Doubling degrees Celsius has no meaning.",
     "°C",
 )
 WLF = {
