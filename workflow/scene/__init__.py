@@ -1,6 +1,6 @@
-"""A scene from Python: one point of the grid, computed in the calling process.
+"""Scenes from Python: one point of the grid, computed in the calling process.
 
-``run`` takes what a study says as arguments; no dask, no files, no store.
+``run`` takes the keys of a study as arguments, and uses no cluster, files or store.
 """
 
 from typing import TYPE_CHECKING

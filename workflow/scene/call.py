@@ -30,38 +30,37 @@ from ..study import (
 from ..system import import_dask, report_compilation
 
 NAME = "scene"
-OF_GRID = ("hurst", "roughness", "spacing")  # keys of random lines that a study has in [grid]
-USUAL = ("steady", "trace")
-SAMPLES = 200  # of a trace
-PRESSING = ("normal_force", "normal_pressure", "prescribed_indentation")
-FIELDS = {name: f"state_{name}" for name in SavedState._fields}
-MARK = "scene"  # attribute that tells of which line and material a state is
+GRID_KEYS = ("hurst", "roughness", "spacing")  # keys of surface that belong to [grid]
+DEFAULT_QUANTITIES = ("steady", "trace")
+TRACE_SAMPLES = 200
+LOAD_KEYS = ("normal_force", "normal_pressure", "prescribed_indentation")
+STATE_VARIABLES = {name: f"state_{name}" for name in SavedState._fields}
+ORIGIN_ATTRIBUTE = "scene"  # attribute that identifies line and material of a state
 
 
 def toml_value(name: str, value: Any) -> Any:
-    """Return a value as TOML gives it: arrays and tuples as lists, numbers of numpy as numbers.
+    """Convert arrays and tuples to lists, and numpy scalars to numbers, as in TOML.
 
-    An array without dimensions is a number. Raises UserError, naming the argument, for a mask that
-    hides something, for times in units of numpy, and for what lies within itself.
+    Raises UserError, naming the argument, for masked values, numpy dates and recursive structures.
     """
     if np.ma.is_masked(value):
-        raise UserError(f"{name}: holds values that are masked; fill or leave them out first")
+        raise UserError(f"{name}: holds masked values; fill or remove them")
     try:
         if isinstance(value, Mapping):
-            return {str(key): toml_value(name, each) for key, each in value.items()}
+            return {str(key): toml_value(name, item) for key, item in value.items()}
         if isinstance(value, np.ndarray | np.generic | xr.DataArray):
             if value.dtype.kind in "mM":
                 raise UserError(f"{name}: holds dates or timedelta64; give times as numbers in s")
             return np.asarray(value).tolist()
         if isinstance(value, list | tuple):
-            return [toml_value(name, each) for each in value]
+            return [toml_value(name, item) for item in value]
     except RecursionError:
-        raise UserError(f"{name}: holds values within values without end") from None
+        raise UserError(f"{name}: holds itself; remove the recursion") from None
     return value
 
 
 def table(name: str, value: Any) -> dict[str, Any]:
-    """Return an argument that is a table, a copy. Raises UserError for anything else."""
+    """Return a copy of an argument that is a table. Raises UserError for another type."""
     if not isinstance(value, Mapping):
         raise UserError(f"{name} = {value!r:.60}: must be a dictionary, with the keys of [{name}]")
     return toml_value(name, value)
@@ -69,13 +68,13 @@ def table(name: str, value: Any) -> dict[str, Any]:
 
 def study_of(arguments: Mapping[str, Any]) -> Study:
     """Return the study of one point that the arguments of ``run`` describe. Raises UserError."""
-    numerics = {"samples": SAMPLES}
+    numerics = {"samples": TRACE_SAMPLES}
     grid: dict[str, Any] = {}
     tables: dict[str, Any] = {"material": table("material", arguments["material"]), "grid": grid}
     profile = _profile(arguments)
     if profile is None:
         surface = table("surface", arguments["surface"])
-        grid |= {key: surface.pop(key) for key in OF_GRID if key in surface}
+        grid |= {key: surface.pop(key) for key in GRID_KEYS if key in surface}
         tables["surface"] = surface
     if arguments["numerics"] is not None:
         given = table("numerics", arguments["numerics"])
@@ -90,16 +89,18 @@ def study_of(arguments: Mapping[str, Any]) -> Study:
 
 
 def _profile(arguments: Mapping[str, Any]) -> Profile | None:
-    """Return the profile that is given, or None where lines are random. Raises UserError."""
+    """Return the given profile, or None for random lines. Raises UserError."""
     profile, length = arguments["profile"], arguments["length"]
     if (profile is None) == (arguments["surface"] is None):
         raise UserError("profile: give either profile and length, or surface")
     if profile is None:
         if length is not None:
-            raise UserError(f"length = {length!r}: belongs to a profile; give surface.length")
+            raise UserError(
+                f"length = {length!r}: belongs to a profile; give surface.length instead"
+            )
         return None
     if length is None:
-        raise UserError("length: missing; it is that of the profile, one period, in m")
+        raise UserError("length: missing; give the period of the profile in m")
     given = (
         map_of_array if toml_value("body", arguments["body"]) == HALF_SPACE else profile_of_array
     )
@@ -107,51 +108,51 @@ def _profile(arguments: Mapping[str, Any]) -> Profile | None:
 
 
 def _scene(arguments: Mapping[str, Any], grid: dict[str, Any]) -> dict[str, Any]:
-    """Return the table [scene]; what presses line and elastomer together goes into the grid."""
-    given = {key: arguments[key] for key in PRESSING if arguments[key] is not None}
-    pressing = {key: toml_value(key, value) for key, value in given.items()}
-    if len(pressing) != 1:
-        raise UserError(f"normal_force: give one of {', '.join(PRESSING)}")
-    depth = pressing.get("prescribed_indentation")
+    """Return the table [scene]; add the load or the indentation to the grid."""
+    given = {key: arguments[key] for key in LOAD_KEYS if arguments[key] is not None}
+    load = {key: toml_value(key, value) for key, value in given.items()}
+    if len(load) != 1:
+        raise UserError(f"normal_force: give one of {', '.join(LOAD_KEYS)}")
+    depth = load.get("prescribed_indentation")
     names = ("quantities", "start", "repeat", "programme", "body")
-    found = {name: toml_value(name, arguments[name]) for name in names}
+    scene = {name: toml_value(name, arguments[name]) for name in names}
     if arguments["drive"] is not None:
-        found["drive"] = table("drive", arguments["drive"])
-    if depth is not None and found["quantities"] == list(USUAL):
-        found["quantities"] = ["trace"]  # there is no steady sliding under a given force
+        scene["drive"] = table("drive", arguments["drive"])
+    if depth is not None and scene["quantities"] == list(DEFAULT_QUANTITIES):
+        scene["quantities"] = ["trace"]  # steady sliding needs a given force
     if depth is not None:
-        found["control"] = "indentation"
+        scene["control"] = "indentation"
     if isinstance(depth, str):
-        found["indentation_file"] = depth
+        scene["indentation_file"] = depth
     else:
-        grid |= pressing
-    return found
+        grid |= load
+    return scene
 
 
 def line_and_material(study: Study) -> str:
-    """Return what two scenes must share for one to go on where the other ended."""
+    """Return the identity of line, material and steps, which a continued scene must share."""
     tables = json.loads(study.text)
-    kept = {name: tables.get(name) for name in ("material", "surface")}
-    grid = {key: value for key, value in tables.get("grid", {}).items() if key in OF_GRID}
+    shared = {name: tables.get(name) for name in ("material", "surface")}
+    grid = {key: value for key, value in tables.get("grid", {}).items() if key in GRID_KEYS}
     profile = study.surface.profile.digest if study.surface.profile else ""
     numerics = study.variants[""]
     steps = numerics.scheme, numerics.steps_per_spacing
-    return json.dumps([kept, grid, profile, study.seed, steps], sort_keys=True)
+    return json.dumps([shared, grid, profile, study.seed, steps], sort_keys=True)
 
 
 def saved_state(state: xr.Dataset, study: Study) -> SavedState:
-    """Return the state that a dataset holds. Raises UserError for one of another scene."""
+    """Return the state stored in a dataset. Raises UserError if the scene cannot continue it."""
     if not isinstance(state, xr.Dataset):
         raise UserError(f'state = {state!r:.60}: must be a dataset of the quantity "state"')
-    missing = [name for name in FIELDS.values() if name not in state]
+    missing = [name for name in STATE_VARIABLES.values() if name not in state]
     if missing:
         raise UserError(
-            f'state: holds no {missing[0]}; ask for the quantity "state" in the run before'
+            f'state: {missing[0]} is missing; request the quantity "state" in the previous run'
         )
-    if state.attrs.get(MARK) != line_and_material(study):
+    if state.attrs.get(ORIGIN_ATTRIBUTE) != line_and_material(study):
         raise UserError(
-            "state: belongs to another line, material, seed, scheme or steps per spacing; go on "
-            "with those of the run before"
+            "state: belongs to another line, material, seed, scheme or steps per spacing; continue "
+            "with those of the previous run"
         )
     if study.realizations != 1:
         raise UserError(
@@ -160,7 +161,9 @@ def saved_state(state: xr.Dataset, study: Study) -> SavedState:
     numerics = study.variants[""]
     units = memory_size(form_of(study.material.spectrum(), numerics.scheme))
     memory = np.ascontiguousarray(state["state_memory"].values[:units])
-    numbers = {name: float(state[FIELDS[name]]) for name in ("d", "position", "time", "speed")}
+    numbers = {
+        name: float(state[STATE_VARIABLES[name]]) for name in ("d", "position", "time", "speed")
+    }
     return SavedState(memory=memory, p=np.ascontiguousarray(state["state_p"].values), **numbers)
 
 
@@ -169,11 +172,11 @@ IN_TAU = ("time", "fit_window")
 
 
 def compute(study: Study, resumed: SavedState | None = None) -> xr.Dataset:
-    """Return the dataset of a study of one point, without dimensions of the grid, times in s.
+    """Compute the dataset of a study of one point, without grid dimensions, times in s.
 
-    resumed : where the programme goes on, on one line; by default it starts as the study says.
-    A line on the standard error output says so where kernels are compiled, once on a machine.
-    Raises UserError where the plan is refused, ValueError as the kernels do.
+    resumed : state of a single line from which the programme continues; by default the initial
+    state of the study. A note on the standard error stream announces the compilation of kernels.
+    Raises UserError for a refused plan, ValueError as the kernels do.
     """
     plan = make_plan(study, origin=resumed.origin if resumed else ZERO_ORIGIN)
     (variant,) = plan.variants
@@ -192,13 +195,13 @@ def _estimates(plan: Plan, variant: Variant, resumed: SavedState | None) -> Esti
     scalars, values = None, np.full((len(tasks), study.blocks, width), np.nan)
     whole = cut(plan, missing_work(plan, ()), np.inf)
     for batch in make_batches(plan, whole, 1e9):
-        found = block_means(replace(batch, resumed=resumed))
+        means = block_means(replace(batch, resumed=resumed))
         if scalars is None:
-            scalars = np.full((*values.shape[:2], found.scalars.shape[2]), np.nan)
+            scalars = np.full((*values.shape[:2], means.scalars.shape[2]), np.nan)
         at = [rows[task.key] for task in batch.tasks]
         blocks = slice(batch.first_block, batch.first_block + batch.blocks)
-        scalars[at, blocks] = found.scalars
-        values[at, blocks, : found.curves.shape[2]] = found.curves
+        scalars[at, blocks] = means.scalars
+        values[at, blocks, : means.curves.shape[2]] = means.curves
     assert scalars is not None
     estimates = reduce_blocks(blocks_of(plan, variant, tasks, scalars, values))
     counts = np.full(len(tasks), study.realizations, np.int32)
@@ -207,19 +210,19 @@ def _estimates(plan: Plan, variant: Variant, resumed: SavedState | None) -> Esti
 
 
 def _in_seconds(dataset: xr.Dataset, study: Study) -> xr.Dataset:
-    """Return the dataset with times in s and rates in 1/s, and without coordinates that are NaN."""
-    tau, found = study.material.tau, {}
+    """Return the dataset with times in s and rates in 1/s, without coordinates that are NaN."""
+    tau, converted = study.material.tau, {}
     for name in (*dataset.data_vars, *dataset.coords.keys() & {*IN_TAU}):
         variable = dataset[name]
         plain = str(name).removesuffix("_error")
         if plain in IN_TAU or plain in PER_TAU:
             scale, unit = (tau, "s") if plain in IN_TAU else (1.0 / tau, "s-1")
-            told = {**variable.attrs, "units": unit}
-            told["long_name"] = told["long_name"].replace(", (t - t0)/tau", "")
-            told["long_name"] = told["long_name"].replace(", per tau", "").replace(" in tau", "")
-            found[name] = (variable * scale).assign_attrs(told)
-    known = [name for name, axis in dataset.coords.items() if axis.ndim == 0 and np.isnan(axis)]
-    return dataset.assign(found).drop_vars(known)
+            long_name = variable.attrs["long_name"].replace(", (t - t0)/tau", "")
+            long_name = long_name.replace(", per tau", "").replace(" in tau", "")
+            attributes = {**variable.attrs, "units": unit, "long_name": long_name}
+            converted[name] = (variable * scale).assign_attrs(attributes)
+    undefined = [name for name, axis in dataset.coords.items() if axis.ndim == 0 and np.isnan(axis)]
+    return dataset.assign(converted).drop_vars(undefined)
 
 
 def run(
@@ -236,7 +239,7 @@ def run(
     body: str = FOUNDATION,
     start: str = "steady",
     repeat: int = 1,
-    quantities: Sequence[str] = USUAL,
+    quantities: Sequence[str] = DEFAULT_QUANTITIES,
     numerics: Mapping[str, Any] | None = None,
     realizations: int = 1,
     seed: int = 0,
@@ -244,29 +247,29 @@ def run(
 ) -> xr.Dataset:
     """Take a rigid line through a programme of motion over an elastomer; all in SI units.
 
-    profile : heights in m, shape (n,) or (lines, n): one period as it is given, marched in as
-        many steps per sample as a study takes of a measured line. On a half-space a map (n, n), the
-        last axis along x, or (n,) of a line contact. length : of that period, m.
-    surface : in place of a profile, random lines: the keys of the table [surface], and hurst,
+    profile : heights in m of one period, shape (n,) or (lines, n), used without preparation. On a
+        half-space a map (n, n), the last axis along x, or (n,) for a line contact. length : of that
+        period, m.
+    surface : random lines in place of a profile: the keys of the table [surface], and hurst,
         roughness and spacing as in [grid].
     material : the keys of [material]. numerics : those of [numerics].
     normal_force : N, or normal_pressure : Pa, or prescribed_indentation : m over the mean line, or
         the name of a file of times in s and indentations in m.
-    drive : the keys of [scene.drive], where the segments of the programme are pulls.
+    drive : the keys of [scene.drive], for a programme of segments pull.
     body : "foundation" or "half-space", as in [scene].
-    programme : segments, each as in [[scene.programme]], or {"time": s, "velocity": m/s} with two
-        arrays; start, repeat and quantities : as in [scene].
+    programme : list of segments, each as in [[scene.programme]] or {"time": s, "velocity": m/s}
+        with two arrays; start, repeat and quantities : as in [scene].
     realizations : lines; with several, every mean has its standard error. seed : of random lines.
-    state : a dataset of the quantity "state", from which the programme goes on to the bit.
+    state : a dataset with the quantity "state", from which the programme continues exactly.
 
     Returns the variables of a result file (docs/scenes.md) without dimensions of the grid, times
-    in s, with its provenance. Raises UserError, one line, for what a study would be refused for.
+    in s, with its provenance. Raises UserError, one line, for input that a study would refuse.
     """
     arguments = dict(locals())
     import_dask()
     study = study_of(arguments)
     resumed = None if state is None else saved_state(state, study)
     dataset = compute(study, resumed)
-    if "state_memory" in dataset:  # it says to which scenes its state belongs
-        dataset.attrs[MARK] = line_and_material(study)
+    if "state_memory" in dataset:
+        dataset.attrs[ORIGIN_ATTRIBUTE] = line_and_material(study)
     return dataset

@@ -1,6 +1,6 @@
-"""Tell the sweeps of a table apart by their temperatures.
+"""Separate the sweeps of a table by temperature.
 
-They are given, one for each sweep in order, or stand in a column, or in the lines above each block.
+Temperatures are given in the order of the sweeps, or read from a column or above each block.
 """
 
 import re
@@ -13,21 +13,21 @@ from ..ground import UserError
 from ..text_tables import ZERO, Column, ColumnSpec, TextTable, find_column, select_columns, unit_of
 
 TEMPERATURE = ColumnSpec("a temperature", "temperature", r"temp(?!(o|s|us)([\W_]|$))|^T[s]?$", "°C")
-OF_TEMPERATURE = re.compile(
+TEMPERATURE_TEXT = re.compile(
     r"([-+]?\d+(?:[.,]\d+)?)\s*([°º]\s?[CF]|[CK]\b|deg\.?\s?C|celsius)", re.I
 )
-APART = 2.0  # K, of one sweep
-BETWEEN = 1.0  # K, at least, between two
+MAX_SWEEP_SPREAD = 2.0  # K, within one sweep
+MIN_SWEEP_GAP = 1.0  # K, between two sweeps
 
 
 def temperatures_of(
     table: TextTable, omega: np.ndarray, given: Sequence[float]
 ) -> tuple[np.ndarray | None, list[str]]:
-    """Return the temperature of the sweep of each row, °C, and whose it is in words; None for one.
+    """Return the sweep temperature of each row, °C, and its source; None for a single sweep.
 
     omega : frequency of each row, shape (rows,). given : temperatures in the order of the sweeps,
-    which go before what the file says. Raises UserError where they are another number, or where
-    temperatures of the file are those of no sweeps.
+    which replace those of the file. Raises UserError if their number is not that of the sweeps, or
+    if the temperatures of the file do not form sweeps.
     """
     blocks = table.blocks
     if given:
@@ -35,19 +35,22 @@ def temperatures_of(
         if len(sweeps) != len(given):
             raise UserError(
                 f"--temperatures: {len(given)} are given, but {table.name!r} holds {len(sweeps)} "
-                "sweeps: blocks, or runs of frequencies from one end to the other"
+                "sweeps (blocks or monotonic runs of frequencies); give one for each"
             )
-        each, said = _over_rows(given, sweeps), f"{len(sweeps)} sweeps at the given temperatures"
+        per_row, source = (
+            _over_rows(given, sweeps),
+            f"{len(sweeps)} sweeps at the given temperatures",
+        )
     elif (named := _temperature_column(table)) is not None:
-        each, said = _grouped(table, named), f"temperatures: column {named.number}"
+        per_row, source = _grouped(table, named), f"temperatures: column {named.number}"
     else:
         headed = [_temperature_in(table.block_header(n)) for n in range(len(blocks))]
         if len(blocks) < 2 or None in headed:
             return None, []
-        each = _over_rows([t for t in headed if t is not None], blocks)
-        said = "temperatures: as above each block"
-    several = len(set(given)) > 1 or np.nanmax(each) - np.nanmin(each) > APART
-    return (each, [said]) if several else (None, [])
+        per_row = _over_rows([t for t in headed if t is not None], blocks)
+        source = "temperatures: as above each block"
+    several = len(set(given)) > 1 or np.nanmax(per_row) - np.nanmin(per_row) > MAX_SWEEP_SPREAD
+    return (per_row, [source]) if several else (None, [])
 
 
 def _over_rows(temperatures: Sequence[float], sweeps: Sequence[slice]) -> np.ndarray:
@@ -55,7 +58,7 @@ def _over_rows(temperatures: Sequence[float], sweeps: Sequence[slice]) -> np.nda
 
 
 def _runs(omega: np.ndarray) -> tuple[slice, ...]:
-    """Return the runs in which frequencies rise, or fall, as those of the first run do."""
+    """Return the runs of frequencies that change in the direction of the first run."""
     change = np.nan_to_num(np.diff(omega))
     moving = change[change != 0.0]
     back = change * np.sign(moving[0]) < 0.0 if moving.size else change < 0.0
@@ -64,39 +67,39 @@ def _runs(omega: np.ndarray) -> tuple[slice, ...]:
 
 
 def _temperature_column(table: TextTable) -> Column | None:
-    """Return the column of temperatures by its name, or by its unit; None where there is none."""
+    """Return the column of temperatures, means by name or unit, or None."""
     named = find_column(table, TEMPERATURE, "--temperatures")
     if named is not None:
         return named
     units = {n: unit_of(table.title(n).unit) for n in table.numeric}
-    own = [n for n, unit in units.items() if unit and unit.family == TEMPERATURE.family]
-    return select_columns(table, (TEMPERATURE,), own)[0] if len(own) == 1 else None
+    columns = [n for n, unit in units.items() if unit and unit.family == TEMPERATURE.family]
+    return select_columns(table, (TEMPERATURE,), columns)[0] if len(columns) == 1 else None
 
 
 def _grouped(table: TextTable, named: Column) -> np.ndarray:
-    """Return the mean temperature of the sweep of each row, °C, NaN where it is missing."""
+    """Return the mean sweep temperature of each row, °C, NaN if it is missing."""
     values = named.values - ZERO
     order = np.argsort(values)
-    new = np.append(True, np.diff(values[order]) > BETWEEN)
-    own = np.empty(values.size, int)
-    own[order] = np.cumsum(new) - 1
-    found = np.full(values.size, np.nan)
-    for sweep in np.unique(own[np.isfinite(values)]):
-        there = (own == sweep) & np.isfinite(values)
+    new = np.append(True, np.diff(values[order]) > MIN_SWEEP_GAP)
+    sweep_index = np.empty(values.size, int)
+    sweep_index[order] = np.cumsum(new) - 1
+    means = np.full(values.size, np.nan)
+    for sweep in np.unique(sweep_index[np.isfinite(values)]):
+        there = (sweep_index == sweep) & np.isfinite(values)
         low, high = values[there].min(), values[there].max()
-        if high - low > APART:
+        if high - low > MAX_SWEEP_SPREAD:
             raise UserError(
                 f"prony {table.name}: temperatures from {low:g} to {high:g} °C in column "
-                f"{named.number} run into one another: a ramp is no sweep; give --temperatures, "
+                f"{named.number} are not separate sweeps but a ramp; give --temperatures, "
                 "one for each sweep in order"
             )
-        found[there] = round(float(values[there].mean()), 2)
-    return found
+        means[there] = round(float(values[there].mean()), 2)
+    return means
 
 
 def _temperature_in(lines: Sequence[str]) -> float | None:
-    """Return the temperature that lines above a block state, °C; None where they state none."""
-    for number, text in OF_TEMPERATURE.findall("\n".join(lines))[::-1]:
+    """Return the temperature stated above a block, °C, or None."""
+    for number, text in TEMPERATURE_TEXT.findall("\n".join(lines))[::-1]:
         unit = unit_of(text)
         if unit is not None and unit.family == TEMPERATURE.family:
             return float(unit.si(np.array(float(number.replace(",", "."))))) - ZERO
