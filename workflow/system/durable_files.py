@@ -110,7 +110,9 @@ def check_place(path: Path) -> None:
     """Raise UserError if a file could not be written later: try with a temporary file now."""
     with refused(path, "cannot be written:"):
         if path.is_symlink() or (path.exists() and not path.is_file()):
-            raise OSError(errno.EINVAL, f"it is {'a link' if path.is_symlink() else 'no file'}")
+            raise OSError(
+                errno.EINVAL, f"it is {'a link' if path.is_symlink() else 'not a regular file'}"
+            )
         probe = path.with_name(f".{path.name}.{os.getpid()}.tmp")
         try:
             probe.touch(exist_ok=False)

@@ -160,7 +160,7 @@ def test_every_quantity_is_named_once_with_its_reason():
     assert set(QUANTITIES) <= set(simulated) | set(absent)
     assert {"steady", "jump", "relaxation"} <= set(simulated)
     assert absent["models"] == "it is not asked for"
-    assert absent["trace"] == "there is no [[scene.programme]]"
+    assert absent["trace"] == "needs a [[scene.programme]]"
     assert absent["state"].startswith("is there for a single line alone")
     assert absent["programme"] == "there is no [[scene.programme]]; v1 steps to v2"
     assert absent["rolloff"] == "surface.rolloff is not given"
@@ -197,7 +197,7 @@ def test_programme_and_control():
     assert simulated["programme from steady"] == "slide, hold, slide"
     assert "constant normal force" in simulated
     assert absent["prescribed indentation"] == 'scene.control is "force"'
-    assert absent["loop"] == "the programme has no oscillation"
+    assert absent["loop"] == "needs a segment oscillate in the programme"
     assert absent["healing"] == "it is not asked for"
     indentation = SCENE.replace("normal_force = [0.04, 0.4]", "prescribed_indentation = 1e-5", 1)
     indentation = indentation.partition("[scales")[0] + PROGRAMME

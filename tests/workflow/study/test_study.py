@@ -119,7 +119,7 @@ def test_a_scene_is_a_study_of_one_point():
     assert (scene.realizations, scene.blocks) == (1, 1)
     assert set(scene.shape) == {1}
     tables["grid"]["hurst"] = [0.3, 0.7]
-    with pytest.raises(UserError, match=r"^grid\.hurst = \[0\.3, 0\.7\]: a scene has one value"):
+    with pytest.raises(UserError, match=r"^grid\.hurst = \[0\.3, 0\.7\]: must be one value"):
         read_grid_study("scene", Path(), tables, one_point=True)
 
 
