@@ -216,7 +216,11 @@ def test_a_column_of_one_temperature_is_one_sweep(tmp_path):
     [
         (f"{HEADER}\n{COLD}{WARM}", (), "several moduli, |G*| from 1e+06 to 2.06e+06 Pa, as at"),
         (f"{HEADER}\n{COLD}{WARM}", (5, 20, 40), "3 are given, but"),
-        (f"T (°C), {HEADER}\n{with_column(5, 6, 7, 8, 9, 10)}", (), "a ramp is no sweep; give"),
+        (
+            f"T (°C), {HEADER}\n{with_column(5, 6, 7, 8, 9, 10)}",
+            (),
+            "not separate sweeps but a ramp; give",
+        ),
         (
             f"Temp. set (°C), Temp. (°C), {HEADER}\n" + "1, 2, 3, 4, 5\n" * 4,
             (),
