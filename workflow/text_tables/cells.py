@@ -95,7 +95,7 @@ def _plain_row(delimiter: str | None, width: int) -> re.Pattern[str]:
     """Return the pattern of a row of so many numbers with points; of nothing for none."""
     if not width:
         return re.compile(r"(?!)")
-    number = r"[+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?"
+    number = r"[+-]?(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][+-]?\d+)?"
     gap, blank = (r"\s+", r"\s*") if delimiter is None else (rf" *{re.escape(delimiter)} *", " *")
     return re.compile(rf"{blank}{number}(?:{gap}{number}){{{width - 1}}}{blank}")
 

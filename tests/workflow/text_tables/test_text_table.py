@@ -320,3 +320,11 @@ def test_a_stress_is_no_modulus(name):
         select_columns(table(f"t [s];{name} relaxation modulus [MPa]\n{rows}"), wanted)[1].number
         == 1
     )
+
+
+def test_a_row_of_many_whole_numbers_with_a_missing_one_is_read_at_once():
+    """Backtracking took a time that grew as 5 to the power of the number of columns."""
+    row = ["54321"] * 64
+    found = columns("\n".join(" ".join(cells) for cells in (row, [*row[:63], "NaN"], row)))
+    assert math.isnan(found[63][1])
+    assert [column[1] for column in found[:63]] == [54321.0] * 63
