@@ -161,7 +161,7 @@ def test_every_quantity_is_named_once_with_its_reason():
     assert {"steady", "jump", "relaxation"} <= set(simulated)
     assert absent["models"] == "it is not asked for"
     assert absent["trace"] == "needs a [[scene.programme]]"
-    assert absent["state"].startswith("is there for a single line alone")
+    assert absent["state"].startswith("needs a single line")
     assert absent["programme"] == "there is no [[scene.programme]]; v1 steps to v2"
     assert absent["rolloff"] == "surface.rolloff is not given"
 
@@ -204,7 +204,7 @@ def test_programme_and_control():
     simulated, absent = said("scene.control=indentation", text=indentation)
     assert "prescribed indentation, constant" in simulated
     assert absent["constant normal force"] == 'scene.control is "indentation"'
-    assert absent["steady"].startswith("is defined at a given normal force")
+    assert absent["steady"].startswith("needs a given normal force")
 
 
 def test_a_rolloff_is_simulated():
