@@ -83,7 +83,7 @@ def _coloured(
 def _over_cost(ax: Axes, groups: Groups) -> None:
     """Draw the error of the model over the predicted time of a realization of a point."""
     plan = make_plan(computed_study(groups[""]))
-    seconds = {v.label: float(np.mean(v.typical.sum(axis=1))) for v in plan.variants}
+    seconds = {v.label: float(np.mean(v.seconds)) for v in plan.variants}
     for half, line in PAIRS.items():
         off = np.abs(ratios(groups, half).ratio - 1.0).values
         low, middle, high = np.nanpercentile(off, [10, 50, 90])

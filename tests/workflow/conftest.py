@@ -1,6 +1,5 @@
 """One finished run of the small study, and a client of the cluster of all tests."""
 
-import json
 import shutil
 import threading
 import time
@@ -10,23 +9,10 @@ from pathlib import Path
 import pytest
 from distributed import Client
 
-from elastomer_friction.workflow.plan.cost import PARTS, machine
 from tests.support.powers import write_powers
 from tests.support.results import FIGURE
 from tests.support.runs import Run, run
 from tests.support.small import write_study
-
-
-@pytest.fixture(scope="session", autouse=True)
-def typical_machine(tmp_path_factory) -> Iterator[None]:
-    """Predict with the pace of a typical machine: nothing is measured."""
-    file = tmp_path_factory.mktemp("machine") / "pace.json"
-    measured = dict.fromkeys(PARTS, (1.0, 1.0))
-    known = {"machine": "a typical machine", "date": "2020-01-01", "measured": measured}
-    file.write_text(json.dumps(known), encoding="utf-8")
-    with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(machine, "pace_file", lambda: file)
-        yield
 
 
 @pytest.fixture

@@ -99,6 +99,12 @@ def _json_options(command: argparse.ArgumentParser) -> None:
     command.add_argument("--json", action="store_true", help=text)
 
 
+def _plan_options(command: argparse.ArgumentParser) -> None:
+    _json_options(command)
+    text = "time random batches for about so many seconds, to state what the study takes"
+    command.add_argument("--sample", type=float, metavar="SECONDS", help=text)
+
+
 def _figure_options(command: argparse.ArgumentParser) -> None:
     _result_options(command)
     text = "script that replaces the study's figure.py"
@@ -227,7 +233,7 @@ def _law_options(command: argparse.ArgumentParser) -> None:
 
 # Description of each command and the function that adds its options.
 COMMANDS: dict[str, tuple[str, Callable[[argparse.ArgumentParser], None]]] = {
-    "plan": ("say what a run would do and cost; compute nothing", _json_options),
+    "plan": ("print what a run would compute and cost, without a run", _plan_options),
     "run": ("compute what is missing and write the result file", _run_options),
     "status": ("print the finished and the missing work", _json_options),
     "figure": ("draw the figure of a finished run", _figure_options),

@@ -3,8 +3,10 @@
 import argparse
 import contextlib
 import json
+import math
 import re
 from collections.abc import Callable
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -65,7 +67,10 @@ def _study(options: argparse.Namespace) -> tuple[AnyStudy, Path]:
 def _lines(options: argparse.Namespace) -> int:
     """Print the output of the commands plan and status."""
     study, result = _study(options)
-    lines, facts = STUDY_ACTIONS[study.kind][options.command](study, result)
+    outline = STUDY_ACTIONS[study.kind][options.command]
+    if options.command == "plan":
+        outline = partial(outline, sample_seconds=_sample_seconds(options))
+    lines, facts = outline(study, result)
     settings = str(find_study(options.study).resolve())
     if options.json:
         head = {"study": study.name, "title": study.title, "result": str(result)}
@@ -73,6 +78,12 @@ def _lines(options: argparse.Namespace) -> int:
     else:
         print("\n".join(map(printable, [*lines, f"settings    {settings}"])))
     return DONE
+
+
+def _sample_seconds(options: argparse.Namespace) -> float | None:
+    if options.sample is not None and not 0.0 < options.sample < math.inf:
+        raise UserError(f"--sample {options.sample}: must be a positive number of seconds")
+    return options.sample
 
 
 def _run(options: argparse.Namespace) -> int:

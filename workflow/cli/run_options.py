@@ -8,13 +8,13 @@ import sys
 from pathlib import Path
 
 from ..ground import UserError
-from ..plan import TYPICAL, Pace, Plan, known_machine, learn, this_machine
+from ..plan import Plan, make_plan
 from ..study import Measured, Study
 from ..system import program
 from .exit_status import DONE, FAILED, RESUMABLE
-from .outline import announced_plan
 
-UNTIMED = 3.0  # s; a study that takes less at the most ends before this machine is measured
+SECONDS_PER_POINT = 1.5e-5  # of planning, for each point of each variant
+ANNOUNCED_SECONDS = 1.0  # of planning, from which it is announced
 OF_A_CLUSTER = ("scheduler", "workers", "batch_seconds")
 
 
@@ -28,12 +28,11 @@ def run_measured_study(options: argparse.Namespace, study: Measured, result: Pat
     from ..run import run_measured
 
     try:
-        done = run_measured(study, result, _pace(study.script.outline(study.settings)[1]))
+        lines = run_measured(study, result)
     except KeyboardInterrupt:
         print("interrupted; nothing was written, an earlier result is as it was", file=sys.stderr)
         return RESUMABLE
-    learn(done.spent, done.typical)
-    print(*done.lines, result, sep="\n")
+    print(*lines, result, sep="\n")
     return DONE
 
 
@@ -44,12 +43,11 @@ def run_grid(options: argparse.Namespace, study: Study, result: Path) -> int:
     os.environ.setdefault("DASK_LOGGING__DISTRIBUTED", "error")
     from ..run import RunOptions, run_plan
 
-    plan = paced_plan(study)
+    plan = announced_plan(study)
     where = options.scheduler or options.batch_system or study.cluster.where
     same = {name: own for name, own in vars(options).items() if name in RunOptions._fields}
     how = RunOptions(study.cluster._replace(where=where), **same)
     summary = run_plan(plan, result, how)
-    learn(summary.spent, summary.typical)
     print("\n".join(summary.lines(plan)))
     if summary.failures:
         print("\n".join(summary.failures), file=sys.stderr)
@@ -63,23 +61,13 @@ def run_grid(options: argparse.Namespace, study: Study, result: Path) -> int:
     return FAILED if summary.failures else DONE
 
 
-def paced_plan(study: Study) -> Plan:
-    """Return the plan at the pace of this machine, or a typical one where that hardly matters."""
-    if known := known_machine():
-        return announced_plan(study, known.pace)
-    plan = announced_plan(study, TYPICAL)
-    pace = _pace(plan.prediction().high)
-    return plan if pace is TYPICAL else announced_plan(study, pace)
-
-
-def _pace(seconds: float) -> Pace:
-    """Return the pace of this machine for a study that takes at most so long on the typical one.
-
-    A machine that is not known yet is measured for studies that take longer than measuring it.
-    """
-    if known := known_machine():
-        return known.pace
-    return TYPICAL if seconds < UNTIMED else this_machine().pace
+def announced_plan(study: Study) -> Plan:
+    """Return the plan of a study, with a message first where planning takes long."""
+    points = math.prod(study.shape) * len(study.variants)
+    seconds = SECONDS_PER_POINT * points
+    if seconds > ANNOUNCED_SECONDS:
+        print(f"Planning {points} points, about {seconds:.0f} s.", file=sys.stderr)
+    return make_plan(study)
 
 
 def resume_line(what: str) -> str:

@@ -10,6 +10,7 @@ from ..ground import public_names
 if TYPE_CHECKING:
     from .batches import (
         Missing,
+        batch_of,
         batch_target,
         cut,
         make_batches,
@@ -17,18 +18,9 @@ if TYPE_CHECKING:
         total_records,
         total_seconds,
     )
-    from .cost import (
-        TYPICAL,
-        WHOLE,
-        Pace,
-        Prediction,
-        known_machine,
-        learn,
-        prediction,
-        this_machine,
-    )
+    from .cost import COST_FACTOR
     from .error_laws import LAWS, first_order_rate_error, known, rate_error, shape_error
-    from .foreseen import expected_errors
+    from .error_prediction import PredictedErrors, predicted_errors
     from .goal import (
         BIAS,
         FIRST_ORDER,
@@ -39,7 +31,7 @@ if TYPE_CHECKING:
         most_blocks,
         steps_per_spacing,
     )
-    from .half_space import MARCHED, map_error
+    from .half_space import map_error
     from .plan import Plan, make_plan
     from .problems import line_slope, speed_ratio
     from .ratio_of_bodies import KINDS, TABLE, InTable, model_ratio, nominal_pressure, place_of

@@ -1,10 +1,10 @@
-"""Batches: what of a plan is not stored yet, cut into work of about equal length.
+"""Batches: the records of a plan that the store lacks, cut into work of about equal length.
 
-The store is asked once, record by record; what is missing is then cut to any length.
+The store is read once, record by record. The missing records can then be cut to any length.
 """
 
 from bisect import bisect_right
-from collections.abc import Container, Iterator
+from collections.abc import Callable, Container, Iterator
 from itertools import groupby
 from typing import NamedTuple
 
@@ -13,9 +13,10 @@ from .cost import drawing_seconds
 from .plan import Plan
 from .variant import Variant, samples_of, sharing
 
-BATCH_SECONDS = (1.0, 10.0)  # shortest and longest
-MANY_BATCHES = 200  # from here on batches grow: each costs the scheduler milliseconds
-TOGETHER = 6.0  # lengths of a batch, up to which tasks that share sweeps stay together
+MIN_BATCH_SECONDS, MAX_BATCH_SECONDS = 1.0, 10.0
+MANY_BATCHES = 200  # from this number on batches get longer: each costs the scheduler milliseconds
+MAX_SHARED_LENGTH = 6.0  # batch lengths up to which tasks that share sweeps stay in one batch
+RECUT_FACTOR = 2.0  # over the target, from which a piece is cut again at the measured rate
 
 
 class Missing(NamedTuple):
@@ -30,24 +31,23 @@ class Missing(NamedTuple):
 
 def batch_target(seconds: float) -> float:
     """Return the length of a batch for ``seconds`` of predicted work."""
-    shortest, longest = BATCH_SECONDS
-    return min(max(shortest, seconds / MANY_BATCHES), longest)
+    return min(max(MIN_BATCH_SECONDS, seconds / MANY_BATCHES), MAX_BATCH_SECONDS)
 
 
 def missing_work(
     plan: Plan, stored: Container[Record], blocks: dict[str, int] | None = None
 ) -> list[Missing]:
-    """Return what of a plan is not stored: every such record is in exactly one entry.
+    """Return the records of a plan that are not stored, each in exactly one entry.
 
-    stored : tells which records need not be computed, a store or a set.
+    stored : records that need no computing, a store or a set.
     blocks : number of blocks by key of the task, by default those expected.
     """
-    wanted = blocks or plan.expected
+    counts = blocks or plan.expected
     return [
         Missing(variant, tasks, first, count, block_seconds(plan, variant, tasks))
         for variant in plan.variants
         for line in variant.by_line
-        for tasks, first, count in _missing_runs(line, wanted, stored)
+        for tasks, first, count in _missing_runs(line, counts, stored)
     ]
 
 
@@ -63,52 +63,69 @@ def total_records(missing: list[Missing]) -> int:
 
 def block_seconds(plan: Plan, variant: Variant, tasks: list[Task]) -> float:
     """Return the predicted time of one block of tasks that share their lines."""
-    return plan.study.realizations_per_block * float(variant.typical_of(tasks) @ variant.factors)
+    return plan.study.realizations_per_block * variant.realization_seconds(tasks)
 
 
 def cut(plan: Plan, missing: list[Missing], target: float) -> list[Missing]:
-    """Return missing work whose blocks take about ``target`` seconds each at most.
+    """Return missing work in pieces whose blocks take about ``target`` seconds each at most.
 
-    Tasks that share sweeps stay together up to TOGETHER times as long, and a task that takes longer
-    stays whole. What takes longer than the target comes first, longest first: no worker is left
-    alone with it.
+    Tasks that share sweeps stay together up to MAX_SHARED_LENGTH times as long, and a task that
+    takes longer stays whole. Pieces longer than the target come first, the longest first, so that
+    no worker is left alone with one at the end.
     """
-    found = [piece for entry in missing for piece in _pieces(plan, entry, target)]
-    return sorted(found, key=lambda piece: -max(piece.seconds, target))
+    pieces = [piece for entry in missing for piece in _pieces(plan, entry, target)]
+    return sorted(pieces, key=lambda piece: -max(piece.seconds, target))
 
 
-def make_batches(plan: Plan, pieces: list[Missing], target: float) -> Iterator[Batch]:
-    """Yield batches of about ``target`` predicted seconds covering the pieces of ``cut``.
+def make_batches(
+    plan: Plan,
+    pieces: list[Missing],
+    target: float,
+    rate: Callable[[str], float] = lambda _: 1.0,
+) -> Iterator[Batch]:
+    """Yield batches of about ``target`` seconds that cover the pieces of ``cut``.
 
     Every missing record is in exactly one batch; results do not depend on the cut.
+
+    rate : measured over predicted time of the work of a variant, by its label. It is called for
+        each piece when its batches are made, so that finished batches correct those to come.
     """
-    each = plan.study.realizations_per_block
     for piece in pieces:
-        surface = piece.variant.lines
-        heights, modes = None, surface.amplitudes  # in h, of measured lines and of lines like them
-        if surface.profile is not None and modes is None:
-            heights = surface.profile.heights / surface.profile.roughness
-        elif surface.profile is not None and modes is not None:
-            modes = modes / surface.profile.roughness
-        blocks = max(1, round(target / piece.seconds))
-        end = piece.first_block + piece.blocks
-        for start in range(piece.first_block, end, blocks):
-            number, first = min(blocks, end - start), start * each
-            yield Batch(
-                seed=plan.study.seed,
-                normalisation=surface.normalisation,
-                quantities=plan.asked,
-                scheme=piece.variant.numerics.scheme,
-                recording=piece.variant.recording,
-                tasks=tuple(piece.tasks),
-                first_block=start,
-                blocks=number,
-                realizations_per_block=each,
-                seconds=number * piece.seconds,
-                refine=piece.variant.numerics.refines,
-                heights=None if heights is None else heights[first : first + number * each],
-                modes=modes,
-            )
+        predicted = target / rate(piece.variant.label)  # seconds that take ``target``
+        long = piece.seconds > RECUT_FACTOR * predicted
+        for part in _pieces(plan, piece, predicted) if long else [piece]:
+            blocks, end = max(1, round(predicted / part.seconds)), part.first_block + part.blocks
+            for start in range(part.first_block, end, blocks):
+                yield batch_of(plan, part, start, min(blocks, end - start))
+
+
+def batch_of(plan: Plan, piece: Missing, first_block: int, blocks: int) -> Batch:
+    """Return the batch of some blocks of a piece."""
+    block_size = plan.study.realizations_per_block
+    lines = piece.variant.lines
+    heights, modes = None, lines.amplitudes  # in h, of measured lines and of lines like them
+    if lines.profile is not None:
+        roughness = lines.profile.roughness
+        if modes is None:
+            rows = slice(first_block * block_size, (first_block + blocks) * block_size)
+            heights = lines.profile.heights[rows] / roughness
+        else:
+            modes = modes / roughness
+    return Batch(
+        seed=plan.study.seed,
+        normalisation=lines.normalisation,
+        quantities=plan.quantities,
+        scheme=piece.variant.numerics.scheme,
+        recording=piece.variant.recording,
+        tasks=tuple(piece.tasks),
+        first_block=first_block,
+        blocks=blocks,
+        realizations_per_block=block_size,
+        seconds=blocks * piece.seconds,
+        refine=piece.variant.numerics.refines,
+        heights=heights,
+        modes=modes,
+    )
 
 
 def _missing_runs(
@@ -117,13 +134,13 @@ def _missing_runs(
     """Yield (tasks, first block, number of blocks) where the same tasks are missing."""
     counts = [(task, blocks[task.key]) for task in line]
     ends = sorted({count for _, count in counts})
+    requested = [[task for task, count in counts if count >= end] for end in ends]
 
     def lacking(block: int) -> list[Task]:
-        if not stored:  # nothing lacks but what is not wanted: the same up to the next end
-            return wanted[bisect_right(ends, block)]
+        if not stored:  # the same tasks up to the next end
+            return requested[bisect_right(ends, block)]
         return [t for t, count in counts if block < count and (t.key, block) not in stored]
 
-    wanted = [[task for task, count in counts if count >= end] for end in ends]
     for tasks, run in groupby(range(ends[-1]), lacking):
         if tasks:
             first, *others = run
@@ -131,30 +148,35 @@ def _missing_runs(
 
 
 def _pieces(plan: Plan, whole: Missing, target: float) -> Iterator[Missing]:
-    """Yield the tasks of missing work, as many together as take ``target`` seconds a block."""
-    variant, each = whole.variant, plan.study.realizations_per_block
+    """Yield the tasks of missing work in groups that take about ``target`` seconds a block."""
+    block_size = plan.study.realizations_per_block
     chosen: list[Task] = []
     lines: set[int] = set()
     total = 0.0
-    groups: list[list[Task]] = []  # what shares sweeps, unless that takes too long
-    for _, group in groupby(whole.tasks, sharing):
-        tasks = list(group)
-        together = _own_seconds(plan, variant, tasks) <= TOGETHER * target
-        groups += [tasks] if together else [[task] for task in tasks]
-    for tasks in groups:
-        samples, own = samples_of(tasks[0]), _own_seconds(plan, variant, tasks)
-        drawing = each * float(variant.factors[0] * drawing_seconds(samples))
-        shared = own if samples in lines else own + drawing
-        if chosen and total + shared > target:
+    for tasks in _groups(plan, whole, target):
+        samples, seconds = samples_of(tasks[0]), _seconds_on_lines(plan, whole.variant, tasks)
+        drawing = block_size * drawing_seconds(samples)
+        added = seconds if samples in lines else seconds + drawing
+        if chosen and total + added > target:
             yield whole._replace(tasks=chosen, seconds=total)
-            chosen, lines, total, shared = [], set(), 0.0, own + drawing
+            chosen, lines, total, added = [], set(), 0.0, seconds + drawing
         chosen += tasks
         lines.add(samples)
-        total += shared
+        total += added
     yield whole._replace(tasks=chosen, seconds=total)
 
 
-def _own_seconds(plan: Plan, variant: Variant, tasks: list[Task]) -> float:
-    """Return the predicted time of one block of some tasks, but for drawing lines."""
-    each = plan.study.realizations_per_block
-    return each * sum(variant.seconds[variant.rows[task.key]] for task in tasks)
+def _groups(plan: Plan, whole: Missing, target: float) -> Iterator[list[Task]]:
+    """Yield groups of tasks that share sweeps; the tasks one by one where that takes too long."""
+    for _, group in groupby(whole.tasks, sharing):
+        tasks = list(group)
+        if _seconds_on_lines(plan, whole.variant, tasks) <= MAX_SHARED_LENGTH * target:
+            yield tasks
+        else:
+            yield from ([task] for task in tasks)
+
+
+def _seconds_on_lines(plan: Plan, variant: Variant, tasks: list[Task]) -> float:
+    """Return the predicted time of one block of some tasks, without the drawing of lines."""
+    seconds = sum(variant.seconds[variant.rows[task.key]] for task in tasks)
+    return plan.study.realizations_per_block * seconds

@@ -128,6 +128,18 @@ def contact_width(problem: Problem) -> Numbers:
     return np.exp(np.minimum(one, many - 0.139 * fast - 0.021 * line))
 
 
+def touchable_share(hurst: Numbers, load: Numbers, viscous_pressure: Numbers) -> Numbers:
+    """Return the share of the line below the indentation, which a march has to visit.
+
+    At rest it grows with the load; at speed a smaller area carries it, load over viscous pressure.
+    Measured on 1500 random problems, Fbar 1e-4 ... 30, vbar 0.02 ... 1000, N 700 ... 12000: half of
+    them within 20 %, nine of ten within a factor of 2.2.
+    """
+    rest = np.exp(-0.40 + 0.78 * hurst) * load**0.635
+    speed = np.exp(1.58 + 0.44 * hurst) * (load / viscous_pressure**0.72) ** 1.06
+    return (1.0 + rest**-2.8 + speed**-2.8) ** (-1.0 / 2.8)
+
+
 def window_rate(problem: Problem) -> Numbers:
     """Return a rate whose relaxation time is at most that of the curve, to march by.
 

@@ -15,8 +15,14 @@ from ...kernels.rheology.spectrum import min_step
 from ..ground import UserError
 from ..simulate import Problem
 from ..study import HALF_SPACE, MAX_BLOCKS, Numerics, Scene, Study, accuracy_estimates
-from .cost import touchable_share
-from .error_laws import allowed_share, contact_width, rate_error, relaxing_share, window_rate
+from .error_laws import (
+    allowed_share,
+    contact_width,
+    rate_error,
+    relaxing_share,
+    touchable_share,
+    window_rate,
+)
 from .half_space import LEAST_OF_MAPS, MOST_SAMPLES, laws_of, may_be_so_fine, steps_for
 from .problems import Numbers, expected_rate, viscous_pressure
 
@@ -35,7 +41,7 @@ class Goal(NamedTuple):
     scatter: dict[str, Numbers]  # predicted standard error of each, of one line
     realizations: Numbers  # predicted need
 
-    def each(self, number: int) -> "list[Goal]":
+    def split(self, number: int) -> "list[Goal]":
         """Return the goals of so many problems that this one is of together."""
         names = list(self.bias)
         columns = (self.steps, self.realizations, *self.bias.values(), *self.scatter.values())
@@ -198,7 +204,7 @@ def may_be_so_long(problem: Problem, steps: Numbers) -> Numbers:
     return problem.elements * steps <= MAX_SAMPLES_PER_LINE
 
 
-def may_have(problem: Problem, steps: int) -> bool:
+def fits_worker(problem: Problem, steps: int) -> bool:
     """Return whether a line of so many steps per spacing fits into a worker, and none is lost."""
     fastest = max(abs(problem.speed), abs(problem.speed * problem.ratio))
     lost = steps * fastest * min_step(problem.spectrum) > 1.0

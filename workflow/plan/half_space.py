@@ -12,19 +12,12 @@ Scatter: standard errors times the root of the number of maps; 264 problems, sig
 0.002 ... 0.6, x 0.1 ... 30, H 0 ... 1, one or two longest waves a side, N 8 ... 64; right within
 1.6 for two in three. That of b follows no law.
 
-Passes: 4212 steady states that are not marched, of Kelvin elements and nine materials of one to 13
-branches, the glass 2 to 1000 times as stiff, H 0.2 ... 1, sigma_0/(E* grad z) 0.01 ... 0.2, x 0.03
-... 10^4, 32 to 128 samples a side, took 18 to 4449: four in five are within 1.5 of the law, nine in
-ten within 2. Where the loss angle is over 55 degrees it may be 13 times as many, or a seventh. Of
-183 that are marched, x 3 ... 100, seven in eight are within 1.5, and 19 in 20 within 2.
 """
 
 from functools import partial
 
 import numpy as np
 
-from ...kernels import KELVIN, Quantities
-from ...kernels.rheology.spectrum import complex_modulus
 from ..simulate import Problem
 from ..study import HALF_SPACE
 from .error_laws import LAWS, Laws
@@ -35,10 +28,6 @@ LEAST_OF_MAPS, MOST_STEPS = 4, 16
 MOST_SAMPLES = 4096**2  # of a map; a worker then needs 4 GiB and more
 # Measured at 512 and 1024 samples a side, without branches and with 13.
 MAP_BYTES, BRANCH_BYTES = 260.0, 25.0  # of a worker, for each sample
-PASS = 1.5e-8  # s, of a pass of conjugate gradients, for each sample
-WARM = 4.5  # passes of a step
-MARCHED = 2.9  # samples that are slid in a time tau, from which a Kelvin element is marched
-SECOND = 0.6  # of the passes of a steady state, that it takes from one of about the same speed
 # Of the scatter: its logarithm for ln of area, of what does not touch, of the longest waves a side,
 # of the shortest in each, for H, and for ln x.
 SCATTER = {
@@ -120,26 +109,3 @@ LAWS_OF_MAPS = {
 def laws_of(problem: Problem) -> dict[str, Laws]:
     """Return the laws of the estimates of a problem, on either body."""
     return LAWS_OF_MAPS if problem.surface.body == HALF_SPACE else LAWS
-
-
-def passes_of(problem: Problem, steps: Numbers, march_steps: Numbers, asked: Quantities) -> Numbers:
-    """Return passes of conjugate gradients for steady sliding, and for the march."""
-    steady = _steady_passes(problem, steps)
-    if asked.steady or asked.relaxation:
-        second = problem._replace(speed=problem.ratio * problem.speed)
-        steady = steady + SECOND * _steady_passes(second, steps)
-    return steady, WARM * march_steps
-
-
-def _steady_passes(problem: Problem, steps: Numbers) -> Numbers:
-    """Return passes of conjugate gradients for one steady state, from rest.
-
-    Each turn of the direct solution leaves sin(phi) of the error at most, phi being the loss angle
-    (sliding_body.py): that of q_max/2 tells most. The range of relaxation times tells nothing more.
-    """
-    modulus = complex_modulus(problem.spectrum, 0.5 * speed_ratio(problem))
-    more = 10.0 ** (modulus.imag / np.abs(modulus))
-    if problem.spectrum == KELVIN:
-        slid = np.abs(problem.speed) * steps
-        more = np.where(slid < MARCHED, more, slid**0.8)
-    return 10.0 * np.cbrt(problem.elements * steps) * more

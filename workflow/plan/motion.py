@@ -206,7 +206,7 @@ def _check_pull(problem: Problem, drive: Drive) -> None:
         )
 
 
-def asked_of(study: Study) -> Quantities:
+def kernel_quantities(study: Study) -> Quantities:
     """Return what the kernels are asked for; a relaxation starts from the jump."""
     asked = study.scene.quantities
     curve = any(name in asked for name in ("relaxation", "peak", "rate_state"))

@@ -1,7 +1,6 @@
 """The plan: which problems, which batches, what they cost. Pure data; computes nothing."""
 
 import math
-from collections import defaultdict
 from typing import NamedTuple
 
 import numpy as np
@@ -10,10 +9,9 @@ from ...kernels import ZERO_ORIGIN, Origin, Quantities
 from ..ground import UserError, garbage_collection_paused
 from ..simulate import REFINEMENT_FACTOR, Batch, Task, max_leg_counts, row_layout, row_width
 from ..study import HALF_SPACE, Study
-from .cost import PARTS, TYPICAL, Pace, Prediction, prediction
 from .goal import FIRST_SHARE, whole_blocks
 from .half_space import BRANCH_BYTES, MAP_BYTES
-from .motion import asked_of
+from .motion import kernel_quantities
 from .variant import Variant, problems_of, variant_of
 
 DRIVER_BYTES = 330e6  # interpreter and libraries of the process that plans and collects
@@ -32,8 +30,7 @@ class Plan(NamedTuple):
 
     study: Study
     variants: list[Variant]
-    asked: Quantities  # of the kernels
-    pace: Pace  # of the machine that the prediction is for
+    quantities: Quantities  # of the kernels
     first: dict[str, int]  # blocks of the first round by key of the task, all where no goals are
     expected: dict[str, int]  # blocks that the goals are predicted to need
 
@@ -61,7 +58,7 @@ class Plan(NamedTuple):
         tasks = variant.tasks if variant.recording.requested else variant.tasks[:1]
         scheme, recording = variant.numerics.scheme, variant.recording
         return max(
-            1, *(row_width(row_layout(task, self.asked, scheme, recording)) for task in tasks)
+            1, *(row_width(row_layout(task, self.quantities, scheme, recording)) for task in tasks)
         )
 
     def predicted_worker_bytes(self) -> float:
@@ -93,24 +90,14 @@ class Plan(NamedTuple):
         kept = tasks * BYTES_PER_TASK + self.records * BYTES_PER_RECORD
         return DRIVER_BYTES + kept + estimates + BYTES_PER_STEP * self.longest_programme()
 
-    def typical_of(self, batch: Batch) -> dict[tuple[str, str], float]:
-        """Return the typical seconds of a batch by kind and part of the work."""
-        variant = next(v for v in self.variants if batch.tasks[0].key in v.rows)
-        count = batch.blocks * batch.realizations_per_block
-        seconds = (count * variant.typical_of(batch.tasks)).tolist()
-        return {(variant.kind, part): own for part, own in zip(PARTS, seconds, strict=True)}
+    def predicted_seconds(self) -> float:
+        """Return the core-seconds of the whole study, within COST_FACTOR either way."""
+        realizations = sum(variant.total_seconds(self.expected) for variant in self.variants)
+        return self.study.realizations_per_block * realizations
 
-    def prediction(self) -> Prediction:
-        """Return the core-seconds of the whole study, and between which nine of ten runs end."""
-        typical: dict[tuple[str, str], float] = defaultdict(float)
-        each = self.study.realizations_per_block
-        for variant in self.variants:
-            counts = np.array([self.expected[key] for key in variant.rows])
-            seconds = counts @ variant.typical
-            seconds[0] += variant.drawing_of(self.expected)
-            for part, own in zip(PARTS, each * seconds, strict=True):
-                typical[variant.kind, part] += float(own)
-        return prediction(self.pace, typical)
+    def variant_of_batch(self, batch: Batch) -> Variant:
+        """Return the variant that a batch belongs to."""
+        return next(v for v in self.variants if batch.tasks[0].key in v.rows)
 
     def first_point(self, task: Task) -> dict[str, float]:
         """Return the first grid point of a task: axis -> value."""
@@ -129,17 +116,16 @@ def _bytes_per_sample(variant: Variant) -> float:
     return BYTES_PER_SAMPLE
 
 
-def make_plan(study: Study, pace: Pace = TYPICAL, origin: Origin = ZERO_ORIGIN) -> Plan:
+def make_plan(study: Study, origin: Origin = ZERO_ORIGIN) -> Plan:
     """Return the plan of a study. Raises UserError where a problem would be too large.
 
-    pace : how fast the machine is; the size of batches depends on it, no result does.
     origin : where a programme that is resumed begins.
     """
-    asked = asked_of(study)
+    quantities = kernel_quantities(study)
     with garbage_collection_paused():  # saves a fifth of the time with 1e5 tasks
         problems = problems_of(study)
         variants = [
-            variant_of(study, asked, pace, label, problems[label], origin)
+            variant_of(study, quantities, label, problems[label], origin)
             for label in study.variants
         ]
     tasks = [task for variant in variants for task in variant.tasks]
@@ -158,4 +144,4 @@ def make_plan(study: Study, pace: Pace = TYPICAL, origin: Origin = ZERO_ORIGIN) 
             f"study.realizations_per_block = {study.realizations_per_block}: {records} records "
             f"(problem x block), more than {MOST_RECORDS}; set it to {least} or more"
         )
-    return Plan(study, variants, asked, pace, first, expected)
+    return Plan(study, variants, quantities, first, expected)

@@ -62,7 +62,7 @@ def distinct_problems(study: Study, label: str = "") -> tuple[list[Problem], np.
     return problems, np.array(index).reshape(study.shape)
 
 
-def together(problems: list[Problem]) -> list[tuple[np.ndarray, Problem]]:
+def stacked(problems: list[Problem]) -> list[tuple[np.ndarray, Problem]]:
     """Return (numbers of problems, those as one whose fields are arrays): for the laws at once.
 
     They share all but the five numbers of the paper, arrays of shape (P,) in the one problem, and
@@ -82,23 +82,6 @@ def together(problems: list[Problem]) -> list[tuple[np.ndarray, Problem]]:
         many = many._replace(surface=many.surface._replace(slope=slope))
         found.append((np.array(chosen), many))
     return found
-
-
-def sharers(many: Problem, steps: Numbers) -> tuple[np.ndarray, np.ndarray]:
-    """Return of each of many problems how many loads share its sweeps, and tasks its lines."""
-    lines = _numbered(many.hurst, many.elements, steps)
-    sweeps = _numbered(lines, many.speed)
-    _, first = np.unique(_numbered(sweeps, many.load), return_index=True)  # of several steps one
-    return np.bincount(sweeps[first])[sweeps], np.bincount(lines)[lines]
-
-
-def _numbered(*columns: Numbers) -> np.ndarray:
-    """Return numbers that are equal where all columns are, from 0 on; one may be one number."""
-    found = np.zeros(np.shape(columns[0]), np.int64)
-    for column in columns:
-        values, inverse = np.unique(column, return_inverse=True)
-        found = found * values.size + inverse
-    return np.unique(found, return_inverse=True)[1]
 
 
 def _settings(parts: Parts, points: Points, found: dict[Problem, int], length: float) -> np.ndarray:

@@ -1,4 +1,4 @@
-"""The variants of a study: all tasks of each discretisation, as the laws size them."""
+"""Variants of a study: the tasks of each discretisation, with steps, goals and predicted times."""
 
 import hashlib
 import struct
@@ -20,44 +20,41 @@ from ..simulate import (
     trace_steps,
 )
 from ..study import Material, Numerics, Study, Surface
-from .cost import PARTS, Pace, Work, drawing_seconds, kind_of, typical_seconds
-from .goal import Goal, goal_of, horizon_steps, may_have, steps_per_spacing
+from .cost import HALVED_STEPS_COST, drawing_seconds, realization_seconds
+from .goal import Goal, fits_worker, goal_of, horizon_steps, steps_per_spacing
 from .motion import check_programme, recording_of
-from .problems import distinct_problems, sharers, together
+from .problems import distinct_problems, stacked
 
-NUMBERS = struct.Struct("<dqddd")  # of a problem, as they stand in its key: to the bit
-STEPS = struct.Struct("<qq")
+PROBLEM_BYTES = struct.Struct("<dqddd")  # H, N, load, speed and ratio as they enter a key
+STEPS_BYTES = struct.Struct("<qq")
 
 
 class Variant(NamedTuple):
-    """All tasks of one discretisation of the study, grouped by random line."""
+    """All tasks of one discretisation of a study, grouped by random line."""
 
     label: str
     numerics: Numerics
     material: Material
     lines: Surface
     recording: Recording
-    events: int  # samples of the longest trace; 0 where none is kept
+    events: int  # samples of the longest trace; 0 without a trace
     point_task: np.ndarray  # index into tasks per grid point, shape of the grid
     tasks: list[Task]  # in the order of the distinct problems
-    by_line: list[list[Task]]  # tasks of one (H, N), what shares sweeps side by side
-    goals: dict[str, Goal]  # by key of the task; empty where no accuracy is asked for
-    kind: str  # of the work
-    rows: dict[str, int]  # numbers of the tasks by key
-    typical: np.ndarray  # s, of one realization but for its line, shape (tasks, PARTS)
-    factors: np.ndarray  # by which this machine takes longer, shape (PARTS,)
-    seconds: list[float]  # predicted, of one realization but for its line
+    by_line: list[list[Task]]  # tasks of one (H, N); tasks that share sweeps are neighbours
+    goals: dict[str, Goal]  # by key of the task; empty without a requested accuracy
+    rows: dict[str, int]  # index into tasks by key
+    seconds: list[float]  # predicted, of one realization without the drawing of its line
     longest: int  # samples of a line
 
-    def typical_of(self, tasks: Sequence[Task]) -> np.ndarray:
-        """Return the typical seconds of one realization of tasks that share their lines."""
-        found = self.typical[[self.rows[task.key] for task in tasks]].sum(axis=0)
-        found[0] += sum(map(drawing_seconds, sorted(set(map(samples_of, tasks)))))
-        return found
+    def realization_seconds(self, tasks: Sequence[Task]) -> float:
+        """Return the predicted time of one realization of tasks that share their lines."""
+        lines = {samples_of(task) for task in tasks}
+        drawing = sum(map(drawing_seconds, sorted(lines)))
+        return drawing + sum(self.seconds[self.rows[task.key]] for task in tasks)
 
-    def drawing_of(self, blocks: dict[str, int]) -> float:
-        """Return the typical seconds of drawing the lines of so many blocks of each task once."""
-        total = 0.0
+    def total_seconds(self, blocks: dict[str, int]) -> float:
+        """Return the predicted time of one realization per block. blocks : by key of the task."""
+        total = sum(blocks[task.key] * self.seconds[row] for row, task in enumerate(self.tasks))
         for line in self.by_line:
             for samples, tasks in groupby(line, samples_of):
                 total += drawing_seconds(samples) * max([blocks[task.key] for task in tasks])
@@ -69,138 +66,147 @@ class Variant(NamedTuple):
 
 
 class Problems(NamedTuple):
-    """The distinct problems of a variant, which others may share."""
+    """Distinct problems of a variant. Variants of one material and surface share them."""
 
-    each: list[Problem]
-    written: list[bytes]  # as they stand in keys
-    points: np.ndarray  # number of the problem of each grid point
-    together: list[tuple[np.ndarray, Problem]]  # for the laws
+    problems: list[Problem]
+    key_bytes: list[bytes]  # the problems as they enter keys
+    points: np.ndarray  # index of the problem of each grid point
+    stacks: list[tuple[np.ndarray, Problem]]  # as ``stacked`` returns them
 
 
 def problems_of(study: Study) -> dict[str, Problems]:
-    """Return the problems of each variant, once for those of one material and surface."""
-    found: dict[str, Problems] = {}
+    """Return the distinct problems of each variant by its label."""
+    problems: dict[str, Problems] = {}
     for label, material in study.materials.items():
-        own = material, study.surfaces[label]
-        others = (
-            other for other in found if own == (study.materials[other], study.surfaces[other])
+        same = (
+            other
+            for other in problems
+            if (material, study.surfaces[label]) == (study.materials[other], study.surfaces[other])
         )
-        if (other := next(others, None)) is not None:
-            found[label] = found[other]
-            continue
-        each, points = distinct_problems(study, label)
-        # What a scene adds, which many share, is written out once.
-        settings = {added: repr(added).encode() for added in {one[5:] for one in each}}
-        written = [NUMBERS.pack(*one[:5]) + settings[one[5:]] for one in each]
-        found[label] = Problems(each, written, points, together(each))
-    return found
+        other = next(same, None)
+        problems[label] = _distinct(study, label) if other is None else problems[other]
+    return problems
 
 
-def _sized(
-    study: Study, asked: Quantities, label: str, problems: Problems, origin: Origin
-) -> tuple[np.ndarray, np.ndarray, list[Goal]]:
-    """Return what the laws say of each problem, of those that are alike at once.
+def _distinct(study: Study, label: str) -> Problems:
+    problems, points = distinct_problems(study, label)
+    # Many problems share the fields after the first five, so that each text is made once.
+    settings = {rest: repr(rest).encode() for rest in {problem[5:] for problem in problems}}
+    key_bytes = [PROBLEM_BYTES.pack(*p[:5]) + settings[p[5:]] for p in problems]
+    return Problems(problems, key_bytes, points, stacked(problems))
 
-    Steps per spacing and of the march, shape (2, problems); typical seconds by part, shape
-    (problems, PARTS); goals, none where no accuracy is asked for.
-    """
+
+class Sizes(NamedTuple):
+    """Steps, goals and predicted times of the problems of a variant."""
+
+    steps: list[int]  # per spacing
+    march_steps: list[int]  # after the jump
+    seconds: list[float]  # of one realization
+    goals: list[Goal]  # empty without a requested accuracy
+
+
+def _sizes_of(
+    study: Study, quantities: Quantities, label: str, problems: Problems, origin: Origin
+) -> Sizes:
+    """Return the sizes of all problems, computed for each stack of problems at once."""
     numerics, recording = study.variants[label], recording_of(study, label)
-    extra = (
-        min(recording.refined_blocks, study.blocks) / study.realizations
-    )  # lines with halved steps too
-    count = len(problems.each)
-    sizes, typical = np.zeros((2, count), np.int64), np.zeros((count, len(PARTS)))
-    goals: list[Goal] = []
-    for rows, many in problems.together:
-        goal = goal_of(many, study.scene, numerics) if numerics.accuracy else None
-        steps = goal.steps if goal else steps_per_spacing(many, study.scene, numerics)
-        check_programme(many, steps, origin)
-        march_steps = horizon_steps(many, numerics, steps) if asked.relaxation else 0 * steps
-        for row, own in enumerate((steps, march_steps)):  # one for all if given
-            sizes[row, rows] = own
-        shared = sharers(many, steps)
-        work = Work(many, steps, march_steps, numerics.refines, *shared, numerics.scheme)
-        parts = typical_seconds(asked, work, recording)
-        if recording.refined_blocks:
-            halved = work._replace(
-                steps=REFINEMENT_FACTOR * steps, march_steps=REFINEMENT_FACTOR * march_steps
-            )
-            alone = recording._replace(requested=())
-            for each in (work, halved):
-                more = typical_seconds(asked, each, alone)
-                parts = {part: parts[part] + extra * more[part] for part in PARTS}
-        for column, part in enumerate(PARTS):
-            typical[rows, column] = parts[part]
-        if goal:
-            goals = goals or [goal] * count
-            for row, single in zip(rows.tolist(), goal.each(rows.size), strict=True):
+    count = len(problems.problems)
+    steps, march_steps = np.zeros((2, count), np.int64)
+    seconds, goals = np.zeros(count), dict[int, Goal]()
+    refined = min(recording.refined_blocks, study.blocks) / study.realizations
+    for rows, many in problems.stacks:
+        if numerics.accuracy:
+            goal = goal_of(many, study.scene, numerics)
+            steps[rows] = goal.steps
+            for row, single in zip(rows.tolist(), goal.split(rows.size), strict=True):
                 goals[row] = single
-    return sizes, typical, goals
+        else:
+            steps[rows] = steps_per_spacing(many, study.scene, numerics)
+        check_programme(many, steps[rows], origin)
+        if quantities.relaxation:
+            march_steps[rows] = horizon_steps(many, numerics, steps[rows])
+        seconds[rows] = (1.0 + HALVED_STEPS_COST * refined) * realization_seconds(
+            many, steps[rows], march_steps[rows], quantities, recording, numerics.scheme
+        )
+    in_order = [goals[row] for row in sorted(goals)]
+    return Sizes(steps.tolist(), march_steps.tolist(), seconds.tolist(), in_order)
 
 
 def variant_of(
-    study: Study,
-    asked: Quantities,
-    pace: Pace,
-    label: str,
-    problems: Problems,
-    origin: Origin,
+    study: Study, quantities: Quantities, label: str, problems: Problems, origin: Origin
 ) -> Variant:
-    """Return a variant of a study; ``problems`` are its own, ``origin`` as for ``make_plan``."""
-    numerics = study.variants[label]
-    recording = recording_of(study, label)._replace(origin=origin)
-    sizes, typical, goals = _sized(study, asked, label, problems, origin)
-    each, marches = sizes.tolist()
-    pairs = zip(problems.each, each, strict=True)
-    if recording.refined_blocks and not all(
-        may_have(own, REFINEMENT_FACTOR * steps) for own, steps in pairs
-    ):
-        recording = recording._replace(refined_blocks=0)
-    # What all tasks share, and all of many: written out once, as a plan has up to 1e5 tasks.
-    shared = repr((CODE_HASH, study.seed, study.surfaces[label].normalisation, numerics.scheme))
-    shared += repr((recording, asked, study.realizations_per_block, numerics.refines))
-    begun, tasks = hashlib.sha256(shared.encode()), []
-    for problem, written, steps, march_steps in zip(
-        problems.each, problems.written, each, marches, strict=True
-    ):
-        digest = begun.copy()
-        digest.update(written + STEPS.pack(steps, march_steps))
-        tasks.append(Task(problem, steps, march_steps, digest.hexdigest()[:32]))
-    lines: dict[tuple[float, int, LineShape], list[Task]] = {}
-    for task in tasks:
-        hurst, elements = task.problem[:2]
-        lines.setdefault((hurst, elements, task.problem.surface), []).append(task)
-    by_line = [sorted(one, key=lambda t: (*sharing(t), t.problem[:5])) for one in lines.values()]
+    """Return a variant of a study; ``problems`` belong to it, ``origin`` as for ``make_plan``."""
+    sizes = _sizes_of(study, quantities, label, problems, origin)
+    recording = _recording(study, label, problems.problems, sizes.steps)._replace(origin=origin)
+    tasks = _tasks(study, quantities, label, recording, problems, sizes)
     keys = [task.key for task in tasks]
-    kind = kind_of(tasks[0].problem, recording)
-    factors = np.array([pace.rate(kind, part).factor for part in PARTS])
     events = 0
     if recording.requested:
         events = max(trace_steps(t.problem, t.steps_per_spacing, recording).size for t in tasks)
     return Variant(
-        label,
-        numerics,
-        study.materials[label],
-        study.surfaces[label],
-        recording,
-        events,
-        problems.points,
-        tasks,
-        by_line,
-        dict(zip(keys, goals, strict=True)) if goals else {},
-        kind,
-        {key: row for row, key in enumerate(keys)},
-        typical,
-        factors,
-        (typical @ factors).tolist(),
-        max(map(samples_of, tasks)),
+        label=label,
+        numerics=study.variants[label],
+        material=study.materials[label],
+        lines=study.surfaces[label],
+        recording=recording,
+        events=events,
+        point_task=problems.points,
+        tasks=tasks,
+        by_line=_by_line(tasks),
+        goals=dict(zip(keys, sizes.goals, strict=True)) if sizes.goals else {},
+        rows={key: row for row, key in enumerate(keys)},
+        seconds=sizes.seconds,
+        longest=max(map(samples_of, tasks)),
     )
 
 
-def sharing(task: Task) -> tuple[int, float]:
-    """Return what tasks on a line have in common whose steady states are found together.
+def _recording(study: Study, label: str, problems: list[Problem], steps: list[int]) -> Recording:
+    """Return the recording of a variant, without halved steps where a worker has no room."""
+    recording = recording_of(study, label)
+    pairs = zip(problems, steps, strict=True)
+    if recording.refined_blocks and not all(
+        fits_worker(problem, REFINEMENT_FACTOR * count) for problem, count in pairs
+    ):
+        return recording._replace(refined_blocks=0)
+    return recording
 
-    Those of all loads are: thresholds are the same, and sweeps lie side by side (quick/steady).
+
+def _tasks(
+    study: Study,
+    quantities: Quantities,
+    label: str,
+    recording: Recording,
+    problems: Problems,
+    sizes: Sizes,
+) -> list[Task]:
+    """Return the tasks of a variant, each with the key of its results."""
+    # The part of the key that all tasks share is hashed once, as a plan has up to 1e5 tasks.
+    numerics = study.variants[label]
+    shared = repr((CODE_HASH, study.seed, study.surfaces[label].normalisation, numerics.scheme))
+    shared += repr((recording, quantities, study.realizations_per_block, numerics.refines))
+    begun, tasks = hashlib.sha256(shared.encode()), []
+    for problem, key_bytes, steps, march_steps in zip(
+        problems.problems, problems.key_bytes, sizes.steps, sizes.march_steps, strict=True
+    ):
+        digest = begun.copy()
+        digest.update(key_bytes + STEPS_BYTES.pack(steps, march_steps))
+        tasks.append(Task(problem, steps, march_steps, digest.hexdigest()[:32]))
+    return tasks
+
+
+def _by_line(tasks: list[Task]) -> list[list[Task]]:
+    """Return the tasks of each random line; tasks that share sweeps are neighbours."""
+    lines: dict[tuple[float, int, LineShape], list[Task]] = {}
+    for task in tasks:
+        hurst, elements = task.problem[:2]
+        lines.setdefault((hurst, elements, task.problem.surface), []).append(task)
+    return [sorted(line, key=lambda t: (*sharing(t), t.problem[:5])) for line in lines.values()]
+
+
+def sharing(task: Task) -> tuple[int, float]:
+    """Return the key of tasks on a line whose steady states are computed in one call.
+
+    Loads may differ: thresholds are the same, and sweeps lie side by side (quick/steady).
     """
     return task.steps_per_spacing, task.problem.speed
 

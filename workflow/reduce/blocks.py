@@ -56,7 +56,7 @@ def blocks_of(
     scalars : shape (tasks, blocks, len(SCALARS)). rows : (tasks, blocks, width), as laid out by
     simulate/layout.py. What differs in length between tasks is filled up with NaN.
     """
-    how = plan.asked, variant.numerics.scheme, variant.recording
+    how = plan.quantities, variant.numerics.scheme, variant.recording
     parts = [unpack(own, row_layout(t, *how)) for own, t in zip(rows, tasks, strict=True)]
     traces = {name for name in parts[0] if name in (*PULLED_TRACES, *ENERGIES)}
     values = {
@@ -100,7 +100,7 @@ def _times(plan: Plan, variant: Variant, tasks: list[Task]) -> np.ndarray:
     """Return the times of the curves after the velocity step, shape (tasks, samples - 1)."""
     samples, scheme = variant.numerics.curve_samples, variant.numerics.scheme
     time = np.full((len(tasks), samples - 1), np.nan)
-    for row, task in enumerate(tasks) if plan.asked.relaxation else ():
+    for row, task in enumerate(tasks) if plan.quantities.relaxation else ():
         steps_per_tau = abs(task.problem.speed * task.problem.ratio) * task.steps_per_spacing
         kept = curve_steps(task.march_steps, samples, task.problem.spectrum)
         time[row, : kept.size] = curve_times(kept, steps_per_tau, scheme, task.problem.spectrum)

@@ -36,6 +36,7 @@ from ..system import (
 )
 from .collect import Collector, Rounds
 from .failures import Failures
+from .measured_rates import MeasuredRates, Remaining
 from .status import Status, StatusWriter, status_file, study_digest
 from .store_key import KEY_ATTRIBUTE, is_unchanged, result_key
 from .summary import Summary
@@ -83,6 +84,7 @@ class _Run:
         self.failures = Failures(store, plan, how.max_failures)
         if how.retry_failed:
             store.forget_failures({task.key for _, task in self.failures.tasks()})
+        self.rates = MeasuredRates(plan)
         self.watch = Watch(self._stops, how.cluster.patience)
         name = study_digest(plan.study)
         store.begin(name)
@@ -111,7 +113,7 @@ class _Run:
         """Load or compile what is needed, once for all processes of this machine."""
         if self.missing and self.how.cluster.where == LOCAL:  # others compile for themselves
             for variant in self.plan.variants:
-                load_kernels(variant.lines.body, variant.numerics.scheme, self.plan.asked)
+                load_kernels(variant.lines.body, variant.numerics.scheme, self.plan.quantities)
 
     def finish(self, workers: Workers) -> None:
         """Compute, collect and write; the status says how it ended, whatever happens."""
@@ -168,8 +170,9 @@ class _Run:
         target = self.how.batch_seconds or batch_target(total_seconds(missing))
         target = min(target, self.how.cluster.longest_batch)
         pieces = cut(self.plan, missing, target)
-        work = make_batches(self.plan, pieces, target)
-        reporter = Reporter("computing", total_seconds(pieces))
+        work = make_batches(self.plan, pieces, target, self.rates.rate)
+        remaining = Remaining(pieces, self.rates)
+        reporter = Reporter("computing", remaining.seconds())
         with reporter, WriteBuffer(self.store, target) as buffer:
 
             def look(threads: int, in_flight: int) -> None:
@@ -184,8 +187,11 @@ class _Run:
                     require_one(self.makers, self.how.one_kind)
                     with self.summary.filing():
                         buffer.add(batch, done)
-                    self.summary.count(self.plan, batch, done)
-                    reporter.advance(batch.seconds)
+                    self.summary.count(batch, done)
+                    self.rates.enter(batch, done.seconds)
+                    remaining.finish(batch)
+                    self.status.status.rate = remaining.rate()
+                    reporter.advance(done.seconds, remaining.seconds())
 
     def _extent(self, missing: list[Missing] | None = None) -> tuple[int, float]:
         """Return the number of records that are settled, and the predicted seconds of the rest."""

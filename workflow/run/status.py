@@ -16,7 +16,7 @@ from datetime import datetime
 from pathlib import Path
 
 from ..ground import UserError, open_plain
-from ..plan import make_plan, missing_work, this_machine, total_records, total_seconds
+from ..plan import make_plan, missing_work, total_records, total_seconds
 from ..simulate import CODE_HASH
 from ..store import Store, journal
 from ..study import Study
@@ -33,7 +33,7 @@ class Status:
     study: str  # study_digest
     total: int  # records, one for each problem and block
     done: int
-    left: float  # predicted core-seconds
+    left: float  # core-seconds as the plan predicts them
     failed: int = 0  # problems
     offset: int = 0  # bytes of the journal that are counted
     state: str = "not running"
@@ -42,6 +42,12 @@ class Status:
     updated: str = ""
     host: str = ""
     pid: int = 0
+    rate: float = 1.0  # measured over predicted core time, of what is left
+
+    @property
+    def seconds_left(self) -> float:
+        """Return the core-seconds that are left, corrected by the finished batches."""
+        return self.left * self.rate
 
     def advance(self, folder: Path) -> bool:
         """Count what the journal has got since; return whether that is all there is to it."""
@@ -73,12 +79,13 @@ class Status:
         total = max(self.total, self.done)  # rounds may take more than was foreseen
         alive = self.runs(by)
         running, workers = (self.running, self.workers) if alive else (0, 0)
+        source = "predicted" if self.rate == 1.0 else "by the rate of the finished batches"
         found = [
             f"done        {self.done} of {total} records (problem x block)",
             f"running     {running} batches on {workers} workers",
             f"waiting     {total - self.done} records",
             f"failed      {self.failed} problems",
-            f"remaining   {self.left / 3600.0:.3g} core-hours, predicted",
+            f"remaining   {self.seconds_left / 3600.0:.3g} core-hours, {source}",
         ]
         if alive:
             found.append(f"run         {self.state}, by {by}; as of {self.updated}")
@@ -159,7 +166,7 @@ def read_status(study: Study, result: Path, folder: Path) -> Status:
 
 def _counted(study: Study, folder: Path) -> Status:
     """Return the status counted record by record."""
-    plan, store = make_plan(study, this_machine().pace), Store(folder)
+    plan, store = make_plan(study), Store(folder)
     missing = missing_work(plan, store)
     failed = sum(t.key in store.failed for v in plan.variants for t in v.tasks)
     done = plan.records - total_records(missing)
@@ -176,7 +183,7 @@ def status_lines(study: Study, result: Path, folder: Path) -> tuple[list[str], d
         "records": max(status.total, status.done),
         "records_done": status.done,
         "problems_failed": status.failed,
-        "predicted_core_seconds_left": status.left,
+        "predicted_core_seconds_left": status.seconds_left,
         "state": status.state if alive else "another study runs" if by else status.ended,
         "batches_running": status.running if alive else 0,
         "workers": status.workers if alive else 0,

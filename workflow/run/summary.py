@@ -16,13 +16,12 @@ from ..ground import counted
 from ..plan import Plan
 from ..simulate import PHASES, Batch, BatchResult
 from ..study import COMMON_AXES
-from ..system import duration, peak_bytes, this_maker
+from ..system import duration, peak_bytes
 from .failures import point_in_words
 
 if TYPE_CHECKING:
     import xarray as xr
 
-Spent = dict[tuple[str, str], float]  # s
 COSTLIEST = 3  # points shown
 SHOWN = ("hurst", "normal_force", "spacing", "velocity", "velocity_step")
 
@@ -34,7 +33,7 @@ class Summary:
     batches: int = 0
     reused: int = 0  # records found in the store
     predicted: float = 0.0  # for all that was missing
-    foreseen: float = 0.0  # of it, for what was computed
+    predicted_done: float = 0.0  # for the finished batches
     used: float = 0.0
     start: float = 0.0  # s, compiling kernels and starting workers
     wall: float = 0.0  # s, from the first to the last
@@ -48,24 +47,17 @@ class Summary:
     accuracy: list[str] = field(default_factory=list)  # what was reached, by variant
     phases: dict[str, float] = field(default_factory=lambda: defaultdict(float))
     tasks: dict[str, float] = field(default_factory=lambda: defaultdict(float))  # by key
-    spent: Spent = field(default_factory=lambda: defaultdict(float))  # by kind and part of the work
-    typical: Spent = field(default_factory=lambda: defaultdict(float))  # of it, of a plan
 
-    def count(self, plan: Plan, batch: Batch, done: BatchResult) -> None:
+    def count(self, batch: Batch, done: BatchResult) -> None:
         """Enter a finished batch."""
         self.batches += 1
-        self.foreseen += batch.seconds
+        self.predicted_done += batch.seconds
         self.used += done.seconds
         self.peak = max(self.peak, done.peak)
         phases = done.spent.sum(axis=0)
         for phase, seconds in zip(PHASES, phases, strict=True):
             self.phases[phase] += float(seconds)
         self.phases["calls"] += done.seconds - float(phases.sum())
-        if done.maker == this_maker():  # other processors teach nothing of this one
-            parts = (*phases, done.seconds - phases.sum())
-            for (which, typical), used in zip(plan.typical_of(batch).items(), parts, strict=True):
-                self.spent[which] += float(used)
-                self.typical[which] += typical
         for task, seconds in zip(batch.tasks, done.spent.sum(axis=1), strict=True):
             self.tasks[task.key] += float(seconds)
 
@@ -85,12 +77,12 @@ class Summary:
 
     def lines(self, plan: Plan) -> list[str]:
         """Return the report of a run, line by line."""
-        factor = f" (factor {self.used / self.foreseen:.2f})" if self.foreseen else ""
+        factor = f" (factor {self.used / self.predicted_done:.2f})" if self.predicted_done else ""
         whole = "" if self.written else f", of {duration(self.predicted)} for the whole"
         found = [
             f"{self.batches} batches computed in {duration(self.wall)}, {self.reused} records "
-            f"reused; {duration(self.used)} of core time used, {duration(self.foreseen)} predicted "
-            f"for them{factor}{whole}"
+            f"reused; {duration(self.used)} of core time used, {duration(self.predicted_done)} "
+            f"predicted for them{factor}{whole}"
         ]
         found += [f"{what}: {told}" for what, told in plan.study.descriptions]
         if self.unchanged:

@@ -45,7 +45,7 @@ class RunOptions(NamedTuple):
 
 def fit_seconds(plan: Plan, groups: int) -> float:
     """Return the predicted time of the fits of one task of so many jackknife groups."""
-    return (groups + 1) * plan.asked.relaxation * SECONDS_PER_FIT
+    return (groups + 1) * plan.quantities.relaxation * SECONDS_PER_FIT
 
 
 class Workers(NamedTuple):

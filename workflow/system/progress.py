@@ -41,9 +41,14 @@ class Reporter:
         if self.bar:
             self.bar.stop()
 
-    def advance(self, seconds: float) -> None:
-        """Count predicted ``seconds`` of work as done."""
+    def advance(self, seconds: float, remaining: float | None = None) -> None:
+        """Count ``seconds`` of work as done.
+
+        remaining : seconds that are left, where a new estimate replaces the first one.
+        """
         self.done += seconds
+        if remaining is not None:
+            self.total = max(self.done + remaining, 1e-9)
         self._show()
 
     def beat(self, workers: int, failed: int) -> None:
@@ -53,7 +58,7 @@ class Reporter:
 
     def _show(self) -> None:
         if self.bar:
-            self.bar.update(self.task, completed=self.done, workers=self.workers)
+            self.bar.update(self.task, total=self.total, completed=self.done, workers=self.workers)
             return
         now, share = time.monotonic(), min(1.0, self.done / self.total)
         due = now - self.last_time >= MAX_LINE_SECONDS or share - self.last_share >= MAX_LINE_SHARE

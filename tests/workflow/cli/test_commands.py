@@ -7,16 +7,12 @@ import pytest
 
 from elastomer_friction.workflow.cli import command_line, main
 from elastomer_friction.workflow.cli import commands as cli
-from elastomer_friction.workflow.cli import run_options as run_command
 from elastomer_friction.workflow.cli.commands import STUDY_ACTIONS
-from elastomer_friction.workflow.cli.run_options import paced_plan, resume_line
-from elastomer_friction.workflow.plan import TYPICAL, Pace
-from elastomer_friction.workflow.plan.cost.machine import Machine
-from elastomer_friction.workflow.plan.cost.work import PARTS
+from elastomer_friction.workflow.cli.run_options import resume_line
 from elastomer_friction.workflow.study.study import AnyStudy
 from tests.support.commands import facts, output, refusal
 from tests.support.python import printed, python
-from tests.support.small import line_text, small_study, write_study
+from tests.support.small import line_text, write_study
 from tests.support.sweeps import mostly_exhaustive
 
 
@@ -209,21 +205,6 @@ def test_options_of_the_cluster_are_refused_where_there_is_none(powers, capsys, 
 def test_how_to_go_on_can_be_typed_again(monkeypatch):
     monkeypatch.setattr("sys.argv", ["workflow", "run", "fig7", "--set", "grid.hurst=[0.3, 0.7]"])
     assert resume_line("interrupted").endswith("run fig7 --set 'grid.hurst=[0.3, 0.7]'")
-
-
-@pytest.mark.parametrize(
-    ("realizations", "known", "measured"), [(4, 0, 0), (10**5, 0, 1), (10**5, 1, 0)]
-)
-def test_a_machine_is_measured_for_what_takes_longer_than_that(
-    monkeypatch, realizations, known, measured
-):
-    """Unless it is known."""
-    asked, fast = [], Machine(Pace(dict.fromkeys(PARTS, (0.5, 1.1))), "fast")
-    monkeypatch.setattr(run_command, "known_machine", lambda: fast if known else None)
-    monkeypatch.setattr(run_command, "this_machine", lambda: asked.append(1) or fast)
-    plan = paced_plan(small_study(f"study.realizations={realizations}"))
-    assert len(asked) == measured
-    assert plan.pace == (fast.pace if known or measured else TYPICAL)
 
 
 def test_status_before_a_run(capsys, study, tmp_path):

@@ -9,9 +9,10 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from elastomer_friction.workflow.plan.batches import (
-    TOGETHER,
+    MAX_SHARED_LENGTH,
     batch_target,
     cut,
+    make_batches,
     missing_work,
     total_seconds,
 )
@@ -69,7 +70,7 @@ def test_batches_last_about_as_long_as_asked(target):
         together = batch.blocks == 1 and len({sharing(task) for task in batch.tasks}) == 1
         longest = 1.5 * target
         if together:  # with the drawing of its line
-            longest = 1.5 * TOGETHER * target if len(batch.tasks) > 1 else math.inf
+            longest = 1.5 * MAX_SHARED_LENGTH * target if len(batch.tasks) > 1 else math.inf
         assert batch.seconds <= longest
 
 
@@ -111,3 +112,19 @@ def test_predicted_time_of_realizations_adds_up():
 @pytest.mark.parametrize(("work", "target"), [(1.0, 1.0), (600.0, 3.0), (1e9, 10.0)])
 def test_batches_grow_with_the_work_within_limits(work, target):
     assert batch_target(work) == pytest.approx(target)
+
+
+@pytest.mark.parametrize("rate", [0.2, 1.0, 30.0])
+def test_batches_last_as_long_as_requested_at_the_measured_rate(rate):
+    target = 1e-2
+    pieces = cut(PLAN, missing_work(PLAN, set()), target)
+    batches = list(make_batches(PLAN, pieces, target, lambda _: rate))
+    covered = Counter(
+        (task.key, batch.first_block + block)
+        for batch in batches
+        for task in batch.tasks
+        for block in range(batch.blocks)
+    )
+    assert covered == Counter(all_records(PLAN))
+    several = [rate * b.seconds for b in batches if b.blocks > 1 or len(b.tasks) > 1]
+    assert max(several, default=0.0) < 2.0 * MAX_SHARED_LENGTH * target

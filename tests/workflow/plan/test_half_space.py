@@ -3,17 +3,15 @@
 import numpy as np
 import pytest
 
-from elastomer_friction.kernels import KELVIN, Case, Quantities
+from elastomer_friction.kernels import Case, Quantities
 from elastomer_friction.kernels.half_space.cases import run_case
 from elastomer_friction.kernels.half_space.surface import Surface, ring_amplitudes, rms_slope_of
-from elastomer_friction.kernels.rheology.spectrum import Spectrum
 from elastomer_friction.workflow.plan.half_space import (
     LAWS_OF_MAPS,
     MOST_SAMPLES,
     expected_area,
     expected_error,
     map_error,
-    passes_of,
     steps_for,
 )
 from elastomer_friction.workflow.plan.problems import line_slope
@@ -95,27 +93,6 @@ def test_maps_scatter_and_touch_as_the_laws_of_an_accuracy_say(load, x):
         assert 0.4 < scatter / LAWS_OF_MAPS[name].scatter(problem) < 2.5
     area = np.mean([one.contact_fraction for one in found])
     assert 0.7 < area / expected_area(problem) < 1.3
-
-
-@pytest.mark.parametrize(
-    ("spectrum", "x"),
-    [
-        (KELVIN, 0.1),
-        (KELVIN, 10.0),
-        (Spectrum((9.0,), (1.0 / 9.0,), 0.0), 1.0),
-        (Spectrum((1.0,), (1.0,), 0.0), 30.0),
-        (Spectrum((3.0, 10.0, 2.0), (1e-2, 1.0, 1e2), 0.0), 0.3),
-    ],
-)
-def test_passes_of_steady_sliding_are_foreseen(spectrum, x):
-    """For nine in ten within 2; 44 to 567 passes of two states are so here."""
-    problem = on_a_map(0.05, x)._replace(spectrum=spectrum)
-    steady = Quantities(jump=False, relaxation=False)
-    expected, _ = passes_of(problem, 4, 0, steady)
-    case = Case(problem.load, problem.speed, (1.2,), (), "exponential", spectrum)
-    map_ = Surface.drawn(np.random.default_rng(3), ring_amplitudes(0.7, 16), 16, 4)
-    passes = run_case(map_, case, steady).work / map_.z.size
-    assert 0.5 < passes / expected < 2.0
 
 
 def test_an_accuracy_chooses_steps_and_maps_of_a_half_space():

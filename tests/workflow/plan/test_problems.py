@@ -12,9 +12,8 @@ from elastomer_friction.kernels import Hold, Slide
 from elastomer_friction.workflow.plan.motion import canonical, rounded
 from elastomer_friction.workflow.plan.problems import (
     distinct_problems,
-    sharers,
     speed_ratio,
-    together,
+    stacked,
     viscous_pressure,
 )
 from elastomer_friction.workflow.simulate.tasks import Problem
@@ -73,22 +72,6 @@ def test_every_point_is_mapped_to_its_own_problem_and_copies_to_one():
         assert problem[2:5] == pytest.approx(expected, rel=1e-11)
 
 
-@pytest.mark.parametrize("steps", [4, (1, 2)])
-def test_loads_share_sweeps_and_tasks_lines_where_all_else_is_the_same(steps):
-    found = problems("grid.velocity_step=[0.1, 0.2]", "grid.spacing=[1e-4, 2e-4]")
-    chosen = [own for own in found if own.load > 0.05 or own.hurst < 0.5]  # one load is missing
-    each = np.full(len(chosen), steps) if steps == 4 else np.resize(steps, len(chosen))
-    ((rows, many),) = together(chosen)
-    assert rows.tolist() == list(range(len(chosen)))
-    loads, tasks = sharers(many, steps if steps == 4 else each)
-    lines = [(own.hurst, own.elements, m) for own, m in zip(chosen, each, strict=True)]
-    sweeps = [(*line, own.speed) for line, own in zip(lines, chosen, strict=True)]
-    for row, (line, sweep) in enumerate(zip(lines, sweeps, strict=True)):
-        others = {own.load for own, at in zip(chosen, sweeps, strict=True) if at == sweep}
-        assert loads[row] == len(others)
-        assert tasks[row] == lines.count(line)
-
-
 @given(st.floats(1e-9, 0.9), st.sampled_from([-1.0, 1.0]))
 def test_a_velocity_step_is_carried_as_it_is_given(size, sign):
     """The rounding of 1 + dv/v1 alone is left: 1e-7 of a step of 1e-9."""
@@ -114,10 +97,10 @@ def test_speed_ratio_is_the_abscissa_of_figure_7():
 
 
 @pytest.mark.parametrize("surface", ["surface.normalisation=modal", "surface.cutoff=1e-3"])
-def test_together_problems_keep_their_numbers_slopes_and_speeds(surface):
+def test_stacked_problems_keep_their_numbers_slopes_and_speeds(surface):
     grid = "grid.spacing=[1e-4, 2e-4]", "grid.velocity_step=[0.2, -0.2]"
     each = problems(*grid, surface)
-    ((rows, many),) = together(each)
+    ((rows, many),) = stacked(each)
     assert rows.tolist() == list(range(len(each)))
     assert list(zip(*(column.tolist() for column in many[:5]), strict=True)) == [
         problem[:5] for problem in each

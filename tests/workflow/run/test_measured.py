@@ -1,7 +1,6 @@
 """A measured study is run: all its groups with their origin, or nothing at all."""
 
 import json
-import math
 import os
 
 import netCDF4
@@ -10,14 +9,12 @@ import xarray as xr
 
 from elastomer_friction.workflow.cli import main
 from elastomer_friction.workflow.ground import UserError
-from elastomer_friction.workflow.plan import TYPICAL, WHOLE, Pace
-from elastomer_friction.workflow.plan.cost.machine import Learned, label
 from elastomer_friction.workflow.run.measurement import run_measured
 from elastomer_friction.workflow.study.read import read_study
 
 
 def test_all_groups_are_written_with_their_origin(powers, tmp_path, capsys):
-    said = run_measured(read_study("powers"), tmp_path / "powers.nc", TYPICAL).lines
+    said = run_measured(read_study("powers"), tmp_path / "powers.nc")
     shown = capsys.readouterr()
     assert "powers      3\n" in shown.err  # the outline
     assert not shown.out  # it is for the summary
@@ -35,7 +32,7 @@ def test_all_groups_are_written_with_their_origin(powers, tmp_path, capsys):
 def test_a_measured_result_that_was_edited_is_named(powers, tmp_path, capsys):
     study, result = str(powers / "study.toml"), tmp_path / "out" / "powers.nc"
     commands = (["table", study, "--out", str(result.parent)], ["verify", str(result.parent)])
-    run_measured(read_study(study), result, TYPICAL)
+    run_measured(read_study(study), result)
     assert [main(command) for command in commands] == [0, 0]
     note = "was changed or replaced since a run wrote it"
     assert note not in "".join(capsys.readouterr())
@@ -45,17 +42,17 @@ def test_a_measured_result_that_was_edited_is_named(powers, tmp_path, capsys):
     out, err = capsys.readouterr()
     assert f"fault       {result}: {note}" in out
     assert f"note: {result}: {note}" in err
-    run_measured(read_study(study), result, TYPICAL)
+    run_measured(read_study(study), result)
     assert [main(command) for command in commands] == [0, 0]
 
 
 def test_an_interrupted_measurement_leaves_the_earlier_result(powers, tmp_path):
     result = tmp_path / "powers.nc"
-    run_measured(read_study("powers"), result, TYPICAL)
+    run_measured(read_study("powers"), result)
     before = result.read_bytes()
     (powers / "helper.py").write_text("def power(base, n):\n    raise KeyboardInterrupt\n")
     with pytest.raises(KeyboardInterrupt):
-        run_measured(read_study("powers"), result, TYPICAL)
+        run_measured(read_study("powers"), result)
     assert result.read_bytes() == before
 
 
@@ -63,23 +60,11 @@ def test_nothing_is_measured_where_the_result_could_not_be_written(powers, tmp_p
     (powers / "helper.py").write_text("def power(base, n):\n    raise AssertionError\n")
     (tmp_path / "powers.nc").mkdir()
     with pytest.raises(UserError, match=r"powers\.nc: cannot be written: it is not a regular file"):
-        run_measured(read_study("powers"), tmp_path / "powers.nc", TYPICAL)
+        run_measured(read_study("powers"), tmp_path / "powers.nc")
 
 
 def test_core_time_is_that_of_processors_not_of_the_clock(powers, tmp_path, monkeypatch):
     hours = iter(range(9))
     monkeypatch.setattr(os, "times", lambda: (1.0, 2.0, 3.0, 4.0, 3600.0 * next(hours)))
-    said = run_measured(read_study("powers"), tmp_path / "powers.nc", TYPICAL).lines
+    said = run_measured(read_study("powers"), tmp_path / "powers.nc")
     assert said[-1].startswith("0 s of core time used")
-
-
-def test_the_pace_of_the_machine_and_earlier_runs_tell_how_long_it_takes(powers, tmp_path):
-    study, result = read_study("powers"), tmp_path / "powers.nc"
-    seconds = 1.5  # of its outline
-    done = run_measured(study, result, Pace({"steady": (4.0, 1.0)}))
-    assert done.lines[-1].endswith(" 6 s predicted")
-    assert done.typical == {("powers", WHOLE): seconds}
-    assert set(done.spent) == set(done.typical)
-    often = Learned(seconds=3600.0, log=math.log(20.0), square=math.log(20.0) ** 2)
-    done = run_measured(study, result, Pace({}, {label("powers", WHOLE): often}))
-    assert done.lines[-1].endswith("30 s predicted")

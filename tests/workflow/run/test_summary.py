@@ -5,11 +5,9 @@ import dataclasses
 import numpy as np
 import pytest
 
-from elastomer_friction.workflow.plan.cost.work import PLAIN
 from elastomer_friction.workflow.run.failures import point_in_words
 from elastomer_friction.workflow.run.summary import Summary
 from elastomer_friction.workflow.simulate.tasks import PHASES
-from elastomer_friction.workflow.system import this_maker
 from tests.support.documents import without
 from tests.support.small import cut_batches, random_result, small_plan
 
@@ -26,7 +24,7 @@ def spent(weights):
 def counted(weights):
     """Return the summary of that batch alone."""
     summary = Summary(predicted=10.0, wall=30.0, start=5.0, workers=2, files=0.25)
-    summary.count(PLAN, BATCH, spent(weights))
+    summary.count(BATCH, spent(weights))
     return summary
 
 
@@ -40,17 +38,7 @@ def test_seconds_of_phases_and_of_tasks_add_up():
 def test_seconds_of_other_tasks_than_those_of_the_batch_are_none_of_it():
     result = spent([1.0] * 6)
     with pytest.raises(ValueError, match="shorter"):
-        Summary().count(PLAN, BATCH, result._replace(spent=result.spent[1:]))
-
-
-def test_what_this_processor_took_stands_beside_what_is_typical():
-    result = spent([1.0] * 6)
-    summary = counted([1.0] * 6)
-    assert summary.spent == {}  # another maker computed it
-    summary.count(PLAN, BATCH, result._replace(maker=this_maker()))
-    assert sum(summary.spent.values()) == pytest.approx(result.seconds)
-    assert summary.spent[PLAIN, "steady"] == pytest.approx(6.0)
-    assert summary.typical == pytest.approx(PLAN.typical_of(BATCH))
+        Summary().count(BATCH, result._replace(spent=result.spent[1:]))
 
 
 def test_the_points_that_cost_most_come_first():
@@ -81,7 +69,7 @@ def test_a_run_that_had_nothing_to_do_says_only_that():
 
 def test_what_was_used_is_compared_with_what_was_predicted_for_it():
     begun = dataclasses.replace(counted([0.0] * 6), used=1.5 * BATCH.seconds, predicted=7200.0)
-    assert begun.foreseen == BATCH.seconds
+    assert begun.predicted_done == BATCH.seconds
     assert begun.lines(PLAN)[0].endswith("predicted for them (factor 1.50), of 2.0 h for the whole")
     done = dataclasses.replace(begun, written=True)
     assert done.lines(PLAN)[0].endswith("predicted for them (factor 1.50)")

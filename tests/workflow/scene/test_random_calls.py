@@ -168,7 +168,7 @@ def outcome(arguments):
 
     def plan_if_short(study, **more):
         plan = make_plan(study, **more)
-        if plan.prediction().seconds > MOST_SECONDS:
+        if plan.predicted_seconds() > MOST_SECONDS:
             raise TooLong
         return plan
 

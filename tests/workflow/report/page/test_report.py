@@ -9,7 +9,6 @@ import xarray as xr
 from markupsafe import escape
 
 from elastomer_friction.workflow.ground import UserError
-from elastomer_friction.workflow.plan import TYPICAL
 from elastomer_friction.workflow.report import figure
 from elastomer_friction.workflow.report.claims import known_claims
 from elastomer_friction.workflow.report.page import (
@@ -194,7 +193,7 @@ def test_report_of_chosen_studies_and_a_figure_that_cannot_be_drawn(capsys, tmp_
 
 
 def test_a_measured_study_shows_its_settings_and_no_time_stepping(powers, tmp_path):
-    run_measured(read_study("powers"), tmp_path / "powers.nc", TYPICAL)
+    run_measured(read_study("powers"), tmp_path / "powers.nc")
     (powers / "figure.py").unlink()
     page = written(tmp_path, "powers")
     assert "Powers of two" in page

@@ -1,0 +1,50 @@
+"""Errors that the estimates of a run are predicted to have, by the laws of error."""
+
+import math
+from typing import NamedTuple
+
+import numpy as np
+
+from ..study import accuracy_estimates
+from .error_laws import known
+from .goal import FIRST_ORDER
+from .half_space import laws_of
+from .plan import Plan
+
+MAX_PROBLEMS = 300  # whose errors are predicted, spread over all problems
+
+
+class PredictedErrors(NamedTuple):
+    """Relative errors of one estimate at some problems, shape (P,)."""
+
+    chance: np.ndarray  # standard error
+    discretisation: np.ndarray  # upper bound; NaN where no law is known
+
+
+def predicted_errors(plan: Plan) -> dict[str, PredictedErrors]:
+    """Return the errors of each estimate of a study, at problems for which the laws hold.
+
+    Empty where the laws hold for no problem: they are known for Kelvin bodies on random surfaces.
+    No bound is known before a run for b of the first-order scheme.
+    """
+    variant = plan.variants[0]
+    some = variant.tasks[:: math.ceil(len(variant.tasks) / MAX_PROBLEMS)]
+    tasks = [task for task in some if known(task.problem, task.problem.surface.body)]
+    errors: dict[str, PredictedErrors] = {}
+    if not tasks:
+        return errors
+    refines = variant.numerics.refines
+    first_order = variant.numerics.scheme == "implicit-euler"
+    laws = laws_of(tasks[0].problem)
+    for name in accuracy_estimates(plan.study.scene.quantities):
+        if name not in laws:
+            continue
+        chance, bound = np.empty(len(tasks)), np.full(len(tasks), np.nan)
+        for row, task in enumerate(tasks):
+            lines = plan.expected[task.key] * plan.study.realizations_per_block
+            equivalent_steps = task.steps_per_spacing / (FIRST_ORDER if first_order else 1)
+            chance[row] = laws[name].scatter(task.problem) / math.sqrt(lines)
+            if not (first_order and name == "relaxation_rate"):
+                bound[row] = laws[name].error(task.problem, equivalent_steps, refines)
+        errors[name] = PredictedErrors(chance, bound)
+    return errors
