@@ -148,15 +148,14 @@ def _model_error(plan: Plan) -> list[str]:
     """Return what the choice of the body does to mu_1."""
     if "steady" not in plan.study.scene.quantities:
         return []
-    normalisation = plan.variants[0].lines.normalisation
-    tasks = plan.variants[0].tasks
-    ratios = np.array([model_ratio(task.problem, normalisation)[0] for task in tasks])
-    known = ratios[~np.isnan(ratios)]
+    first = plan.variants[0]
+    ratios = [model_ratio(task.problem, first.lines.normalisation)[0] for task in first.tasks]
+    known = np.array([ratio for ratio in ratios if not math.isnan(ratio)])
     if not known.size:
         return [
             'model       error unknown for this surface; compare with scene.body = "half-space"'
         ]
-    some = "" if known.size == ratios.size else f" at {known.size} of {ratios.size} problems"
+    some = "" if known.size == len(ratios) else f" at {known.size} of {len(ratios)} problems"
     return [f"model       mu_1 is {_range(known, 2)} of that on a half-space{some}"]
 
 

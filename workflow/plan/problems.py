@@ -62,7 +62,7 @@ def distinct_problems(study: Study, label: str = "") -> tuple[list[Problem], np.
     return problems, np.array(index).reshape(study.shape)
 
 
-def stacked(problems: list[Problem]) -> list[tuple[np.ndarray, Problem]]:
+def stack_problems(problems: list[Problem]) -> list[tuple[np.ndarray, Problem]]:
     """Return (numbers of problems, those as one whose fields are arrays): for the laws at once.
 
     They share all but the five numbers of the paper, arrays of shape (P,) in the one problem, and

@@ -23,7 +23,7 @@ from ..study import Material, Numerics, Study, Surface
 from .cost import HALVED_STEPS_COST, drawing_seconds, realization_seconds
 from .goal import Goal, fits_worker, goal_of, horizon_steps, steps_per_spacing
 from .motion import check_programme, recording_of
-from .problems import distinct_problems, stacked
+from .problems import distinct_problems, stack_problems
 
 PROBLEM_BYTES = struct.Struct("<dqddd")  # H, N, load, speed and ratio as they enter a key
 STEPS_BYTES = struct.Struct("<qq")
@@ -71,7 +71,7 @@ class Problems(NamedTuple):
     problems: list[Problem]
     key_bytes: list[bytes]  # the problems as they enter keys
     points: np.ndarray  # index of the problem of each grid point
-    stacks: list[tuple[np.ndarray, Problem]]  # as ``stacked`` returns them
+    stacks: list[tuple[np.ndarray, Problem]]  # as ``stack_problems`` returns them
 
 
 def problems_of(study: Study) -> dict[str, Problems]:
@@ -93,7 +93,7 @@ def _distinct(study: Study, label: str) -> Problems:
     # Many problems share the fields after the first five, so that each text is made once.
     settings = {rest: repr(rest).encode() for rest in {problem[5:] for problem in problems}}
     key_bytes = [PROBLEM_BYTES.pack(*p[:5]) + settings[p[5:]] for p in problems]
-    return Problems(problems, key_bytes, points, stacked(problems))
+    return Problems(problems, key_bytes, points, stack_problems(problems))
 
 
 class Sizes(NamedTuple):

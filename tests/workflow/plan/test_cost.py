@@ -19,7 +19,7 @@ from elastomer_friction.kernels.motion.stretches import touchable
 from elastomer_friction.kernels.rheology.kelvin import SCHEMES
 from elastomer_friction.workflow.plan.cost import COST_FACTOR, drawing_seconds, realization_seconds
 from elastomer_friction.workflow.plan.error_laws import touchable_share
-from elastomer_friction.workflow.plan.problems import stacked
+from elastomer_friction.workflow.plan.problems import stack_problems
 from elastomer_friction.workflow.simulate.realizations import block_means
 from elastomer_friction.workflow.simulate.tasks import LineShape, Problem, Recording
 from tests.support.small import HOLDING, PROGRAMME, cut_batches, small_plan
@@ -74,7 +74,7 @@ def test_more_work_takes_more_time(cheap, dear):
 def test_many_problems_at_once_cost_what_each_costs_alone(problem, steps, march_steps, branches):
     other = problem._replace(load=2.0 * problem.load, elements=2 * problem.elements)
     problems = [own._replace(spectrum=BRANCH) if branches else own for own in (problem, other)]
-    ((_, many),) = stacked(problems)
+    ((_, many),) = stack_problems(problems)
     counts, marches = np.array([steps, 2 * steps]), np.array([march_steps, 8])
     found = realization_seconds(many, counts, marches, ALL, Recording(64), "exponential")
     alone = [

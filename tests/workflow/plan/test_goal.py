@@ -22,7 +22,7 @@ from elastomer_friction.workflow.plan.goal import (
     steps_per_spacing,
     whole_blocks,
 )
-from elastomer_friction.workflow.plan.problems import stacked
+from elastomer_friction.workflow.plan.problems import stack_problems
 from elastomer_friction.workflow.simulate.tasks import Problem
 from elastomer_friction.workflow.study.numerics import Numerics
 from elastomer_friction.workflow.study.study import Scene
@@ -101,7 +101,7 @@ def test_goals_of_many_problems_are_those_of_each(problems, wanted, asked):
     scene, numerics = Scene(asked), Numerics(accuracy=wanted)
     found = [
         goal
-        for rows, many in stacked(problems)
+        for rows, many in stack_problems(problems)
         for goal in goal_of(many, scene, numerics).split(rows.size)
     ]
     for problem, goal in zip(problems, found, strict=True):
@@ -217,7 +217,7 @@ LIST = st.lists(
 @given(LIST, st.sampled_from(["exponential", "implicit-euler"]))
 def test_many_problems_take_the_steps_of_each(problems, scheme):
     numerics = Numerics(scheme)
-    ((_, many),) = stacked(problems)
+    ((_, many),) = stack_problems(problems)
     steps = steps_per_spacing(many, ALL, numerics)
     assert steps.tolist() == [steps_per_spacing(one, ALL, numerics) for one in problems]
     marches = [horizon_steps(*each) for each in zip(problems, [numerics] * 9, steps, strict=False)]

@@ -13,7 +13,7 @@ from elastomer_friction.workflow.plan.motion import canonical, rounded
 from elastomer_friction.workflow.plan.problems import (
     distinct_problems,
     speed_ratio,
-    stacked,
+    stack_problems,
     viscous_pressure,
 )
 from elastomer_friction.workflow.simulate.tasks import Problem
@@ -100,7 +100,7 @@ def test_speed_ratio_is_the_abscissa_of_figure_7():
 def test_stacked_problems_keep_their_numbers_slopes_and_speeds(surface):
     grid = "grid.spacing=[1e-4, 2e-4]", "grid.velocity_step=[0.2, -0.2]"
     each = problems(*grid, surface)
-    ((rows, many),) = stacked(each)
+    ((rows, many),) = stack_problems(each)
     assert rows.tolist() == list(range(len(each)))
     assert list(zip(*(column.tolist() for column in many[:5]), strict=True)) == [
         problem[:5] for problem in each
