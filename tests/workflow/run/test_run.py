@@ -126,7 +126,7 @@ def test_records_of_a_damaged_shard_alone_are_computed_again(finished, cut, tmp_
     lost = sum(store.index.find(record)[0] == victim.stem for record in held(store))
     victim.write_bytes(bytes(victim.stat().st_size))  # its length is kept: found when it is read
     (folder / "small.nc").unlink()  # or nothing is read
-    again = run(folder, batch_seconds=1e-4)
+    again = run(folder, batch_seconds=1e-9)
     assert again.summary.batches == lost > 0  # a record each
     after = shards(folder)
     assert all(after[name] == before[name] for name in before if name != victim.name)
