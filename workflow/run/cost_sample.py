@@ -128,9 +128,7 @@ def drawn_batch(plan: Plan, piece: Missing, share: Share, generator: np.random.G
 def _warm_up(plan: Plan, pieces: list[Missing], shares: list[Share]) -> None:
     """Compile or load the kernels, and run a short draw of each variant that is not timed."""
     generator = np.random.default_rng(plan.study.seed)
-    with report_compilation(
-        "the kernels needed", "10 to 60 s", cache.CACHE_FOLDER, cache.WAITING_EVENT
-    ):
+    with report_compilation("the kernels needed", "10 to 60 s", cache.WAITING_EVENT):
         for variant in plan.variants:
             load_kernels(variant.lines.body, variant.numerics.scheme, plan.quantities)
             rows = [row for row, piece in enumerate(pieces) if piece.variant is variant]
