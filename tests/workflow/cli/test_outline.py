@@ -163,4 +163,4 @@ def test_programmes_and_controls():
     absent = absent_effects(small_study("scene.control=indentation", text=indentation))
     assert "prescribed indentation" not in absent
     assert absent["constant normal force"] == 'scene.control is "indentation"'
-    assert absent["steady"].startswith("is defined at a given normal force")
+    assert absent["steady"].startswith("needs a given normal force")
