@@ -20,11 +20,11 @@ from .lines.self_affine import amplitudes
 from .model.force import ConstantForce
 from .quick.case import Case, Quantities
 from .quick.cases import run_cases
-from .quick.contacts.steady_friction import Grounds
+from .quick.contacts.steady_friction import LineSet
 from .quick.march.active import active_march
-from .quick.march.given import March, SteadyState
-from .quick.relaxation import Ends, plain_relaxations
-from .quick.steady.carry import Decay
+from .quick.march.jump_problem import JumpProblem, SteadyState
+from .quick.relaxation import SteadyEnds, plain_relaxations
+from .quick.steady.span_sweep import DecayFactors
 from .quick.steady.spans import SPAN
 from .rheology.forms import form_of
 from .rheology.kelvin import SCHEMES
@@ -50,14 +50,14 @@ def load(scheme: str, requested: Quantities) -> None:
 def load_marches(scheme: str) -> None:
     """Compile the marches, with arguments of the right types and arbitrary values."""
     line, law, load = _line(), SCHEMES[scheme](1.0), WIDE_CONTACTS[0]
-    grounds, spans = Grounds.of([line], marched=True), np.zeros(line.z.size // SPAN)
+    line_set, spans = LineSet.of([line], marched=True), np.zeros(line.z.size // SPAN)
     control, d = ConstantForce(load * line.z.size), load + float(line.z.mean())
-    ends = Ends(Decay(*law), spans[None], np.array([d]))
-    plain_relaxations(grounds.stack, law, ends, ends, control, PLAIN_STEPS)
-    steady = SteadyState(Decay(*law), spans, np.zeros(spans.size + 1), d)
-    ground = grounds.each[0].spans
-    march = March(line.z, line.slope, ground, law, law, steady, steady, 0.0)
-    active_march(march, control, LISTED_STEPS)
+    ends = SteadyEnds(DecayFactors(*law), spans[None], np.array([d]))
+    plain_relaxations(line_set.stack, law, ends, ends, control, PLAIN_STEPS)
+    steady = SteadyState(DecayFactors(*law), spans, np.zeros(spans.size + 1), d)
+    line_spans = line_set.lines[0].spans
+    problem = JumpProblem(line.z, line.slope, line_spans, law, law, steady, steady, 0.0)
+    active_march(problem, control, LISTED_STEPS)
 
 
 def _line() -> Line:

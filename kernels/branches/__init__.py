@@ -1,1 +1,1 @@
-"""Elements with internal variables: their steady sliding, its friction, and velocity jumps."""
+"""Elements with internal variables: steady sliding, its friction, and velocity jumps."""

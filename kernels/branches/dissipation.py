@@ -1,16 +1,18 @@
-"""Friction of steady sliding as the energy that the elements lose.
+"""Friction of steady sliding from the energy that the elements dissipate.
 
-The sum of p z' over samples (eq. 5) has an elastic part that is zero in the integral alone: at
-low speeds, and at high ones where the elastomer is glassy, its error is many times what is
-left of the friction. The loss has no such part. Every element bears the same force in turn,
+The sum of p z' over samples (eq. 5) has an elastic part whose integral is zero. At low speeds, and
+at high speeds where the elastomer is glassy, the quadrature error of that part is many times the
+friction. The dissipated energy has no such part. In steady sliding every element bears the same
+forces in turn, so that
 
-    mu F_N v = sum_k int lambda_k/J_k (dy_k/dt)^2 dt = - sum_k lambda_k int dp/dt dy_k/dt dt,
+    mu F_N v = sum_k int lambda_k/J_k (dy_k/dt)^2 dt = - sum_k lambda_k int dp/dt dy_k/dt dt.
 
-and the integral over a step is taken with its next term for functions that are smooth,
+The integral over a step includes the next term for smooth functions,
 (Dp Dy + D2p D2y / 12) / dt with first and second differences of the samples.
 
-Behind a dashpot forces jump at touch-down, which this cannot resolve. Where such a material
-loses more than it stores the sum over samples is the better estimate, by measurement.
+With a dashpot, forces jump at touch-down, which this quadrature does not resolve. For such a
+material the sum over samples is more accurate where the loss modulus exceeds the storage modulus
+(measured).
 """
 
 import math
@@ -25,13 +27,15 @@ from ..rheology.law import law_of
 from ..rheology.prony import moments
 from ..rheology.retardation import Retardation
 
+MIN_LOSS_SHARE = 1e-3  # a smaller share of the dissipation estimate is dropped
+
 
 def friction_by_loss(
     units: Retardation, form: Form, line: Line, p: np.ndarray, speed: float
 ) -> tuple[float, float]:
     """Return (mu, contact): friction in h/dx and the share of samples in contact.
 
-    units : the retardation form of the material. form : that of the time scheme, the same one
+    units : the retardation form of the material. form : that of the time scheme, either the same
     or the relaxation form. p (n,) : forces of steady sliding (steady_memory.py), in 4 G dx h.
     speed : vbar, signed.
     mu has the sign of the speed; it is NaN where nothing touches.
@@ -40,37 +44,38 @@ def friction_by_loss(
     contact = float(np.mean(p > 0.0))
     if not load > 0.0:
         return math.nan, contact
-    way = math.copysign(1.0, speed)
+    direction = math.copysign(1.0, speed)
     step = 1.0 / (line.steps_per_spacing * abs(speed))
-    # Elements come to the samples from the side that the line moves to.
-    met = p[::-1] if way > 0.0 else p
-    lost = line.steps_per_spacing * _loss(units, np.ascontiguousarray(met), step) / load
+    # Elements reach the samples from the side towards which the line moves.
+    in_passing_order = p[::-1] if direction > 0.0 else p
+    loss = _period_loss(units, np.ascontiguousarray(in_passing_order), step)
+    by_loss = line.steps_per_spacing * loss / load
     share = 1.0 if units.glass > 0.0 else math.exp(-(_loss_tangent(units, 1.0 / step) ** 2))
-    if share < 1e-3:
-        lost = 0.0
-    summed = 0.0 if share == 1.0 else step_friction(form, line, p, speed)
-    return way * share * lost + (1.0 - share) * summed, contact
+    if share < MIN_LOSS_SHARE:
+        by_loss = 0.0
+    by_sum = 0.0 if share == 1.0 else step_friction(form, line, p, speed)
+    return direction * share * by_loss + (1.0 - share) * by_sum, contact
 
 
 def step_friction(form: Form, line: Line, p: np.ndarray, speed: float) -> float:
-    """Return mu of steady sliding (eq. 5) as a step of the march gives it; arguments as above."""
-    way = 1 if speed > 0.0 else -1
+    """Return mu of steady sliding (eq. 5) as a march step computes it; see friction_by_loss."""
+    direction = 1 if speed > 0.0 else -1
     lag = law_of(form, 1.0 / (line.steps_per_spacing * abs(speed))).lag
-    weight = lagged_slope(np.ascontiguousarray(line.slope[::way]), lag)[::way]
+    weight = lagged_slope(np.ascontiguousarray(line.slope[::direction]), lag)[::direction]
     return mean_slope(p, weight)
 
 
 def _loss_tangent(units: Retardation, omega: float) -> float:
-    turn = 1j * omega * units.times
-    compliance = units.glass + np.sum(units.compliances / (1.0 + turn))
+    phase = 1j * omega * units.times
+    compliance = units.glass + np.sum(units.compliances / (1.0 + phase))
     return float(-compliance.imag / compliance.real)
 
 
 @kernel
-def _loss(units, p, dt):
-    """Return the energy that an element loses in a period of forces p (n,), dt apart in time.
+def _period_loss(units, p, dt):
+    """Return the energy that an element dissipates in a period of forces p (n,), dt apart in time.
 
-    The units follow forces that are linear between the samples, and have done so for ever.
+    Forces are linear between the samples, and the motion of the units is periodic.
     """
     count, n = units.times.size, p.size
     decay, end, start, x = np.empty((4, count))
@@ -78,21 +83,21 @@ def _loss(units, p, dt):
         x[k] = dt / units.times[k]
         decay[k], _, at_end, at_start = moments(x[k])
         end[k], start[k] = units.compliances[k] * at_end, units.compliances[k] * at_start
-    y, risen, work = np.zeros((3, count))
+    y, rise, work = np.zeros((3, count))
     for i in range(n):
         new, old = p[i], p[i - 1]
         for k in range(count):
             y[k] = decay[k] * y[k] - (end[k] * new + start[k] * old)
     for k in range(count):
-        y[k] /= -math.expm1(-x[k] * n)  # what periods without end add up to
-    grown = 0.0
-    for i in range(n + 1):  # the step to a sample is weighed when the next one is known
+        y[k] /= -math.expm1(-x[k] * n)  # geometric series over all earlier periods
+    force_step = 0.0
+    for i in range(n + 1):  # a step is weighed once the next one is known
         new, old = p[i % n], p[i - 1]
-        bend = (new - old - grown) / 12.0 if i > 0 else 0.0
+        bend = (new - old - force_step) / 12.0 if i > 0 else 0.0
         for k in range(count):
-            now = decay[k] * y[k] - (end[k] * new + start[k] * old)
-            rise = now - y[k]
-            work[k] += grown * risen[k] + bend * (rise - risen[k])
-            y[k], risen[k] = now, rise
-        grown = new - old
+            new_y = decay[k] * y[k] - (end[k] * new + start[k] * old)
+            new_rise = new_y - y[k]
+            work[k] += force_step * rise[k] + bend * (new_rise - rise[k])
+            y[k], rise[k] = new_y, new_rise
+        force_step = new - old
     return -(work / x).sum()

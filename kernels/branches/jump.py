@@ -1,7 +1,7 @@
-"""What friction does at the moment of a velocity jump: it jumps, or its rate does.
+"""Response of friction to a velocity jump: a jump of mu, or of its rate.
 
-Behind a dashpot forces follow the velocity at once while displacements stay. Without one the
-elastomer is glassy for a moment: forces and friction are continuous, their rates jump.
+With a dashpot, forces follow the velocity at once while displacements are continuous. Without one
+the elastomer is glassy at first: forces and friction are continuous and their rates jump.
 """
 
 import numpy as np
@@ -17,8 +17,8 @@ def friction_jump(form: Form, line: Line, elements: Elements, speed: float, rati
     """Return the jump of mu (h/dx) from steady sliding at ``speed`` to ``ratio`` times it.
 
     form : of the material (rheology/forms.py). elements : of steady sliding (steady_memory.py).
-    speed : vbar, signed. In contact p = p_0 + eta (v z' + d') with p_0 from the state alone: with
-    it in the place of d - z this is the quadrature of the Kelvin element.
+    speed : vbar, signed. In contact p = p_0 + eta (v z' + d'), where p_0 follows from the state
+    alone. With p_0 in place of d - z this is the quadrature of the Kelvin element.
     Raises ValueError for a material without a dashpot.
     """
     viscosity, pressure = static_pressure(form, elements.memory)
@@ -28,10 +28,11 @@ def friction_jump(form: Form, line: Line, elements: Elements, speed: float, rati
         )
     law = law_of(form, 1.0 / (line.steps_per_spacing * abs(speed)))
     free = displacement(form, elements.memory, elements.p) + elements.p / law.stiffness
-    depth = elements.d - pressure  # the height that would take this pressure in a Kelvin element
-    way = 1 if speed > 0.0 else -1
+    depth = elements.d - pressure  # height at which a Kelvin element would bear this pressure
+    direction = 1 if speed > 0.0 else -1
     z, slope, w = (
-        np.ascontiguousarray(field[::way]) for field in (depth, line.slope, free + depth - line.z)
+        np.ascontiguousarray(field[::direction])
+        for field in (depth, line.slope, free + depth - line.z)
     )
     viscous, load = viscosity * speed, float(elements.p.sum())
     before, _, _ = quadrature(z, slope, w, elements.d, viscous, viscous, load)
@@ -44,9 +45,9 @@ def initial_rate(
 ) -> float:
     """Return d mu/dt (h/dx per tau) at t0+ after the jump from ``speed`` to ``ratio`` times it.
 
-    p (n,) : forces. The rates of the units are those of steady sliding, in which mu is constant;
-    what the change of velocity dv adds to the rates of the forces is dv (z' - mean z')/J_g over the
-    touching elements, and to those of their slopes -dv z''. z'' is that of the Fourier series.
+    p (n,) : forces. The rates of the units are those of steady sliding, in which mu is constant.
+    A velocity change dv adds dv (z' - mean z')/J_g to the rates of the forces, over the touching
+    elements, and -dv z'' to the rates of the slopes. z'' is that of the Fourier series.
     Raises ValueError for a material with a dashpot, whose friction jumps.
     """
     if units.glass == 0.0:
@@ -54,14 +55,14 @@ def initial_rate(
     touching = p > 0.0
     slope = line.slope[touching]
     stiffening = float(np.sum((slope - slope.mean()) ** 2)) / units.glass
-    turning = float(np.sum(p * _derivative(line)))
+    turning = float(np.sum(p * _second_derivative(line)))
     return (ratio - 1.0) * speed * (stiffening - turning) / float(p.sum())
 
 
-def _derivative(line: Line) -> np.ndarray:
+def _second_derivative(line: Line) -> np.ndarray:
     """Return z'' in h/dx^2, shape (n,)."""
     n = line.slope.size
     waves = np.fft.rfft(line.slope) * 2j * np.pi * np.fft.rfftfreq(n) * line.steps_per_spacing
     if n % 2 == 0:
-        waves[-1] = 0.0  # a sine between the samples: its slope at them is zero
+        waves[-1] = 0.0  # the derivative of the shortest cosine vanishes at the samples
     return np.fft.irfft(waves, n)

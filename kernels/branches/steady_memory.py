@@ -1,17 +1,17 @@
 """Steady sliding of elements with internal variables, without time marching.
 
-At constant indentation the line carries its field of states along. One turn of an element round
-the period, from the deepest sample, is a piecewise linear map of its state there and of d. It
-must come back to where it began, and the forces on the way must carry the load (eq. 4): Newton's
-method on both with exact tangents, which follow the same law (tangents.py). Where the line lies
+At constant indentation the field of states moves with the line. One turn of an element round the
+period, from the deepest sample, is a piecewise linear map of its state there and of d. The state
+must return to its initial value, and the forces on the way must carry the load (eq. 4). Newton's
+method solves both, with exact tangents that follow the same law (tangents.py). Where the line lies
 above d no element touches, as none is ever pulled up, and the element takes many steps at once.
-The first guess is the state of every sixteenth sample in steps that are as long, and its own that
-of still fewer.
-Eq. 4 alone is solved in model/contact.py, and in model/steady.py where u is all that is remembered.
+The initial guess is the solution on every sixteenth sample, with steps sixteen times as long; its
+own guess comes from a coarser line again.
+Eq. 4 alone is solved in model/contact.py, and in model/steady.py for elements that remember only u.
 
-The state of an element at given d contracts in its own energy norm and the force grows with d,
-so that there is one solution. A step that leaves no element touching is halved; all loops are
-bounded, and what is left of the equations is the residual.
+The state of an element at given d contracts in its own energy norm and the force grows with d, so
+the solution is unique. A step after which no element touches is halved. All loops are bounded, and
+the remaining error is reported as the residual.
 """
 
 from dataclasses import dataclass
@@ -32,15 +32,17 @@ from ..rheology.lookahead import (
 )
 from .tangents import carry_rows, powers_of_steps, tangents_of
 
-TURNS = 60  # at most; a few are enough
-EXACT = 1e-13  # residual that is as good as none
-GUESSED = 1e-3  # and that is as good as it need be of a first guess
-SOUND = 1e-6  # residual that is taken
-FINEST = 1e-13  # and beside it, times the stiffness of a step: what rounding leaves
-QUICK = 8  # tangents that take so many numbers of products for each sample spare more time
-TOGETHER = 16  # samples at which the memory of a unit is filled before that of the next
-APART = 64  # samples that are taken one by one before it is asked again whether many can be passed
-COARSER, COARSEST = 16, 1000  # samples of the line for one of a guess, and how many it has at least
+MAX_TURNS = 60  # a few are enough
+TARGET_RESIDUAL = 1e-13
+COARSE_RESIDUAL = 1e-3  # target on a coarser line, which only gives a guess
+ACCEPTED_RESIDUAL = 1e-6  # a larger one is an error
+STIFFNESS_ROUNDING = 1e-13  # times the stiffness of a step: allowed in addition, for rounding
+# Tangents that cost fewer products per sample than this are always exact: they save more turns
+# than they cost.
+CHEAP_PRODUCTS = 8
+FILL_SAMPLES = 16  # samples at which one unit's memory is filled before the next unit's
+SLIDE_SAMPLES = 64  # samples taken one by one before the next test for a gap
+COARSENING, MIN_COARSE_SAMPLES = 16, 1000  # samples per coarse sample, samples of a coarse line
 
 
 @dataclass(frozen=True)
@@ -49,17 +51,17 @@ class SteadyMemory:
 
     p: np.ndarray  # forces at the samples of the line, after a step, shape (n,), in 4 G dx h
     d: float  # indentation, in h
-    work: int  # updates of an element or of a tangent that it took
-    residual: float  # what is left of the equations, relative
+    work: int  # updates of elements and of tangents
+    residual: float  # relative residual of the equations
     form: Form
     speed: float  # in samples per tau, signed
     deepest: int  # sample
-    before: np.ndarray  # shape (M,): what is counted of an element that comes from there
+    before: np.ndarray  # shape (M,): state of the element that leaves the deepest sample
 
     @cached_property
     def elements(self) -> Elements:
-        """The elements: where forces alone are asked for no memory is filled, else once."""
-        memory = _remembered(self.form, self.speed, self.before.copy(), self.p, self.deepest)
+        """The elements with their memory, which is filled on first use."""
+        memory = _memory_of_forces(self.form, self.speed, self.before.copy(), self.p, self.deepest)
         return Elements(memory, self.p, self.d)
 
 
@@ -67,136 +69,139 @@ def steady_memory(form: Form, z: np.ndarray, speed: float, load: float) -> Stead
     """Return the steady state of sliding under the load sum_i f_i = load.
 
     form : of the material (rheology/forms.py). z : heights of the line, shape (n,), in h.
-    speed : in samples per tau, negative towards -x. Raises ValueError where it is not found.
+    speed : in samples per tau, negative towards -x. Raises ValueError without convergence.
     """
-    return _found(form, z, speed, load, np.nan)
+    return _checked_state(form, z, speed, load, np.nan)
 
 
 def steady_at(form: Form, z: np.ndarray, speed: float, d: float) -> SteadyMemory:
-    """Return the steady state of sliding at a given indentation d (in h), as steady_memory."""
-    return _found(form, z, speed, np.nan, d)
+    """Return the steady state of sliding at a given indentation d (in h); see steady_memory."""
+    return _checked_state(form, z, speed, np.nan, d)
 
 
-def _found(form: Form, z: np.ndarray, speed: float, load: float, d: float) -> SteadyMemory:
-    """Return the steady state under a load, or at d if the load is NaN.
-
-    Heights and d are counted from the deepest sample: what presses in is known to rounding then.
-    """
-    p, d, work, residual, deepest, before = _solved(form, z, speed, load, d, TURNS)
-    if not residual <= SOUND + FINEST * law_of(form, 1.0 / abs(speed)).stiffness:
+def _checked_state(form: Form, z: np.ndarray, speed: float, load: float, d: float) -> SteadyMemory:
+    """Return the steady state under a load, or at d if the load is NaN."""
+    p, d, work, residual, deepest, before = _solve_grids(form, z, speed, load, d, MAX_TURNS)
+    rounding = STIFFNESS_ROUNDING * law_of(form, 1.0 / abs(speed)).stiffness
+    if not residual <= ACCEPTED_RESIDUAL + rounding:
         raise ValueError(
             f"speed = {speed:g} samples per tau: no steady state was found, "
-            f"its equations are off by {residual:.1e}"
+            f"relative residual {residual:.1e}"
         )
     return SteadyMemory(p, d, work, residual, form, speed, deepest, before)
 
 
 @kernel
-def _solved(form, z, speed, load, d, most):
-    """Return the first four fields of SteadyMemory, and the last two."""
+def _solve_grids(form, z, speed, load, d, max_turns):
+    """Return p, d, work, residual, deepest and before of SteadyMemory, from coarse to fine lines.
+
+    Heights and d are taken relative to the deepest sample, so that indentations are exact to
+    rounding.
+    """
     count, n = memory_size(form), z.size
-    first, way = np.argmin(z), -1 if speed > 0.0 else 1
-    apart = 1
-    while n // (COARSER * apart) >= COARSEST:
-        apart *= COARSER
+    deepest, direction = np.argmin(z), -1 if speed > 0.0 else 1
+    stride = 1
+    while n // (COARSENING * stride) >= MIN_COARSE_SAMPLES:
+        stride *= COARSENING
     x, forces, updates, residual = np.zeros(count + 1), np.empty(0), 0, np.inf
-    x[-1] = d - z[first]
-    while apart > 0:
-        line = _as_met(z, first, way * apart, n // apart)
-        here, law = load * line.size / n, lookahead_law(law_of(form, apart / abs(speed)))
+    x[-1] = d - z[deepest]
+    while stride > 0:
+        line = heights_in_order(z, deepest, direction * stride, n // stride)
+        line_load, law = load * line.size / n, lookahead_law(law_of(form, stride / abs(speed)))
         if not residual < 1.0:
-            held = np.array([x[-1]])
+            relaxed = np.array([x[-1]])
             if not np.isnan(load):
-                held[0], _ = solve_indentation(line, here, here / line.size)
-            x[-1], held[0] = held[0], max(held[0], 0.0)
+                relaxed[0], _ = solve_indentation(line, line_load, line_load / line.size)
+            x[-1], relaxed[0] = relaxed[0], max(relaxed[0], 0.0)
             x[:-1] = lookahead_memory(
-                law, np.ascontiguousarray(rest_memory(form, held)[:, 0]), held[0]
+                law, np.ascontiguousarray(rest_memory(form, relaxed)[:, 0]), relaxed[0]
             )
         forces = np.empty(line.size)
-        turns, residual = _solve(law, line, here, EXACT if apart == 1 else GUESSED, most, x, forces)
+        target = TARGET_RESIDUAL if stride == 1 else COARSE_RESIDUAL
+        turns, residual = _solve_line(law, line, line_load, target, max_turns, x, forces)
         updates += turns * line.size * (count + 2)
-        apart //= COARSER
-    cut = first if way < 0 else n - 1 - first
-    if way < 0:
+        stride //= COARSENING
+    cut = deepest if direction < 0 else n - 1 - deepest
+    if direction < 0:
         p = np.concatenate((forces[:cut][::-1], forces[cut:][::-1]))
     else:
         p = np.concatenate((forces[cut:], forces[:cut]))
-    return p, x[-1] + z[first], updates, residual, first, x[:-1].copy()
+    return p, x[-1] + z[deepest], updates, residual, deepest, x[:-1].copy()
 
 
 @kernel
-def _as_met(z, first, way, count):
-    """Return ``count`` heights over the deepest, at every ``way``-th sample up to ``first``."""
-    line, j = np.empty(count), (first - way * count) % z.size
+def heights_in_order(z, deepest, stride, count):
+    """Return ``count`` heights over the deepest sample, one stride apart, ending there."""
+    line, j = np.empty(count), (deepest - stride * count) % z.size
     for i in range(count):
-        j += way
+        j += stride
         if j < 0 or j >= z.size:
             j %= z.size
-        line[i] = z[j] - z[first]
+        line[i] = z[j] - z[deepest]
     return line
 
 
 @kernel
-def _remembered(form, speed, y, p, first):
-    """Return what elements under the forces p remember, shape (M, n); y is changed."""
-    law, way = lookahead_law(law_of(form, 1.0 / abs(speed))), -1 if speed > 0.0 else 1
-    n, memory, i, j = p.size, np.empty((y.size, p.size)), 0, first
+def _memory_of_forces(form, speed, y, p, deepest):
+    """Return the memory, shape (M, n), of elements that bear the forces p; y is changed."""
+    law, direction = lookahead_law(law_of(form, 1.0 / abs(speed))), -1 if speed > 0.0 else 1
+    n, memory, i, j = p.size, np.empty((y.size, p.size)), 0, deepest
     while i < n:
-        j = (j + way) % n
-        some = min(TOGETHER, n - i, j + 1 if way < 0 else n - j)
-        fill_memory(law, y, p, memory, j, way, some)
-        i, j = i + some, j + way * (some - 1)
+        j = (j + direction) % n
+        count = min(FILL_SAMPLES, n - i, j + 1 if direction < 0 else n - j)
+        fill_memory(law, y, p, memory, j, direction, count)
+        i, j = i + count, j + direction * (count - 1)
     return memory
 
 
 @kernel
-def _solve(law, line, load, enough, most, x, forces):
-    """Take x to the solution with Newton's method; return (turns, residual).
+def _solve_line(law, line, load, target, max_turns, x, forces):
+    """Solve for x with Newton's method; return (turns, residual).
 
-    Where a step leaves less than a tenth and tangents take longer than the turns that they spare,
-    what it leaves corrects them (C. G. Broyden, Math. Comp. 19 (1965) 577).
-    x : what is counted of the element before its turn, and d; the best of all turns is left there,
-    and its forces (n,) too. load : NaN where d is given. most : turns.
+    After a step that reduces the residual tenfold, expensive tangents are not computed again but
+    corrected by a rank-one update (C. G. Broyden, Math. Comp. 19 (1965) 577).
+    x : state of the element before its turn, and d; overwritten by the best iterate. forces (n,) :
+    filled with those of that iterate. load : NaN where d is given.
     """
-    size, least, before, turns, exact, quick = x.size, np.inf, 0.0, 0, False, False
-    sound = SOUND + FINEST * law.stiffness
+    size, best, previous, turns, exact, cheap = x.size, np.inf, 0.0, 0, False, False
+    accepted = ACCEPTED_RESIDUAL + STIFFNESS_ROUNDING * law.stiffness
     powers, tangents = powers_of_steps(law, size + 1, line.size), np.empty((size, size + 1))
-    now, step, tried = x.copy(), np.zeros(size), np.empty(line.size)
-    while turns < most:
+    trial, step, trial_forces = x.copy(), np.zeros(size), np.empty(line.size)
+    while turns < max_turns:
         y = np.zeros(powers.product.shape[0])
-        y[:size] = now
-        _turn(law, line, y, powers, tried)
+        y[:size] = trial
+        turn_element(law, line, y, powers, trial_forces)
         y = y[: size + 1]
         turns += 1
         if y[-1] <= 0.0 and not np.isnan(load):
             step *= 0.5
-            now -= step
-            before = 0.0
+            trial -= step
+            previous = 0.0
             continue
-        y[:-1] -= now
+        y[:-1] -= trial
         y[-1] -= load
-        left = _residual(y, now, load)
-        stuck = exact and least < sound and not left < 0.5 * least
-        if left < least:
-            least = left
-            x[:], forces[:] = now, tried
-        if stuck or left < enough:
+        residual = _residual(y, trial, load)
+        stalled = exact and best < accepted and not residual < 0.5 * best
+        if residual < best:
+            best = residual
+            x[:], forces[:] = trial, trial_forces
+        if stalled or residual < target:
             break
-        exact = not left < 0.1 * before or quick
-        before = left
+        exact = not residual < 0.1 * previous or cheap
+        previous = residual
         if exact:
-            tangents, spells = tangents_of(powers, tried)
-            quick = spells * powers.product.size < QUICK * line.size
+            tangents, spells = tangents_of(powers, trial_forces)
+            cheap = spells * powers.product.size < CHEAP_PRODUCTS * line.size
         else:
             tangents += np.outer(step / (step**2).sum(), y)
-        step = _step(tangents, y)
-        now += step
-    return turns, least
+        step = _newton_step(tangents, y)
+        trial += step
+    return turns, best
 
 
 @kernel
 def _residual(excess, x, load):
-    """Return what is left of the equations: of the state relative to it, of forces to the load."""
+    """Return the larger of the relative residuals of the state and of the load."""
     largest = np.abs(x[:-1]).max()
     scale = max(largest, 1e-30 * max(largest, abs(x[-1])), 1e-300)
     state = np.abs(excess[:-1]).max() / scale
@@ -204,11 +209,11 @@ def _residual(excess, x, load):
 
 
 @refcount_free_kernel
-def _turn(law, line, x, powers, forces):
+def turn_element(law, line, x, powers, forces):
     """Take an element round the line, from before the first of the heights (n,) to after the last.
 
-    x : shape (W,), what is counted of it, d, and the sum of the forces on it, changed.
-    forces (n,) is filled.
+    x : shape (W,), the state of the element, d, and the sum of its forces; changed.
+    forces (n,) : filled.
     """
     count, total, i = powers.size - 2, 0.0, 0
     d = x[count]
@@ -220,17 +225,17 @@ def _turn(law, line, x, powers, forces):
         if stop - i >= BLOCK_SAMPLES:
             carry_rows(powers, False, stop - i, x.reshape(1, -1))
         else:
-            stop = min(i + APART, line.size)
+            stop = min(i + SLIDE_SAMPLES, line.size)
             total += slide_element(law, x[:count], d, line[i:stop], forces[i:stop])
         i = stop
     x[count + 1] = total
 
 
 @kernel
-def _step(tangents, excess):
-    """Return the step of Newton's method: elimination with pivots, the same bits everywhere.
+def _newton_step(tangents, excess):
+    """Return the Newton step, by elimination with pivots: the same bits on every machine.
 
-    Where the load is not given, d is: its row says that it stays.
+    Where d is given instead of the load, the row of d keeps it constant.
     """
     size = excess.size - 1
     a = np.empty((size, size + 1))
@@ -249,7 +254,10 @@ def _step(tangents, excess):
 
 @kernel
 def _eliminate(a):
-    """Solve the equations a, shape (size, size + 1), with pivots; the last column is the answer."""
+    """Solve the equations a, shape (size, size + 1), by Gauss-Jordan elimination with pivots.
+
+    The last column is the right-hand side and becomes the solution.
+    """
     for k in range(a.shape[0]):
         pivot = k
         for i in range(k + 1, a.shape[0]):
@@ -257,9 +265,9 @@ def _eliminate(a):
                 pivot = i
         for j in range(a.shape[1]):
             a[k, j], a[pivot, j] = a[pivot, j], a[k, j]
-        whole = a[k, k]
+        diagonal = a[k, k]
         for j in range(a.shape[1]):
-            a[k, j] /= whole
+            a[k, j] /= diagonal
         for i in range(a.shape[0]):
             if i != k:
                 factor = a[i, k]

@@ -1,1 +1,1 @@
-"""What the model says, computed quicker. Nothing here states a law."""
+"""Faster versions of the model, equal to it in the results. No law is stated here."""

@@ -1,4 +1,4 @@
-"""What a realization is asked for and what it gives: cases and outcomes. Plain data."""
+"""Input and output of one realization: cases and outcomes, plain data."""
 
 from typing import NamedTuple
 
@@ -9,7 +9,7 @@ from ..rheology.spectrum import KELVIN, Spectrum
 
 
 class Quantities(NamedTuple):
-    """What a scene asks for."""
+    """Quantities requested from a realization."""
 
     steady: bool = True
     jump: bool = True
@@ -19,24 +19,24 @@ class Quantities(NamedTuple):
 
     @property
     def anything(self) -> bool:
-        """Return whether any steady state is needed for what is asked."""
+        """Return whether any requested quantity needs a steady state."""
         return self.steady or self.jump or self.relaxation or self.initial_rate
 
 
 class Case(NamedTuple):
-    """One load, one speed v1 and the jumps from it, on a line that is given."""
+    """One load, one speed v1 and the velocity jumps from it, on a given line."""
 
     load: float  # Fbar = F_N / (4 G L h)
     speed: float  # vbar = v1 tau / dx, signed
     ratios: tuple[float, ...]  # v2 / v1
-    kept_steps: tuple[np.ndarray, ...]  # per ratio: the steps at which the relaxation is kept
+    kept_steps: tuple[np.ndarray, ...]  # per ratio: the steps at which the relaxation is recorded
     scheme: str
     spectrum: Spectrum = KELVIN
     refine: bool = True  # follow contacts of steady sliding between the samples of the line
 
     @property
     def plain(self) -> bool:
-        """Return whether this is a Kelvin element that slides one way."""
+        """Return whether Kelvin elements slide in the positive direction throughout."""
         forwards = self.speed > 0.0 and all(ratio > 0.0 for ratio in self.ratios)
         return self.spectrum == KELVIN and forwards
 
@@ -58,38 +58,38 @@ class Outcome(NamedTuple):
     mu_1: float
     indentation: float
     contact_fraction: float
-    samples_per_contact: float  # of the march; where nothing is marched, of what friction rests on
+    samples_per_contact: float  # of the march; without one, of the friction
     mu_2: np.ndarray  # shape (ratios,)
     jump: np.ndarray  # shape (ratios,)
     curves: list[np.ndarray]  # per ratio: mu at the recorded steps, ending towards mu_2
     work: int  # element updates, the measure of cost
     seconds: Seconds
-    initial_rate: np.ndarray  # shape (ratios,): d mu/dt at t0+, per tau; NaN where not asked for
+    initial_rate: np.ndarray  # shape (ratios,): d mu/dt at t0+, per tau; NaN unless requested
 
 
 class PhaseClocks:
-    """Books the time since its last reading to phases of cases, in proportion to work."""
+    """Clocks that distribute elapsed time over the phases of cases, in proportion to work."""
 
     def __init__(self, cases: int = 1) -> None:
         self.spent = [[0.0] * cases for _ in Seconds._fields]
         self.last = computing_seconds()
 
     def lap(self, steady: np.ndarray, jump: np.ndarray | float = 0.0) -> None:
-        """Book the time: work of the steady state of every case, and of the jumps."""
+        """Distribute the time since the last reading by the work of steady states and of jumps."""
         now = computing_seconds()
         jumps = np.broadcast_to(jump, steady.shape)
-        each = (now - self.last) / max(float(steady.sum() + jumps.sum()), 1.0)
+        seconds_per_work = (now - self.last) / max(float(steady.sum() + jumps.sum()), 1.0)
         for case in range(steady.size):
-            self.spent[STEADY][case] += each * float(steady[case])
-            self.spent[JUMP][case] += each * float(jumps[case])
+            self.spent[STEADY][case] += seconds_per_work * float(steady[case])
+            self.spent[JUMP][case] += seconds_per_work * float(jumps[case])
         self.last = now
 
     def lap_phase(self, phase: int, case: int = 0) -> None:
-        """Book the time to a phase of one case."""
+        """Add the time since the last reading to a phase of one case."""
         now = computing_seconds()
         self.spent[phase][case] += now - self.last
         self.last = now
 
     def seconds(self, case: int = 0) -> Seconds:
-        """Return what a case has taken."""
+        """Return the time of a case."""
         return Seconds(*[phase[case] for phase in self.spent])

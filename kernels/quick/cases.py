@@ -1,7 +1,8 @@
-"""One realization: a line, its steady states, the jumps from them and the relaxations.
+"""One realization: a line, its steady states, the velocity jumps and the relaxations.
 
-Only what is asked for is computed. Points share what they can: one line serves all loads and
-speeds, its thresholds at one speed serve all loads, one steady state at v1 all velocity jumps.
+Only requested quantities are computed. Points share as much as possible: one line serves all loads
+and speeds, its thresholds at one speed serve all loads, and one steady state at v1 serves all
+velocity jumps.
 """
 
 from collections.abc import Sequence
@@ -12,99 +13,103 @@ from ..control.printed_eq3 import PrintedForce
 from ..lines.line import Line
 from ..model.force import ConstantForce
 from .case import MARCHING, Case, Outcome, PhaseClocks, Quantities, Seconds
-from .contacts.steady_friction import Grounds, Sliding, follow_contacts, steady_friction
+from .contacts.steady_friction import LineSet, SteadySliding, follow_contacts, steady_friction
 from .march.active import active_march
-from .march.given import March, SteadyState
+from .march.jump_problem import JumpProblem, SteadyState
 from .memory_case import run_memory_case
-from .prepared import Prepared, Together, prepare
-from .relaxation import Ends, plain_relaxations
-from .steady.stack import alone
+from .prepared import Prepared, SharedCases, prepare
+from .relaxation import SteadyEnds, plain_relaxations
+from .steady.stack import single_line
 
-FEW = 4000  # steps of elements: so few are stepped sooner than lists are made
-
-
-def run_case(line: Line, case: Case, asked: Quantities) -> Outcome:
-    """Compute one case on one line, as run_cases does."""
-    return run_cases(line, [case], asked)[0]
+MAX_PLAIN_UPDATES = 4000  # element steps: below it, the plain march is faster than making lists
+JUMP_WORK_SHARE = 0.3  # work of one jump relative to that of following contacts (measured)
 
 
-def run_cases(line: Line, cases: Sequence[Case], asked: Quantities) -> list[Outcome]:
-    """Compute cases on one line. What one gives does not depend on the others, to the bit.
+def run_case(line: Line, case: Case, requested: Quantities) -> Outcome:
+    """Compute one case on one line; see run_cases."""
+    return run_cases(line, [case], requested)[0]
+
+
+def run_cases(line: Line, cases: Sequence[Case], requested: Quantities) -> list[Outcome]:
+    """Compute cases on one line. The outcome of one does not depend on the others, to the bit.
 
     Raises ValueError for a case that is not supported.
     """
-    return run_prepared([line], prepare(cases, line.steps_per_spacing, asked))[0]
+    return run_prepared([line], prepare(cases, line.steps_per_spacing, requested))[0]
 
 
 def run_prepared(lines: Sequence[Line], prepared: Prepared) -> list[list[Outcome]]:
-    """Compute cases that are prepared for many lines on some of as many samples; one list each.
+    """Compute prepared cases on lines with equally many samples; return one list per line.
 
-    Kelvin elements that slide one way share what they can: those of one speed are found together,
-    on all the lines. What a line gives does not depend on the others, to the bit.
+    Kelvin elements of one speed that slide in the positive direction are computed together, on all
+    the lines. The outcomes of one line do not depend on the others, to the bit.
     The relaxation curve is mu_2 plus the deviation of the marched step average from its own
-    steady value, so that it ends at mu_2 exactly whatever the step. Raises ValueError for
-    lines that differ in their samples, or of other steps than the cases are prepared for.
+    steady value, so that it ends at mu_2 exactly whatever the step. Raises ValueError for lines
+    that differ in their samples, or whose steps per spacing are not those of the prepared cases.
     """
     kinds = {(line.z.size, line.steps_per_spacing, line.band_limited) for line in lines}
     if len(kinds) != 1 or lines[0].steps_per_spacing != prepared.steps_per_spacing:
         raise ValueError(f"lines must be alike, of {prepared.steps_per_spacing} steps per spacing")
-    asked, cases = prepared.asked, prepared.cases
-    found: list[dict[int, Outcome]] = [
-        {i: run_memory_case(line, cases[i], asked) for i in prepared.alone} for line in lines
+    requested, cases = prepared.requested, prepared.cases
+    outcomes: list[dict[int, Outcome]] = [
+        {i: run_memory_case(line, cases[i], requested) for i in prepared.separate} for line in lines
     ]
-    if prepared.together:
-        grounds = Grounds.of(lines, marched=asked.relaxation)
-        for some in prepared.together:
-            for row, outcomes in zip(some.rows, _run_loads(grounds, some, asked), strict=True):
-                for own, outcome in zip(found, outcomes, strict=True):
-                    own[row] = outcome
-    return [[own[i] for i in range(len(cases))] for own in found]
+    if prepared.shared:
+        line_set = LineSet.of(lines, marched=requested.relaxation)
+        for shared in prepared.shared:
+            results = _run_shared(line_set, shared, requested)
+            for row, on_lines in zip(shared.rows, results, strict=True):
+                for of_line, outcome in zip(outcomes, on_lines, strict=True):
+                    of_line[row] = outcome
+    return [[of_line[i] for i in range(len(cases))] for of_line in outcomes]
 
 
-def _run_loads(grounds: Grounds, some: Together, asked: Quantities) -> list[list[Outcome]]:
-    """Compute cases of Kelvin elements that differ in their loads, and in what is kept.
-
-    Return the outcomes of each case, on all the lines.
-    """
-    lines, n = grounds.stack.z.shape
-    loads, clocks = some.loads * n, PhaseClocks(len(some.cases))
-    follow = some.cases[0].refine and grounds.known_between
-    one = steady_friction(grounds, some.at_speed, loads, follow)
-    jumping = len(some.at_speed.others)
-    clocks.lap(_work(one), 0.0 if follow else jumping * n * lines)
+def _run_shared(
+    line_set: LineSet, shared: SharedCases, requested: Quantities
+) -> list[list[Outcome]]:
+    """Compute SharedCases; return the outcomes of each case, on all the lines."""
+    lines, n = line_set.stack.z.shape
+    loads, clocks = shared.loads * n, PhaseClocks(len(shared.cases))
+    follow = shared.cases[0].refine and line_set.smooth
+    one = steady_friction(line_set, shared.constants, loads, follow)
+    jumps = len(shared.constants.others)
+    clocks.lap(_work(one), 0.0 if follow else jumps * n * lines)
     if follow:
         events = follow_contacts(one)
-        clocks.lap(events, 0.3 * jumping * events)  # as measured
+        clocks.lap(events, JUMP_WORK_SHARE * jumps * events)
     twos = []
-    for later in some.following:
+    for constants in shared.following:
         two = one
-        if later.speed != some.at_speed.speed:
-            two = steady_friction(grounds, later, loads, follow)
+        if constants.speed != shared.constants.speed:
+            two = steady_friction(line_set, constants, loads, follow)
             clocks.lap(_work(two))
             if follow:
                 clocks.lap(follow_contacts(two, one))
         twos.append(two)
-    return [_under_load(one, twos, i, some, asked, clocks) for i in range(len(some.cases))]
+    return [
+        _outcomes_under_load(one, twos, i, shared, requested, clocks)
+        for i in range(len(shared.cases))
+    ]
 
 
-def _work(found: Sliding) -> np.ndarray:
-    """Return the work under every load on all the lines, in samples."""
-    return (found.updates + found.grounds.stack.z.shape[1]).sum(axis=0)
+def _work(sliding: SteadySliding) -> np.ndarray:
+    """Return the work per load, in samples, summed over all lines."""
+    return (sliding.updates + sliding.line_set.stack.z.shape[1]).sum(axis=0)
 
 
-def _under_load(
-    one: Sliding,
-    twos: list[Sliding],
+def _outcomes_under_load(
+    one: SteadySliding,
+    twos: list[SteadySliding],
     i: int,
-    some: Together,
-    asked: Quantities,
+    shared: SharedCases,
+    requested: Quantities,
     clocks: PhaseClocks,
 ) -> list[Outcome]:
-    """Return what is found under load i on all the lines: at v1, at each v2 and between.
+    """Return the outcomes of case i on all the lines.
 
-    twos : steady sliding at each v2, or nothing.
+    one : steady sliding at v1. twos : at each v2, or empty where no v2 is requested.
     """
-    case, (lines, _) = some.cases[i], one.grounds.stack.z.shape
+    case, (lines, _) = shared.cases[i], one.line_set.stack.z.shape
     work = one.updates[:, i].copy()
     mu_2 = np.full((lines, len(case.ratios)), np.nan)
     curves: list[list[np.ndarray]] = [[] for _ in range(lines)]
@@ -112,65 +117,83 @@ def _under_load(
         if two is not one:
             work += two.updates[:, i]
         mu_2[:, k] = two.mu[:, i]
-        if asked.relaxation:
-            found, updates = _curves(one, two, i, k, case.kept_steps[k], asked)
-            found += two.mu[:, i : i + 1]
-            for own, curve in zip(curves, found, strict=True):
-                own.append(curve)
+        if requested.relaxation:
+            deviations, updates = relaxations_under_load(
+                one, two, i, k, case.kept_steps[k], requested
+            )
+            deviations += two.mu[:, i : i + 1]
+            for of_line, curve in zip(curves, deviations, strict=True):
+                of_line.append(curve)
             work += updates
             clocks.lap_phase(MARCHING, i)
-    jumps = one.found.jumps[:, i] if asked.jump else np.full(mu_2.shape, np.nan)
+    jumps = one.results.jumps[:, i] if requested.jump else np.full(mu_2.shape, np.nan)
     seconds = Seconds(*(spent / lines for spent in clocks.seconds(i)))
-    nothing = some.nothing
     return [
         Outcome(
             float(one.mu[j, i]),
             float(one.indentation[j, i]),
             float(one.contact[j, i]),
-            float(one.samples[j, i]) if asked.relaxation else one.samples_seen(j, i),
+            float(one.samples[j, i]) if requested.relaxation else one.effective_samples(j, i),
             mu_2[j],
             jumps[j].copy(),
             curves[j],
             int(work[j]),
             seconds,
-            nothing,
+            shared.no_rates,
         )
         for j in range(lines)
     ]
 
 
-def _curves(
-    one: Sliding, two: Sliding, i: int, k: int, kept_steps: np.ndarray, asked: Quantities
+def relaxations_under_load(
+    one: SteadySliding,
+    two: SteadySliding,
+    i: int,
+    k: int,
+    kept_steps: np.ndarray,
+    requested: Quantities,
 ) -> tuple[np.ndarray, np.ndarray]:
-    """Return the deviation of mu from mu_2 under load i after step k, and element updates.
+    """Return the deviation of mu from mu_2 under load i after jump k, and element updates.
 
-    On all the lines: shapes (lines, kept) and (lines,). Where the whole line touches at both
-    speeds, d is the same at both, every step begins with u = z - d and ends with it, and mu is
-    mu_2 at once.
+    Shapes (lines, kept) and (lines,). If the whole line touches at both speeds, d is the same at
+    both, every step begins and ends with u = z - d, and mu is mu_2 at once.
     """
-    stack, law = one.grounds.stack, two.at_speed.law
+    stack, law = one.line_set.stack, two.constants.law
     lines, n = stack.z.shape
-    control = (ConstantForce if asked.indentation_rate else PrintedForce)(float(one.loads[i]))
+    control = (ConstantForce if requested.indentation_rate else PrintedForce)(float(one.loads[i]))
     curves, updates = np.zeros((lines, kept_steps.size)), np.zeros(lines)
     marched = ~(one.full[:, i] & two.full[:, i])
-    ends = [Ends(at.decay, at.stay, at.d[:, i].copy()) for at in (one, two)]
-    if not asked.indentation_rate or kept_steps[-1] * n <= FEW:
+    ends = [SteadyEnds(end.decay, end.thresholds, end.d[:, i].copy()) for end in (one, two)]
+    if not requested.indentation_rate or kept_steps[-1] * n <= MAX_PLAIN_UPDATES:
         if marched.any():
-            found, work = plain_relaxations(stack, law, *ends, control, kept_steps)
-            curves[marched], updates[marched] = found[marched], work[marched]
+            plain, work = plain_relaxations(stack, law, *ends, control, kept_steps)
+            curves[marched], updates[marched] = plain[marched], work[marched]
         return curves, updates
     for j in np.flatnonzero(marched).tolist():
-        ground = one.grounds.each[j]
-        start, end = (
-            SteadyState(at.decay, at.stay[j], at.found.entered[j, i], float(at.d[j, i]))
-            for at in (one, two)
-        )
-        rate, line = float(one.found.rates[j, i, k]), ground.line
-        march = March(line.z, line.slope, ground.spans, one.at_speed.law, law, start, end, rate)
-        mu, _, settled, updates[j], inside = active_march(march, control, kept_steps)
+        problem = _jump_problem(one, two, i, j, k)
+        mu, _, settled, updates[j], inside = active_march(problem, control, kept_steps)
         curves[j] = mu - settled
         if not inside:
-            own = (at._replace(stay=at.stay[j : j + 1], d=at.d[j : j + 1]) for at in ends)
-            found, work = plain_relaxations(alone(stack, j), law, *own, control, kept_steps)
-            curves[j], updates[j] = found[0], updates[j] + work[0]
+            row = slice(j, j + 1)
+            of_line = (end._replace(thresholds=end.thresholds[row], d=end.d[row]) for end in ends)
+            single = single_line(stack, j)
+            plain, work = plain_relaxations(single, law, *of_line, control, kept_steps)
+            curves[j], updates[j] = plain[0], updates[j] + work[0]
     return curves, updates
+
+
+def _jump_problem(one: SteadySliding, two: SteadySliding, i: int, j: int, k: int) -> JumpProblem:
+    """Return the JumpProblem under load i on line j after jump k."""
+    data = one.line_set.lines[j]
+    start, end = (
+        SteadyState(
+            sliding.decay,
+            sliding.thresholds[j],
+            sliding.results.entered[j, i],
+            float(sliding.d[j, i]),
+        )
+        for sliding in (one, two)
+    )
+    laws = one.constants.law, two.constants.law
+    rate = float(one.results.rates[j, i, k])
+    return JumpProblem(data.line.z, data.line.slope, data.spans, *laws, start, end, rate)

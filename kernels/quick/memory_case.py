@@ -1,6 +1,6 @@
-"""One case of elements with internal variables, sliding either way: the general path.
+"""One case of elements with internal variables, sliding in either direction: the general path.
 
-A Kelvin element that slides one way under a load takes a quicker one (cases.py).
+Kelvin elements that slide in the positive direction take a faster path (cases.py).
 """
 
 import numpy as np
@@ -17,11 +17,11 @@ from ..scene.samples import samples_per_contact
 from .case import JUMP, MARCHING, STEADY, Case, Outcome, PhaseClocks, Quantities
 
 
-def run_memory_case(line: Line, case: Case, asked: Quantities) -> Outcome:
-    """Compute one case on one line; a case that is checked (cases.py).
+def run_memory_case(line: Line, case: Case, requested: Quantities) -> Outcome:
+    """Compute one case on one line; the case has been checked (prepared.py).
 
     The relaxation curve is mu_2 plus the deviation of the march from its own steady value, as for
-    a Kelvin element. Without a dashpot the jump is zero, and the rate of mu is what jumps.
+    a Kelvin element. Without a dashpot the jump of mu is zero and its rate jumps instead.
     """
     clock = PhaseClocks()
     one, mu_1, contact = _steady(line, case, case.speed)
@@ -32,18 +32,18 @@ def run_memory_case(line: Line, case: Case, asked: Quantities) -> Outcome:
     curves = []
     for k, ratio in enumerate(case.ratios):
         speed = ratio * case.speed
-        if asked.jump:
+        if requested.jump:
             jump[k] = _jump(line, case, one, ratio)
-        if asked.initial_rate:
-            units = _units(case)
+        if requested.initial_rate:
+            units = _retardation_form(case)
             rate[k] = initial_rate(units, line, one.p, case.speed, ratio) if units.glass else np.nan
         clock.lap_phase(JUMP)
-        if not (asked.steady or asked.relaxation):
+        if not (requested.steady or requested.relaxation):
             continue
         two, mu_2[k], _ = _steady(line, case, speed)
         work += two.work
         clock.lap_phase(STEADY)
-        if asked.relaxation:
+        if requested.relaxation:
             curve = _relaxation(line, case, one, speed, case.kept_steps[k])
             form = form_of(case.spectrum, case.scheme)
             curves.append(mu_2[k] + (curve - step_friction(form, line, two.p, speed)))
@@ -55,15 +55,15 @@ def run_memory_case(line: Line, case: Case, asked: Quantities) -> Outcome:
 
 
 def _steady(line: Line, case: Case, speed: float) -> tuple[SteadyMemory, float, float]:
-    """Return the steady state at a speed, its mu and the share in contact."""
+    """Return the steady state at a speed, its mu and the share of samples in contact."""
     form = form_of(case.spectrum, case.scheme)
     load = case.load * line.z.size
-    found = steady_memory(form, line.z, line.steps_per_spacing * speed, load)
-    mu, contact = friction_by_loss(_units(case), form, line, found.p, speed)
-    return found, mu, contact
+    state = steady_memory(form, line.z, line.steps_per_spacing * speed, load)
+    mu, contact = friction_by_loss(_retardation_form(case), form, line, state.p, speed)
+    return state, mu, contact
 
 
-def _units(case: Case) -> Retardation:
+def _retardation_form(case: Case) -> Retardation:
     """Return the material of a case in retardation form."""
     units = form_of(case.spectrum, "exponential")
     assert isinstance(units, Retardation)
@@ -79,10 +79,10 @@ def _jump(line: Line, case: Case, one: SteadyMemory, ratio: float) -> float:
 
 
 def _relaxation(
-    line: Line, case: Case, one: SteadyMemory, speed: float, kept: np.ndarray
+    line: Line, case: Case, one: SteadyMemory, speed: float, kept_steps: np.ndarray
 ) -> np.ndarray:
-    """Return mu at the kept steps after the speed has changed."""
-    distance = int(kept[-1]) / line.steps_per_spacing
+    """Return mu at the recorded steps after the speed has changed."""
+    distance = int(kept_steps[-1]) / line.steps_per_spacing
     scene = SceneCase(
         spectrum=case.spectrum,
         scheme=case.scheme,
@@ -91,7 +91,7 @@ def _relaxation(
         indentation=None,
         start="steady",
         requested=("trace",),
-        recorded=kept,
+        recorded=kept_steps,
         edges=np.empty(0),
         frames=np.empty(0, np.int64),
     )

@@ -1,4 +1,4 @@
-"""Relaxations after velocity steps that are marched plainly, on many lines in one call."""
+"""Relaxations after velocity steps, by the plain march, on many lines in one call."""
 
 from typing import NamedTuple
 
@@ -8,15 +8,15 @@ from ..compile.jit import kernel
 from ..model.friction import lagged_slope, step_average
 from ..model.march import march
 from ..rheology.law import State
-from .steady.carry import Decay, carry
+from .steady.span_sweep import DecayFactors, sweep_spans
 from .steady.stack import spans_in
 
 
-class Ends(NamedTuple):
-    """Steady sliding on lines, as a march begins or ends with it."""
+class SteadyEnds(NamedTuple):
+    """Steady sliding on lines, as the initial or the final state of a march."""
 
-    decay: Decay
-    stay: np.ndarray  # shape (lines, spans): thresholds above which contact lasts (Thresholds)
+    decay: DecayFactors
+    thresholds: np.ndarray  # of contact, by whole spans (thresholds.py), shape (lines, spans)
     d: np.ndarray  # indentation over the deepest sample, in h, shape (lines,)
 
 
@@ -24,8 +24,8 @@ class Ends(NamedTuple):
 def plain_relaxations(stack, law, one, two, control, kept_steps):
     """Return (curves, updates): deviation from the steady friction at v2, and element updates.
 
-    stack : the lines (steady/stack.py). law : at v2. one, two : Ends at v1 and at v2.
-    control, kept_steps : as of march. curves : shape (lines, kept), in h/dx, updates : (lines,).
+    stack : the lines (steady/stack.py). law : at v2. one, two : SteadyEnds at v1 and at v2.
+    control, kept_steps : see march. curves : in h/dx, shape (lines, kept). updates : (lines,).
     """
     lines, n = stack.z.shape
     curves = np.empty((lines, kept_steps.size))
@@ -33,19 +33,19 @@ def plain_relaxations(stack, law, one, two, control, kept_steps):
     for k in range(lines):
         z, spans = stack.z[k], spans_in(stack, k)
         before, after = np.empty(n), np.empty(n)
-        carry(one.decay, z, spans, one.stay[k], one.d[k], None, before)
-        carry(two.decay, z, spans, two.stay[k], two.d[k], None, after)
+        sweep_spans(one.decay, z, spans, one.thresholds[k], one.d[k], None, before)
+        sweep_spans(two.decay, z, spans, two.thresholds[k], two.d[k], None, after)
         weight = lagged_slope(stack.slope[k], law.lag)
         state = State(before, one.d[k])
-        # d stays between its steady values but for a transient. It never exceeds what one element
-        # needs: the deepest sample gives d_new <= E d_old + load / K, and K (1 - E) = 1.
+        # d stays between its steady values except for a transient. It never exceeds what one
+        # element needs: the deepest sample gives d_new <= E d_old + load / K, and K (1 - E) = 1.
         cap, last = 1.02 * max(one.d[k], two.d[k]), 1.001 * max(one.d[k], control.load)
         mu, _, passes, inside = march(law, control, z, weight, state, kept_steps, cap)
         updates[k] = passes * n
         if not inside:
             mu, _, passes, _ = march(law, control, z, weight, state, kept_steps, last)
             updates[k] += passes * n
-        for j in range(n):  # loops: numba compiles the parts of array expressions for seconds
+        for j in range(n):  # loops: numba takes seconds to compile parts of array expressions
             after[j] = z[j] - after[j]  # the threshold of contact
         steady = step_average(weight, after, two.d[k])
         for i in range(mu.size):

@@ -14,10 +14,10 @@ from collections.abc import Callable
 import numpy as np
 
 from elastomer_friction.kernels import Case, Line, Quantities, prepare, run_prepared
-from elastomer_friction.kernels.quick.contacts.between_samples import Columns, slide_between
+from elastomer_friction.kernels.quick.contacts.between_samples import FollowedColumns, slide_between
 from elastomer_friction.kernels.quick.contacts.steady_friction import (
-    AtSpeed,
-    Grounds,
+    LineSet,
+    SpeedConstants,
     follow_contacts,
     steady_friction,
 )
@@ -67,14 +67,14 @@ def in_c(compiled: Compiled, line: Line, speed: float) -> Callable[[], np.ndarra
 
 def patches(line: Line, speed: float) -> float:
     """Return how many patches of contact there are between the samples, under all loads."""
-    (ground,) = (grounds := Grounds.of([line])).each
+    (data,) = (line_set := LineSet.of([line])).lines
     loads = np.array(LOADS) * line.z.size
-    sliding = steady_friction(grounds, AtSpeed.of("exponential", M, speed), loads, True)
+    sliding = steady_friction(line_set, SpeedConstants.of("exponential", M, speed), loads, True)
     follow_contacts(sliding)
     d = sliding.indentation[0] - line.datum
     # From the indentation that is found, one turn is enough.
-    table, *_ = slide_between(ground.smooth, speed, np.empty(0), loads / ground.every, d)
-    return Columns(*table.T).events.sum()
+    table, *_ = slide_between(data.smooth, speed, np.empty(0), loads / data.stride, d)
+    return FollowedColumns(*table.T).events.sum()
 
 
 def least(limits: Limits, line: Line, speed: float) -> float:

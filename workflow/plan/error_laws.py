@@ -18,7 +18,7 @@ from typing import NamedTuple
 import numpy as np
 
 from ...kernels import KELVIN
-from ...kernels.quick.contacts.between_samples import LEAST_STEPS
+from ...kernels.quick.contacts.between_samples import MIN_SMOOTH_STEPS
 from ..simulate import Problem
 from ..study import FOUNDATION
 from .problems import Numbers, expected_rate, speed_ratio, viscous_pressure
@@ -58,7 +58,7 @@ def coarse_error(law: Coarseness, problem: Problem, steps: Numbers, refine: bool
     line = (elements / law.elements) ** (law.rough * problem.hurst)
     coarse = law.size * contacts * (1.0 + 1.0 / speed) ** law.sliding * line
     sampled = np.hypot(coarse, law.whole) / np.square(steps)
-    return np.where(refine & (np.asarray(steps) >= LEAST_STEPS), FOLLOWED, sampled)
+    return np.where(refine & (np.asarray(steps) >= MIN_SMOOTH_STEPS), FOLLOWED, sampled)
 
 
 def _slides(problem: Problem) -> Numbers:

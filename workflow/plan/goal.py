@@ -10,7 +10,7 @@ import numpy as np
 
 from ...kernels import KELVIN, QUARTET
 from ...kernels.model.limits import SPEED_LIMITS
-from ...kernels.quick.contacts.between_samples import LEAST_STEPS
+from ...kernels.quick.contacts.between_samples import MIN_SMOOTH_STEPS
 from ...kernels.rheology.spectrum import min_step
 from ..ground import UserError
 from ..simulate import Problem
@@ -179,11 +179,11 @@ def steps_per_spacing(problem: Problem, scene: Scene, numerics: Numerics) -> Num
     if steps is None and problem.surface.body == HALF_SPACE:
         steps = steps_for(problem, BIAS)
     elif steps is None and problem.surface.measured:
-        steps = LEAST_STEPS  # no law tells more of lines whose spectrum is their own
+        steps = MIN_SMOOTH_STEPS  # no law tells more of lines whose spectrum is their own
     elif steps is None and (problem.programme or problem.spectrum != KELVIN):
         steps = GENERAL_STEPS
     elif steps is None:
-        steps = np.maximum(LEAST_STEPS, least_steps(problem, scene))
+        steps = np.maximum(MIN_SMOOTH_STEPS, least_steps(problem, scene))
         if "relaxation" in scene.quantities:
             most = np.minimum(MOST_FOR_CONTACTS, MAX_SAMPLES_PER_LINE // problem.elements)
             width, rate = contact_width(problem), expected_rate(problem)

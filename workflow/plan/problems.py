@@ -15,7 +15,7 @@ import numpy as np
 from ...kernels import Spectrum, amplitudes, rms_slope
 from ...kernels.half_space.surface import ring_amplitudes, rms_slope_of
 from ...kernels.model.limits import LOAD_LIMITS, SPEED_LIMITS
-from ...kernels.quick.prepared import LEAST_STEP
+from ...kernels.quick.prepared import MIN_RATIO_STEP
 from ..ground import UserError
 from ..kinetic_law import relaxation_rate
 from ..simulate import Problem
@@ -182,7 +182,7 @@ def _slope(
 
 def _check_steps(step: np.ndarray, speed: np.ndarray) -> None:
     """Raise UserError for a velocity step that 1 + dv/v1 or the jump would lose in rounding."""
-    least = np.maximum(LEAST_STEP, LEAST_CHANGE / speed)
+    least = np.maximum(MIN_RATIO_STEP, LEAST_CHANGE / speed)
     lost = (step != 0.0) & (np.abs(step) < least)
     if lost.any():
         raise UserError(

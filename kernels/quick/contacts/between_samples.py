@@ -1,8 +1,8 @@
-"""Steady sliding where part of a line touches, and jumps from it, between its samples.
+"""Steady sliding in partial contact, and jumps from it, resolved between the samples of a line.
 
-At light load and high speed an element stays behind the line and only the front of the highest
-peaks touches, over less than a sample; and the edges of wide contacts lie between samples too. The
-line is a smooth function known by its heights and slopes, so that its contacts are followed between
+At light load and high speed an element lags behind the line and only the front of the highest
+peaks touches, over less than a sample. The edges of wide contacts lie between samples too. The
+line is a smooth function known by its heights and slopes, so its contacts can be followed between
 the samples (events.py).
 """
 
@@ -12,29 +12,39 @@ import numpy as np
 
 from ...compile.jit import kernel, refcount_free_kernel
 from ...lines.polynomials import septic_coefficients, septic_height, septic_slope
-from ..steady.sliding import power_step
+from ..steady.span_indentation import halley_step
 from ..steady.spans import SPAN
-from .events import AREA, BOTTOM, GROWTH, MOST_EVENTS, RISE, TOP, WIDTH, room_for_patches, turn
-from .smooth_line import first_zero, pressure, products, span_of, squared
+from .events import (
+    AREA,
+    GROWTH,
+    LEADING_END,
+    MAX_EVENTS,
+    RISE,
+    TRAILING_END,
+    WIDTH,
+    allocate_patches,
+    turn_line,
+)
+from .smooth_line import first_zero, pressure, products, slope_square, span_of
 
-LEAST_STEPS = 4  # samples per spacing, eight in the shortest wave: mu to 1e-6
-CLOSE = 5e-4  # of the load: an excess whose square is as good as none
-JUMP_CLOSE = 5e-3  # the same of the pressures that a jump adds
-MOST_TURNS = 40
-LEAST_DEPTH = 1e-9  # of what the line rises beside its deepest point: a depth that is no rounding
+MIN_SMOOTH_STEPS = 4  # samples per spacing, eight in the shortest wave: mu to 1e-6
+LINEAR_LOAD_ERROR = 5e-4  # of the load: the square of such an excess is negligible
+LINEAR_JUMP_ERROR = 5e-3  # the same of the pressures that a jump adds
+MAX_NEWTON_TURNS = 40
+MIN_DEPTH = 1e-9  # of the rise of the line beside its deepest point: smaller depths are rounding
 
 
-class Columns(NamedTuple):
-    """What is found of every load, each of shape (loads,)."""
+class FollowedColumns(NamedTuple):
+    """Columns of the table of slide_between, each of shape (loads,)."""
 
     d: np.ndarray  # over the deepest sample, in h
     mu: np.ndarray  # in h/dx
     length: np.ndarray  # of contact, in dx
-    median: np.ndarray  # width of patches, over the load, in dx
-    events: np.ndarray  # patches that were come to in all turns; none where nothing is found
+    median_width: np.ndarray  # of patches, median over the load, in dx
+    events: np.ndarray  # patches visited in all turns; 0 where the solution was not found
 
 
-class Integrals(NamedTuple):
+class ContactIntegrals(NamedTuple):
     """Integrals over a contact, x in dx."""
 
     length: float
@@ -42,165 +52,177 @@ class Integrals(NamedTuple):
     square: float  # of z'^2
 
 
+class Unpressed(NamedTuple):
+    """Integrals over the part of a contact where p would be negative."""
+
+    force: float  # of p
+    work: float  # of p z'
+    length: float
+    rise: float  # of z'
+
+
 @kernel
 def slide_between(line, speed, others, loads, guesses):
     """Return (table, jumps, rates) of steady sliding of a SmoothLine at a speed.
 
-    others : speeds that are jumped to, vbar. loads : n Fbar. guesses : of d. A row of the table has
-    the Columns of a load. jumps, rates : the change of mu at each jump, and d' just after it, shape
-    (loads, others).
+    others : speeds after a jump, vbar. loads : n Fbar. guesses : of d. table : one row per load,
+    with the FollowedColumns. jumps, rates : the change of mu at each jump and d' just after it,
+    shape (loads, others).
     """
-    h, patches = line.spacing, room_for_patches(line.z.size)
+    h, patches = line.spacing, allocate_patches(line.z.size)
     table, shape = np.zeros((loads.size, 5)), (loads.size, others.size)
     jumps, rates = np.zeros(shape), np.zeros(shape)
     for i in range(loads.size):
         load = h * loads[i]
-        contact, turns = _balanced(line, speed, load, guesses[i], patches)
+        contact, turns = _balance_load(line, speed, load, guesses[i], patches)
         if turns == 0:
             continue
-        sums = _sums(line, contact, patches)
-        change = (load - contact.force) / contact.rate  # of d, which is left to first order
-        work = contact.work + speed * sums.square
+        integrals, sums = _integrals(line, contact, patches), contact.sums
+        change = (load - sums.force) / sums.rate  # remaining change of d, to first order
+        work = sums.work + speed * integrals.square
         table[i, 0] = contact.d + change
-        table[i, 1] = (work + change * (sums.rise + contact.turn)) / load
-        table[i, 2] = sums.length
+        table[i, 1] = (work + change * (integrals.rise + sums.edge_rate)) / load
+        table[i, 2] = integrals.length
         table[i, 3] = _median_width(contact, speed, patches)
         table[i, 4] = turns * contact.patches
         for k in range(others.size):
-            jump = _after_jump(line, (speed, others[k]), contact, sums, change, patches)
+            jump = _after_jump(line, (speed, others[k]), contact, integrals, change, patches)
             jumps[i, k], rates[i, k] = (work + jump[0]) / load - table[i, 1], jump[1]
     return table, jumps, rates
 
 
 @refcount_free_kernel
-def _balanced(line, speed, load, guess, patches):
-    """Return (Contact that carries the load, eq. 4, turns), by Newton's method; no turns: none.
+def _balance_load(line, speed, load, guess, patches):
+    """Return (PatchedContact that carries the load, eq. 4, turns); 0 turns: not found.
 
-    load : integral of p in dx. The force is an increasing, convex function of d (model/steady.py);
-    the first step would be exact were it a power of the depth.
+    load : integral of p in dx. The force is an increasing, convex function of d (model/steady.py).
+    Newton's method follows a first step that is exact where the force is a power of the depth.
     """
     j, _, deepest = line.deepest
-    least = LEAST_DEPTH * (max(line.z[j], line.z[j + 1 if j + 1 < line.z.size else 0]) - deepest)
+    min_depth = MIN_DEPTH * (max(line.z[j], line.z[j + 1 if j + 1 < line.z.size else 0]) - deepest)
     d, turns = guess, 0
     while True:
-        contact = turn(line, speed, d, patches)
-        excess, turns = contact.force - load, turns + 1
-        if abs(excess) <= CLOSE * load:
+        contact = turn_line(line, speed, d, patches)
+        excess, turns = contact.sums.force - load, turns + 1
+        if abs(excess) <= LINEAR_LOAD_ERROR * load:
             return contact, turns
         if turns == 1:
-            d = deepest + power_step(d - deepest, contact.force, contact.rate, load)
+            d = deepest + halley_step(d - deepest, contact.sums.force, contact.sums.rate, load)
         else:
-            d -= excess / contact.rate
-        if turns == MOST_TURNS or not d - deepest > least:
+            d -= excess / contact.sums.rate
+        if turns == MAX_NEWTON_TURNS or not d - deepest > min_depth:
             return contact, 0
 
 
 @refcount_free_kernel
 def _interval(first, i, n):
-    """Return which of n intervals is the i-th that elements come to, from ``first`` on."""
+    """Return the number of the i-th of n intervals that elements reach, from ``first`` on."""
     return first - i if i <= first else first - i + n
 
 
 @refcount_free_kernel
-def _sums(line, contact, patches):
-    """Return the Integrals over the patches of a contact."""
-    z, slope, bend, h, each, spans, (first, _, _) = line
-    after, at = patches
+def _integrals(line, contact, patches):
+    """Return the ContactIntegrals over the patches of a contact."""
+    z, slope, bend, h, intervals, spans, (first, _, _) = line
+    interval, values = patches
     length = rise = square = 0.0
     for k in range(contact.patches):
-        length, rise = length + at[k, WIDTH], rise + at[k, RISE]
-        i, last = after[k, TOP], after[k, BOTTOM]
+        length, rise = length + values[k, WIDTH], rise + values[k, RISE]
+        i, last = interval[k, LEADING_END], interval[k, TRAILING_END]
         while i <= last:
             j = _interval(first, i, z.size)
-            b = span_of(j, last - i) if i > after[k, TOP] else -1
-            start = at[k, TOP] if i == after[k, TOP] else 0.0
-            stop = at[k, BOTTOM] if i == last else 1.0
+            b = span_of(j, last - i) if i > interval[k, LEADING_END] else -1
+            start = values[k, LEADING_END] if i == interval[k, LEADING_END] else 0.0
+            stop = values[k, TRAILING_END] if i == last else 1.0
             if b >= 0:
                 square += spans.square[b]
             elif stop - start == 1.0:
-                square += each.square[j]
+                square += intervals.square[j]
             else:
-                square += squared(septic_coefficients(z, slope, bend, h, j), start, stop) / h
+                square += slope_square(septic_coefficients(z, slope, bend, h, j), start, stop) / h
             i += SPAN if b >= 0 else 1
-    return Integrals(length, rise, square)
+    return ContactIntegrals(length, rise, square)
 
 
 @refcount_free_kernel
-def _after_jump(line, speeds, contact, sums, left, patches):
-    """Return by how much the integral of p z' changes as one speed jumps to another, and d'.
+def _after_jump(line, speeds, contact, integrals, shortfall, patches):
+    """Return (change of the integral of p z', d') as the first speed jumps to the second.
 
-    What touches stays, and p changes by d' + (v2 - v1) z' where it stays positive (friction.py).
-    Were all of it pressed, eq. 4 would give d', which falls where some is not.
-    left : change of d by which the contact still misses its load, made up for to first order.
+    What touches stays in touch, and p changes by d' + (v2 - v1) z' where it remains positive
+    (friction.py). If all of it remained pressed, eq. 4 would give d' at once; that is the guess.
+    shortfall : change of d that the contact still needs to carry its load; added to first order.
     """
-    own, other = speeds
-    more = other - own
-    rate, close = -more * sums.rise / sums.length, JUMP_CLOSE * min(1.0, abs(more) / own)
-    for _ in range(MOST_TURNS):
+    speed, other = speeds
+    step = other - speed
+    rate = -step * integrals.rise / integrals.length
+    tolerance = LINEAR_JUMP_ERROR * min(1.0, abs(step) / speed)
+    for _ in range(MAX_NEWTON_TURNS):
         lost = _unpressed(line, other, contact.d + rate, patches, contact.patches)
-        excess = rate * sums.length + more * sums.rise - lost[0]
-        change = excess / (sums.length - lost[2])
-        if abs(excess) <= close * contact.force:
+        excess = rate * integrals.length + step * integrals.rise - lost.force
+        change = excess / (integrals.length - lost.length)
+        if abs(excess) <= tolerance * contact.sums.force:
             break
         rate -= change
-    force, work = _grown(line, other, contact.d + rate, left, patches, contact.patches)
-    change += (force - contact.rate * left) / (sums.length - lost[2])
-    grown = work - change * (sums.rise - lost[3])
-    return rate * sums.rise + more * sums.square - lost[1] + grown, rate - change - left
+    force, work = _growth(line, other, contact.d + rate, shortfall, patches, contact.patches)
+    change += (force - contact.sums.rate * shortfall) / (integrals.length - lost.length)
+    growth = work - change * (integrals.rise - lost.rise)
+    pressed = rate * integrals.rise + step * integrals.square - lost.work
+    return pressed + growth, rate - change - shortfall
 
 
 @refcount_free_kernel
-def _grown(line, speed, deep, left, patches, count):
-    """Return integrals of p and p z' over what patches grow by once d rises by ``left``.
+def _growth(line, speed, deep, shortfall, patches, count):
+    """Return (integral of p, integral of p z') over the growth of patches as d rises by shortfall.
 
-    deep : as of _unpressed.
+    deep : d + d', see _unpressed.
     """
     z, slope, bend, h, _, _, (first, _, _) = line
-    after, at = patches
+    interval, values = patches
     force = work = 0.0
     for k in range(count):
-        for end in (TOP, BOTTOM):
-            i, t = after[k, end], at[k, end]
+        for end in (LEADING_END, TRAILING_END):
+            i, t = interval[k, end], values[k, end]
             c = septic_coefficients(z, slope, bend, h, _interval(first, i, z.size))
             along = -septic_slope(c, t) / h
-            some = max(deep - septic_height(c, t) + speed * along, 0.0) * at[k, GROWTH + end] * left
-            force, work = force + some, work + some * along
+            p = max(deep - septic_height(c, t) + speed * along, 0.0)
+            added = p * values[k, GROWTH + end] * shortfall
+            force, work = force + added, work + added * along
     return force, work
 
 
 @refcount_free_kernel
 def _unpressed(line, speed, deep, patches, count):
-    """Return integrals of p, p z', 1 and z' over what of a contact would have a pressure p < 0.
+    """Return the Unpressed part of a contact.
 
     deep : d + d', with p = d + d' - z + vbar z'.
     """
-    z, slope, bend, h, each, spans, (first, _, _) = line
-    after, at = patches
+    z, slope, bend, h, intervals, spans, (first, _, _) = line
+    interval, values = patches
     force = work = length = rise = 0.0
     for k in range(count):
-        following = after[k, TOP]
-        while following <= after[k, BOTTOM]:
+        following = interval[k, LEADING_END]
+        while following <= interval[k, TRAILING_END]:
             i = following
             j = _interval(first, i, z.size)
-            b = span_of(j, after[k, BOTTOM] - i + 1)
-            if b >= 0 and deep + speed * spans.flat[b] > spans.high[b]:
+            b = span_of(j, interval[k, TRAILING_END] - i + 1)
+            if b >= 0 and deep + speed * spans.min_slope[b] > spans.high[b]:
                 following = i + SPAN
                 continue
             following = i + 1
-            if deep + speed * each.flat[j] > each.high[j]:
+            if deep + speed * intervals.min_slope[j] > intervals.high[j]:
                 continue
-            t = at[k, TOP] if i == after[k, TOP] else 0.0
-            stop = at[k, BOTTOM] if i == after[k, BOTTOM] else 1.0
+            t = values[k, LEADING_END] if i == interval[k, LEADING_END] else 0.0
+            stop = values[k, TRAILING_END] if i == interval[k, TRAILING_END] else 1.0
             c = septic_coefficients(z, slope, bend, h, j)
             p = pressure(c, deep, speed / h)
             pull = (-p[0], -p[1], -p[2], -p[3], -p[4], -p[5], -p[6], -p[7])
             pressed, fresh = septic_height(p, t) > 0.0, True
-            for _ in range(MOST_EVENTS):
+            for _ in range(MAX_EVENTS):
                 zero = first_zero(p if pressed else pull, 0.0, 0.0, t, stop, fresh)
                 end = min(zero, stop)
                 if not pressed:
-                    some, along = products(p, c, t, end)
-                    force, work = force + h * some, work - along
+                    pulled, along = products(p, c, t, end)
+                    force, work = force + h * pulled, work - along
                     length, rise = (
                         length + h * (end - t),
                         rise + septic_height(c, t) - septic_height(c, end),
@@ -208,15 +230,15 @@ def _unpressed(line, speed, deep, patches, count):
                 if zero > stop:
                     break
                 t, pressed, fresh = end, not pressed, False
-    return force, work, length, rise
+    return Unpressed(force, work, length, rise)
 
 
 @kernel
 def _median_width(contact, speed, patches):
     """Return the median over the load of the width of patches, in dx."""
     count, last = contact.patches, contact.patches - 1
-    width = patches.at[:count, WIDTH].copy()
-    force = patches.at[:count, AREA] + speed * patches.at[:count, RISE]
+    width = patches.values[:count, WIDTH].copy()
+    force = patches.values[:count, AREA] + speed * patches.values[:count, RISE]
     if last > 0:
         width[0], force[0] = width[0] + width[last], force[0] + force[last]
         width, force = width[:last], force[:last]

@@ -1,11 +1,12 @@
 """Steady sliding of Kelvin elements on a smooth line, from event to event.
 
-Against the motion an element lands where the line comes down to its free displacement, and leaves
-where its pressure d - z + vbar z' (eq. 3) vanishes. Between these events forces and friction (eqs.
-4 and 5) are integrals in closed form: what is found is that of the line, whatever its samples.
+Against the motion, an element lands where the line comes down to its free displacement. It leaves
+where its pressure d - z + vbar z' (eq. 3) vanishes. Between these events, forces and friction
+(eqs. 4 and 5) are integrals in closed form. The result is that of the continuous line, whatever
+its samples.
 
-Where an element leaves, its pressure is zero, and where it lands, its displacement is continuous.
-So the force has the derivative with respect to d that it would have if the events stayed in place.
+The pressure is zero where an element leaves, and its displacement is continuous where it lands.
+The derivative of the force with respect to d is therefore the one at fixed positions of the events.
 """
 
 import math
@@ -13,118 +14,180 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ...compile.jit import kernel, refcount_free_kernel
+from ...compile.jit import inlined_kernel, kernel, refcount_free_kernel
 from ...lines.polynomials import septic_coefficients, septic_height, septic_slope
 from ...rheology.law import MIN_MAGNITUDE
 from ..steady.spans import SPAN
 from .smooth_line import first_zero, integral, pressure, span_of
 
-MOST_EVENTS = 4  # in an interval: more are rounding
-LEAST = 1e-9  # of h: pressures so small count as this, or an end would move without bounds
-TOP, BOTTOM = 0, 1  # ends of a patch: where elements land and where they leave
-AREA, WIDTH, RISE, GROWTH = 2, 3, 4, 5  # GROWTH + TOP and GROWTH + BOTTOM
+MAX_EVENTS = 4  # in an interval: more are rounding
+MIN_EDGE_PRESSURE = 1e-9  # in h: lower bound of pressures that divide the motion of an end
+LEADING_END, TRAILING_END = 0, 1  # of a patch: where elements land and where they leave
+AREA, WIDTH, RISE, GROWTH = 2, 3, 4, 5  # GROWTH + LEADING_END and GROWTH + TRAILING_END
 
 
 class Patches(NamedTuple):
-    """The patches of a contact, in the order in which elements come to them."""
+    """The patches of a contact, in the order in which elements reach them."""
 
-    after: np.ndarray  # shape (most, 2): the intervals of TOP and BOTTOM, counted from the deepest
-    # Shape (most, 7): t in them; integral of d - z, width in dx, z_TOP - z_BOTTOM, and by how much
-    # each of both ends moves outwards, in dx, for each dd.
-    at: np.ndarray
+    interval: np.ndarray  # shape (most, 2): of both ends, counted from the deepest point
+    values: np.ndarray  # shape (most, 7): t of both ends in their intervals, AREA (integral of
+    # d - z), WIDTH in dx, RISE (z at the leading less z at the trailing end), and GROWTH of both
+    # ends: their outward motion, in dx, per change of d
 
 
-class Contact(NamedTuple):
-    """What one turn round the line at constant indentation gives; integrals are over x in dx."""
+class TurnSums(NamedTuple):
+    """Integrals over x in dx that a turn round the line accumulates."""
 
-    d: float  # indentation, in h
     force: float  # integral of -u
     rate: float  # its derivative with respect to d
     work: float  # integral of (d - z) z' over the contact
-    turn: float  # by how much z' weighed with p changes at leading edges, for each dd
-    patches: int  # the last one, which comes to the deepest point, goes on with the first
+    edge_rate: float  # change of the integral of p z' at leading edges per change of d
+
+
+class PatchedContact(NamedTuple):
+    """A contact at constant indentation, from one turn round the line."""
+
+    d: float  # indentation, in h
+    sums: TurnSums
+    patches: int  # the last one, which reaches the deepest point, continues as the first
 
 
 @kernel
-def room_for_patches(n):
-    """Return Patches with room for as many as there can be on n intervals."""
-    most = n * MOST_EVENTS // 2 + 2  # pages that are never written take no memory
+def allocate_patches(n):
+    """Return Patches with room for all that n intervals can have."""
+    most = n * MAX_EVENTS // 2 + 2  # pages that are never written take no memory
     return Patches(np.empty((most, 2), np.int64), np.empty((most, 7)))
 
 
 @refcount_free_kernel
-def turn(line, speed, d, patches):
-    """Return the Contact at the indentation d; fill in the patches.
+def turn_line(line, speed, d, patches):
+    """Return the PatchedContact at the indentation d; fill in the patches.
 
-    d lies over the deepest point, where the turn begins, in contact, and ends. An interval has
-    events only where bounds of its heights and slopes leave room for them.
+    The turn begins and ends in contact at the deepest point, over which d lies. Only intervals
+    whose bounds of heights and slopes leave room for an event are searched for events.
     """
-    z, slope, bend, h, each, spans, (start, begin, deepest) = line
-    after, at = patches
-    n, a, i, j, t, count = z.size, h / speed, 0, start, begin, 0
-    once, span = math.exp(-a), math.exp(-a * SPAN)
-    force = rate = work = turning = area = width = u = left = since = 0.0
-    held, top = True, deepest - d
-    after[0, TOP], at[0, TOP], at[0, GROWTH + TOP] = 0, begin, 0.0
+    z, slope, bend, h, _, _, (deepest_interval, deepest_t, deepest) = line
+    # i counts intervals from the deepest one, j is the number of interval i, t the place in it.
+    n, decay, i, j, t, count = z.size, h / speed, 0, deepest_interval, deepest_t, 0
+    decays = math.exp(-decay), math.exp(-decay * SPAN)
+    sums = TurnSums(0.0, 0.0, 0.0, 0.0)
+    area = width = u = left_u = left_at = 0.0
+    in_contact, landing = True, deepest - d
+    begin_patch(patches, 0, 0, deepest_t, 0.0)
     while i <= n:
-        if t == 0.0 and held:
-            while i < n:
-                b = span_of(j, n - i)
-                if b >= 0 and d + speed * spans.flat[b] > spans.high[b]:
-                    area, width = area + (SPAN * h * d - spans.area[b]), width + SPAN * h
-                    i, j = i + SPAN, b * SPAN - 1 if b > 0 else n - 1
-                elif d + speed * each.flat[j] > each.high[j]:
-                    area, width = area + (h * d - each.area[j]), width + h
-                    i, j = i + 1, j - 1 if j > 0 else n - 1
-                else:
-                    break
+        if t == 0.0 and in_contact:
+            i, j, area, width = _skip_touching(line, speed, d, i, j, area, width)
         elif t == 0.0:
-            while i < n:
-                b = span_of(j, n - i)
-                if b >= 0 and spans.low[b] - d >= span * u:
-                    u = span * u if u < -MIN_MAGNITUDE else 0.0
-                    i, j = i + SPAN, b * SPAN - 1 if b > 0 else n - 1
-                elif each.low[j] - d >= once * u:
-                    u = once * u if u < -MIN_MAGNITUDE else 0.0
-                    i, j = i + 1, j - 1 if j > 0 else n - 1
-                else:
-                    break
-        c, stop, fresh = septic_coefficients(z, slope, bend, h, j), 1.0 if i < n else begin, True
-        over = (c[0] - d, c[1], c[2], c[3], c[4], c[5], c[6], c[7])
-        for _ in range(MOST_EVENTS):
-            if held:
+            i, j, u = _skip_free(line, d, decays, i, j, u)
+        c, stop, fresh = (
+            septic_coefficients(z, slope, bend, h, j),
+            1.0 if i < n else deepest_t,
+            True,
+        )
+        overlap = (c[0] - d, c[1], c[2], c[3], c[4], c[5], c[6], c[7])
+        for _ in range(MAX_EVENTS):
+            if in_contact:
                 p = pressure(c, d, speed / h)
                 zero = first_zero(p, 0.0, 0.0, t, stop, True)
                 end = min(zero, stop)
-                area, width = area - h * integral(over, t, end), width + h * (end - t)
+                area, width = area - h * integral(overlap, t, end), width + h * (end - t)
                 if zero > stop:
                     break
-                t, held, fresh, u = zero, False, False, septic_height(over, zero)
-                left, since = u, i + t
-                after[count, BOTTOM], at[count, BOTTOM] = i, t
-                at[count, GROWTH + BOTTOM] = -h / min(septic_slope(p, t), -LEAST)
-                at[count, AREA], at[count, WIDTH], at[count, RISE] = area, width, top - u
-                force, rate, count = force + area, rate + width, count + 1
+                t, in_contact, fresh, u = zero, False, False, septic_height(overlap, zero)
+                left_u, left_at = u, i + t
+                growth = -h / min(septic_slope(p, t), -MIN_EDGE_PRESSURE)
+                end_patch(patches, count, i, t, growth, area, width, landing - u)
+                sums, count = _with_patch(sums, area, width), count + 1
                 area = width = 0.0
             else:
-                zero = first_zero(over, u, a, t, stop, fresh)
+                zero = first_zero(overlap, u, decay, t, stop, fresh)
                 if zero > stop and i < n:
-                    u = u * math.exp(-a * (stop - t)) if u < -MIN_MAGNITUDE else 0.0
+                    u = u * math.exp(-decay * (stop - t)) if u < -MIN_MAGNITUDE else 0.0
                     break
-                t, held = min(zero, stop), True
-                top = septic_height(over, t)
-                lost = -math.expm1(-a * (i + t - since))
-                force, rate = force - speed * lost * left, rate + speed * lost
-                work += 0.5 * left * left * lost * (2.0 - lost)
-                along = -septic_slope(c, t) / h
-                turning += speed * lost * along
-                after[count, TOP], at[count, TOP] = i, t
-                at[count, GROWTH + TOP] = speed * lost / max(speed * along - top, LEAST)
+                t, in_contact = min(zero, stop), True
+                landing = septic_height(overlap, t)
+                loss = -math.expm1(-decay * (i + t - left_at))
+                rise = -septic_slope(c, t) / h
+                sums = _with_gap(sums, speed, left_u, loss, rise)
+                growth = speed * loss / max(speed * rise - landing, MIN_EDGE_PRESSURE)
+                begin_patch(patches, count, i, t, growth)
         i, j, t = i + 1, j - 1 if j > 0 else n - 1, 0.0
-    if not held:  # rounding let it leave just before the deepest point, which is in contact
-        after[count, TOP], at[count, TOP], at[count, GROWTH + TOP] = n, begin, 0.0
-        top = deepest - d
-    after[count, BOTTOM], at[count, BOTTOM], at[count, GROWTH + BOTTOM] = n, begin, 0.0
-    at[count, AREA], at[count, WIDTH], at[count, RISE] = area, width, top - (deepest - d)
-    force, rate, count = force + area, rate + width, count + 1
-    return Contact(d, force, rate, work, turning, count)
+    if not in_contact:  # by rounding it left just before the deepest point, which is in contact
+        begin_patch(patches, count, n, deepest_t, 0.0)
+        landing = deepest - d
+    end_patch(patches, count, n, deepest_t, 0.0, area, width, landing - (deepest - d))
+    return PatchedContact(d, _with_patch(sums, area, width), count + 1)
+
+
+@inlined_kernel
+def _skip_touching(line, speed, d, i, j, area, width):
+    """Return (i, j, area, width) after spans and intervals that certainly touch everywhere."""
+    n, h, intervals, spans = line.z.size, line.spacing, line.intervals, line.spans
+    while i < n:
+        b = span_of(j, n - i)
+        if b >= 0 and d + speed * spans.min_slope[b] > spans.high[b]:
+            area, width = area + (SPAN * h * d - spans.area[b]), width + SPAN * h
+            i, j = i + SPAN, b * SPAN - 1 if b > 0 else n - 1
+        elif d + speed * intervals.min_slope[j] > intervals.high[j]:
+            area, width = area + (h * d - intervals.area[j]), width + h
+            i, j = i + 1, j - 1 if j > 0 else n - 1
+        else:
+            break
+    return i, j, area, width
+
+
+@inlined_kernel
+def _skip_free(line, d, decays, i, j, u):
+    """Return (i, j, u) after spans and intervals that certainly touch nowhere.
+
+    decays : of a free displacement, over an interval and over a span.
+    """
+    n, intervals, spans = line.z.size, line.intervals, line.spans
+    interval_decay, span_decay = decays
+    while i < n:
+        b = span_of(j, n - i)
+        if b >= 0 and spans.low[b] - d >= span_decay * u:
+            u = span_decay * u if u < -MIN_MAGNITUDE else 0.0
+            i, j = i + SPAN, b * SPAN - 1 if b > 0 else n - 1
+        elif intervals.low[j] - d >= interval_decay * u:
+            u = interval_decay * u if u < -MIN_MAGNITUDE else 0.0
+            i, j = i + 1, j - 1 if j > 0 else n - 1
+        else:
+            break
+    return i, j, u
+
+
+@inlined_kernel
+def begin_patch(patches, k, interval, t, growth):
+    """Record the leading end of patch k."""
+    patches.interval[k, LEADING_END], patches.values[k, LEADING_END] = interval, t
+    patches.values[k, GROWTH + LEADING_END] = growth
+
+
+@inlined_kernel
+def end_patch(patches, k, interval, t, growth, area, width, rise):
+    """Record the trailing end of patch k, and its integrals."""
+    values = patches.values
+    patches.interval[k, TRAILING_END], values[k, TRAILING_END] = interval, t
+    values[k, GROWTH + TRAILING_END] = growth
+    values[k, AREA], values[k, WIDTH], values[k, RISE] = area, width, rise
+
+
+@inlined_kernel
+def _with_patch(sums, area, width):
+    """Return TurnSums with a patch added: the elements in contact."""
+    return TurnSums(sums.force + area, sums.rate + width, sums.work, sums.edge_rate)
+
+
+@inlined_kernel
+def _with_gap(sums, speed, left_u, loss, rise):
+    """Return TurnSums with a gap added: the elements that decay from left_u, by a share ``loss``.
+
+    rise : z' where they land.
+    """
+    return TurnSums(
+        sums.force - speed * loss * left_u,
+        sums.rate + speed * loss,
+        sums.work + 0.5 * left_u * left_u * loss * (2.0 - loss),
+        sums.edge_rate + speed * loss * rise,
+    )

@@ -1,9 +1,9 @@
 """Steady sliding of one line at one speed under many loads: indentations, friction, jumps.
 
-In full contact nothing is searched for. Where no element is free, -u = d - z everywhere, so that
-the load n Fbar = sum (d - z) gives d, whatever the speed; and so it is where this d lies above all
-thresholds t_j of spans.py, F_N > max (z - v z') in the limit of fine samples. The sums of eqs. 4
-and 5 are then those of the whole line.
+Full contact needs no search. If no element is free, -u = d - z everywhere, so that the load
+n Fbar = sum (d - z) gives d at any speed. This holds if that d lies above all thresholds t_j of
+spans.py; in the limit of fine samples, if F_N > max (z - v z'). The sums of eqs. 4 and 5 are then
+those of the whole line.
 """
 
 from typing import NamedTuple
@@ -12,127 +12,162 @@ import numpy as np
 
 from ...compile.jit import kernel, refcount_free_kernel
 from ...model.contact import indentation_under
-from ..steady.contacts import first, room_for
-from ..steady.sliding import STEPS, approach, indentation
+from ..steady.contact_pieces import (
+    JOINED,
+    LEADING,
+    LEADING_REACH,
+    TRAILING,
+    TRAILING_REACH,
+    allocate_pieces,
+    first_pieces,
+)
+from ..steady.span_indentation import APPROACH_STEPS, approach_indentation, span_indentation
 from ..steady.spans import SPAN
 from ..steady.thresholds import Thresholds
-from .pressed import MovingLine, pressed, room_for_pressed
-from .pressure import elastic_part, friction, friction_everywhere
-from .touching import list_touching, mean_rise, median_width, room_for_all, steepest
+from .pressed_samples import MovingLine, allocate_pressed, press_contact
+from .pressure import contact_friction, elastic_part, whole_line_friction
+from .touching_samples import (
+    allocate_touching,
+    largest_slope,
+    list_touching,
+    mean_rise,
+    median_width,
+)
 
-# What is found of every load: d over the deepest sample, mu, the share in contact, samples per
-# contact, sweeps, whether the whole line touches, and whether it is pressed after all jumps too.
-INDENTATION, MU, CONTACT, SAMPLES, SWEEPS, FULL, PRESSED = range(7)
+# Columns of LoadTable.table: d over the deepest sample (h), mu (h/dx), share of the line in
+# contact, samples per contact, sweeps, whether the whole line touches, and whether it remains
+# pressed after all jumps.
+LOAD_COLUMNS = 7
+(
+    D_COLUMN,
+    MU_COLUMN,
+    CONTACT_COLUMN,
+    WIDTH_COLUMN,
+    SWEEPS_COLUMN,
+    FULL_COLUMN,
+    PRESSED_COLUMN,
+) = range(LOAD_COLUMNS)
 
 
-class Speeds(NamedTuple):
-    """The speed of steady sliding, and those jumped to."""
+class SpeedThresholds(NamedTuple):
+    """Speeds of steady sliding and after jumps, with the thresholds at them."""
 
-    own: float  # vbar
-    thresholds: Thresholds  # at it
-    others: np.ndarray  # vbar, shape (others,)
-    press: np.ndarray  # shape (others, spans + 1): thresholds of the pressure, of all samples last
+    speed: float  # vbar
+    thresholds: Thresholds  # at that speed
+    others: np.ndarray  # after the jumps, vbar, shape (others,)
+    pressure: np.ndarray  # shape (others, spans + 1): pressure_thresholds at the other speeds
 
 
-class Found(NamedTuple):
-    """What is found, of as many rows as there are loads; of several lines one above the other."""
+class LoadTable(NamedTuple):
+    """Results of one row per load; for several lines, with a leading axis."""
 
-    table: np.ndarray  # shape (..., loads, 7): INDENTATION to PRESSED
+    table: np.ndarray  # shape (..., loads, LOAD_COLUMNS)
     jumps: np.ndarray  # shape (..., loads, others): change of mu at the jumps to other speeds
-    rates: np.ndarray  # of the same shape: d' after them
-    entered: np.ndarray  # shape (..., loads, spans + 1), as of Contacts
+    rates: np.ndarray  # shape (..., loads, others): d' just after them
+    entered: np.ndarray  # shape (..., loads, spans + 1), see ContactPieces
 
 
-class How(NamedTuple):
-    """How friction is found."""
+class FrictionOptions(NamedTuple):
+    """Options of the quadrature of friction."""
 
     steps: float  # samples per spacing
-    share: float  # of the elastic part that is corrected
-    smooth: bool  # whether the line is a function without modes above q = pi/dx
-    followed: bool  # whether partial contacts will be, between the samples: d alone is found here
+    elastic_share: float  # share of the elastic part that is corrected
+    band_limited: bool  # whether the line has no modes above q = pi/dx
+    followed: bool  # compute only d in partial contact, which is followed between samples later
 
 
 @kernel
-def slide(decay, z, slope, spans, speeds, loads, how, into):
-    """Fill ``into``, which is Found, for steady sliding of one line under all loads.
+def slide_under_loads(decay, z, slope, spans, speeds, loads, options, results):
+    """Fill ``results``, a LoadTable, for steady sliding of one line under all loads.
 
-    decay, spans : of the law and of the line. loads : n Fbar.
+    decay, spans : DecayFactors of the law and Spans of the line. loads : n Fbar.
     """
-    n, own = z.size, speeds.thresholds
-    contacts, rooms = room_for(slope, speeds.own), (room_for_all(n), room_for_pressed(n))
-    table, jumps, rates, entered = into
+    n, thresholds = z.size, speeds.thresholds
+    contacts = allocate_pieces(slope, speeds.speed)
+    rooms = allocate_touching(n), allocate_pressed(n)
+    table, jumps, rates, entered = results
     for i in range(loads.size):
         load, pieces, sweeps = loads[i], 1, 0
-        d = load / n + (z[0] + spans.whole[0] / n)
-        full = d > own.stay_all
+        d = load / n + (z[0] + spans.line_sums[0] / n)
+        full = d > thresholds.line_contact
         if full:
             _list_whole_line(z, d, contacts)
         else:
-            near = approach(decay, z, spans, own.stay, load)
-            d, sweeps, pieces = indentation(decay, z, spans, own.stay, load, near, contacts)
-            sweeps += STEPS
-        listed = first(contacts, pieces)
+            near = approach_indentation(decay, z, spans, thresholds.contact, load)
+            d, sweeps, pieces = span_indentation(
+                decay, z, spans, thresholds.contact, load, near, contacts
+            )
+            sweeps += APPROACH_STEPS
+        listed = first_pieces(contacts, pieces)
         for b in range(contacts.entered.size):
             entered[i, b] = contacts.entered[b]
-        table[i, INDENTATION], table[i, SWEEPS], table[i, FULL] = d, sweeps, full
-        table[i, PRESSED] = False
-        if how.followed and not full:
+        table[i, D_COLUMN], table[i, SWEEPS_COLUMN], table[i, FULL_COLUMN] = d, sweeps, full
+        table[i, PRESSED_COLUMN] = False
+        if options.followed and not full:
             continue
-        at = MovingLine(z, slope, spans, speeds.own, own.press)
-        mu, contact, least = _weigh(
-            at, speeds, listed, load, d, full, how, rooms, jumps[i], rates[i]
+        line = MovingLine(z, slope, spans, speeds.speed, thresholds.pressure)
+        mu, contact, least = _sampled_friction(
+            line, speeds, listed, load, d, full, options, rooms, jumps[i], rates[i]
         )
-        if how.smooth and mu <= 0.0:
-            # That it takes work is sure: what the forces do while the line rises.
-            mu = how.steps * mean_rise(z, d, decay, listed)
-        table[i, MU] = mu
-        table[i, CONTACT] = min(contact / n, 1.0)  # edges of two contacts can overlap
-        table[i, SAMPLES] = median_width(z, d, decay, listed)
-        table[i, PRESSED] = full and least == n
+        if options.band_limited and mu <= 0.0:
+            # Sliding on such a line dissipates: use the work of the forces as the line rises.
+            mu = options.steps * mean_rise(z, d, decay, listed)
+        table[i, MU_COLUMN] = mu
+        table[i, CONTACT_COLUMN] = min(contact / n, 1.0)  # edges of two contacts can overlap
+        table[i, WIDTH_COLUMN] = median_width(z, d, decay, listed)
+        table[i, PRESSED_COLUMN] = full and least == n
 
 
 @kernel
-def _weigh(at, speeds, contacts, load, d, full, how, rooms, jumps, rates):
-    """Return (mu, samples under pressure, the fewest so, also after jumps) of steady sliding at d.
+def _sampled_friction(line, speeds, contacts, load, d, full, options, rooms, jumps, rates):
+    """Return (mu, samples under pressure, the fewest of these after any jump) at d.
 
     Fill in jumps and rates.
     """
-    touching = list_touching(at.z, at.slope, contacts, rooms[0])
-    part = pressed(at, touching, d, rooms[1])
-    mu, contact, own = _friction(part, full, speeds.thresholds.press_all, load, d)
+    touching = list_touching(line.z, line.slope, contacts, rooms[0])
+    pressed = press_contact(line, touching, d, rooms[1])
+    mu, contact, deep = _friction(pressed, full, speeds.thresholds.line_pressure, load, d)
     least = contact
-    missing = elastic_part(part, contacts, own, how.steps) if how.share > 0.0 else 0.0
+    missing = 0.0
+    if options.elastic_share > 0.0:
+        missing = elastic_part(pressed, contacts, deep, options.steps)
     for k in range(speeds.others.size):
-        line = MovingLine(at.z, at.slope, at.spans, speeds.others[k], speeds.press[k])
-        there = pressed(line, touching, own, rooms[1])
-        after, count, deep = _friction(there, full, speeds.press[k, -1], load, own)
+        after = MovingLine(line.z, line.slope, line.spans, speeds.others[k], speeds.pressure[k])
+        pressed_after = press_contact(after, touching, deep, rooms[1])
+        mu_after, count, deep_after = _friction(
+            pressed_after, full, speeds.pressure[k, -1], load, deep
+        )
         least = min(least, count)
-        jumps[k], rates[k] = after - mu, deep - own  # errors of the elastic part cancel
-    if how.share > 0.0:
-        # Where a contact is narrower than a sample this alone is sure: mu is a mean of slopes.
-        limit = steepest(at.spans, touching)
-        mu = min(max(mu + how.share / load * missing, -limit), limit)
+        jumps[k], rates[k] = mu_after - mu, deep_after - deep  # errors of the elastic part cancel
+    if options.elastic_share > 0.0:
+        # mu is a mean of slopes, which bounds it where a contact is narrower than a sample.
+        limit = largest_slope(line.spans, touching)
+        mu = min(max(mu + options.elastic_share / load * missing, -limit), limit)
     return mu, contact, least
 
 
 @refcount_free_kernel
 def _list_whole_line(z, d, contacts):
     """Make one piece of the whole line."""
-    contacts.ends[0, 0], contacts.ends[0, 1], contacts.ends[0, 2] = z.size - 1, 0, 1
-    contacts.edges[0, 0] = contacts.edges[0, 1] = 0.5
+    contacts.ends[0, LEADING], contacts.ends[0, TRAILING] = z.size - 1, 0
+    contacts.ends[0, JOINED] = 1
+    contacts.edges[0, LEADING_REACH] = contacts.edges[0, TRAILING_REACH] = 0.5
     for b in range(contacts.entered.size):
-        above = (b + 1) * SPAN
-        contacts.entered[b] = z[above if above < z.size else 0] - d
+        upstream = (b + 1) * SPAN
+        contacts.entered[b] = z[upstream if upstream < z.size else 0] - d
 
 
 @refcount_free_kernel
-def _friction(contact, full, highest, load, guess):
-    """Return (mu, samples under pressure, d + d'). highest : threshold of all samples."""
+def _friction(contact, full, line_threshold, load, guess):
+    """Return (mu, samples under pressure, d + d').
+
+    line_threshold : largest pressure threshold of the line. guess : of d + d'.
+    """
     if full:
         z, slope, spans, speed, _ = contact.line
-        mu, deep = friction_everywhere(z, slope, spans, speed, load)
-        if deep > highest:
+        mu, deep = whole_line_friction(z, slope, spans, speed, load)
+        if deep > line_threshold:
             return mu, float(z.size), deep
-    deep, _ = indentation_under(contact, load, guess)  # d + d', with pressures (d + d') - z + v z'
-    mu, count = friction(contact, deep)
+    deep, _ = indentation_under(contact, load, guess)
+    mu, count = contact_friction(contact, deep)
     return mu, count, deep

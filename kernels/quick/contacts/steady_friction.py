@@ -1,4 +1,4 @@
-"""Friction of steady sliding and of the jumps from it, between the samples where that is known."""
+"""Friction of steady sliding and of velocity jumps, from samples or from between them."""
 
 from collections.abc import Sequence
 from functools import cached_property
@@ -10,74 +10,85 @@ from ...lines.line import Line
 from ...model.friction import correction_share
 from ...rheology.kelvin import SCHEMES, Kelvin
 from ...rheology.law import State
-from ..steady.carry import Decay, carry
+from ..steady.span_sweep import DecayFactors, sweep_spans
 from ..steady.spans import Spans, add_rises
-from ..steady.stack import Stack, alone, spans_of_line, stack_of, stacked
-from .between_samples import LEAST_STEPS, Columns, slide_between
-from .loads import CONTACT, FULL, INDENTATION, MU, PRESSED, SAMPLES, SWEEPS, Found, How
-from .on_lines import slide_on
+from ..steady.stack import Stack, single_line, spans_of_line, stack_of, stacked
+from .between_samples import MIN_SMOOTH_STEPS, FollowedColumns, slide_between
+from .loads import (
+    CONTACT_COLUMN,
+    D_COLUMN,
+    FULL_COLUMN,
+    MU_COLUMN,
+    PRESSED_COLUMN,
+    SWEEPS_COLUMN,
+    WIDTH_COLUMN,
+    FrictionOptions,
+    LoadTable,
+)
+from .slide_on_lines import slide_on_lines
 from .smooth_line import SmoothLine, smooth_line
 
-# Samples per contact from which on samples keep 2 % of the jump: followed contacts are better.
-AS_GOOD = 24.0
+# A followed contact counts as this many samples: from here on samples give the jump to 2 %.
+FOLLOWED_SAMPLES = 24.0
 
 
-class Ground:
-    """A line, and what is shared by all loads and speeds on it."""
+class LineData:
+    """A line of a stack, with data shared by all loads and speeds on it."""
 
-    def __init__(self, line: Line, stack: Stack, k: int) -> None:
-        """Take line k of a stack."""
-        self.line, self.stack, self.row = line, stack, k
+    def __init__(self, line: Line, stack: Stack, row: int) -> None:
+        """Take the line in a row of a stack."""
+        self.line, self.stack, self.row = line, stack, row
 
     @cached_property
     def spans(self) -> Spans:
-        """What is known of spans of the line."""
+        """Spans of the line."""
         return spans_of_line(self.stack, self.row)
 
     @cached_property
     def smooth(self) -> SmoothLine:
-        """The line between its samples, from so few of them that LEAST_STEPS or more are left."""
-        line, every = self.line, self.every
-        z, slope = (np.ascontiguousarray(one[::every]) for one in (line.z, line.slope))
-        return smooth_line(z, slope, every / line.steps_per_spacing)
+        """The line between its samples, from as few of them as MIN_SMOOTH_STEPS allows."""
+        line, stride = self.line, self.stride
+        z, slope = (np.ascontiguousarray(field[::stride]) for field in (line.z, line.slope))
+        return smooth_line(z, slope, stride / line.steps_per_spacing)
 
     @property
-    def every(self) -> int:
-        """Return k, where every k-th sample is taken for the line between them."""
+    def stride(self) -> int:
+        """Distance, in samples, between the samples used by ``smooth``."""
         steps = self.line.steps_per_spacing
-        return max(k for k in range(1, steps // LEAST_STEPS + 1) if steps % k == 0)
+        return max(k for k in range(1, steps // MIN_SMOOTH_STEPS + 1) if steps % k == 0)
 
 
-class Grounds(NamedTuple):
-    """Lines of as many samples, on which steady sliding is found in one call."""
+class LineSet(NamedTuple):
+    """Lines with equally many samples, on which one call finds steady sliding."""
 
     stack: Stack
-    each: list[Ground]
+    lines: list[LineData]
 
     @property
-    def known_between(self) -> bool:
-        """Whether the lines are known between their samples."""
-        line = self.each[0].line
-        return line.band_limited and line.steps_per_spacing >= LEAST_STEPS
+    def smooth(self) -> bool:
+        """Return whether the lines are known between their samples."""
+        line = self.lines[0].line
+        return line.band_limited and line.steps_per_spacing >= MIN_SMOOTH_STEPS
 
     @classmethod
-    def of(cls, lines: Sequence[Line], marched: bool = False) -> "Grounds":
-        """Return the grounds that lines are; marched : they are marched too."""
-        stack = stack_of(stacked([line.z for line in lines]), stacked([o.slope for o in lines]))
+    def of(cls, lines: Sequence[Line], marched: bool = False) -> "LineSet":
+        """Return the LineSet of lines. marched : add the sums that a march needs."""
+        heights, slopes = [line.z for line in lines], [line.slope for line in lines]
+        stack = stack_of(stacked(heights), stacked(slopes))
         if marched:
             for rows, line in zip(stack.rows, lines, strict=True):
                 add_rises(rows, line.z, line.slope)
-        return cls(stack, [Ground(line, stack, k) for k, line in enumerate(lines)])
+        return cls(stack, [LineData(line, stack, row) for row, line in enumerate(lines)])
 
 
-class AtSpeed(NamedTuple):
-    """A speed of steady sliding, and what of it is the same on all lines of as many samples."""
+class SpeedConstants(NamedTuple):
+    """A speed of steady sliding and the constants that it determines for all lines."""
 
     speed: float  # vbar
-    others: np.ndarray  # speeds jumped to, vbar, shape (others,)
+    others: np.ndarray  # speeds after a jump, vbar, shape (others,)
     scheme: str
     law: Kelvin  # for steps of one sample
-    share: float  # of the elastic part of mu that is corrected
+    elastic_share: float  # share of the elastic part of mu that is corrected
 
     @classmethod
     def of(
@@ -86,115 +97,130 @@ class AtSpeed(NamedTuple):
         steps: int,
         speed: float,
         others: tuple[float, ...] = (),
-    ) -> "AtSpeed":
-        """Return what holds at ``speed`` with ``steps`` samples per spacing; all speeds vbar."""
+    ) -> "SpeedConstants":
+        """Return the constants at ``speed`` with ``steps`` samples per spacing; speeds are vbar."""
         law = SCHEMES[scheme](1.0 / (steps * speed))
         return cls(speed, np.array(others, float), scheme, law, correction_share(steps, speed))
 
 
-class Sliding(NamedTuple):
-    """Steady sliding on lines at one speed; arrays of shape (lines, loads) but for the first."""
+class SteadySliding(NamedTuple):
+    """Steady sliding on lines at one speed; d to followed have the shape (lines, loads)."""
 
-    grounds: Grounds
-    at_speed: AtSpeed
-    stay: np.ndarray  # shape (lines, spans): thresholds above which contact lasts (Thresholds)
-    decay: Decay
+    line_set: LineSet
+    constants: SpeedConstants
+    thresholds: np.ndarray  # of contact, by whole spans (thresholds.py), shape (lines, spans)
+    decay: DecayFactors
     loads: np.ndarray  # n Fbar, shape (loads,)
-    found: Found  # its jumps and rates are those of contacts that are followed, once they are
-    d: np.ndarray  # indentation over the deepest sample, from which a march starts, in h
+    results: LoadTable  # jumps and rates are replaced once contacts are followed
+    d: np.ndarray  # indentation over the deepest sample, where a march starts, in h
     full: np.ndarray  # whether the whole line touches
     mu: np.ndarray  # in h/dx
     contact: np.ndarray  # share of the line
     indentation: np.ndarray  # in h, over the mean line
-    samples: np.ndarray  # of the line per contact; any number where contacts are followed
+    samples: np.ndarray  # per contact; not an integer where contacts are followed
     updates: np.ndarray  # of elements, the measure of cost
-    followed: np.ndarray  # whether contacts are, between the samples
+    followed: np.ndarray  # whether contacts were followed between the samples
 
-    def samples_seen(self, j: int, i: int) -> float:
-        """Return the samples per contact that the friction on line j under load i rests on.
+    def effective_samples(self, j: int, i: int) -> float:
+        """Return the samples per contact that determine the error of friction, line j, load i.
 
-        Contacts that are followed between the samples are as good as wide ones.
+        Contacts followed between the samples are as accurate as wide ones.
         """
         samples = float(self.samples[j, i])
-        return max(samples, AS_GOOD) if self.followed[j, i] else samples
+        return max(samples, FOLLOWED_SAMPLES) if self.followed[j, i] else samples
 
     def state(self, j: int, i: int) -> State:
         """Return the state on line j under load i, on its samples."""
-        ground, d = self.grounds.each[j], float(self.d[j, i])
-        w = np.empty_like(ground.line.z)
-        carry(self.decay, ground.line.z, ground.spans, self.stay[j], d, None, w)
+        data, d = self.line_set.lines[j], float(self.d[j, i])
+        w = np.empty_like(data.line.z)
+        sweep_spans(self.decay, data.line.z, data.spans, self.thresholds[j], d, None, w)
         return State(w, d)
 
 
 def steady_friction(
-    grounds: Grounds, at_speed: AtSpeed, loads: np.ndarray, follow: bool = False
-) -> Sliding:
+    line_set: LineSet, constants: SpeedConstants, loads: np.ndarray, follow: bool = False
+) -> SteadySliding:
     """Return steady sliding on every line, its friction and its jumps to other speeds.
 
-    loads : n Fbar. What is found under a load depends on no other load or line.
-    follow : friction and jumps are not read from samples but are to be, by follow_contacts.
+    loads : n Fbar. The result for one load and line does not depend on the others.
+    follow : leave friction and jumps in partial contact to follow_contacts.
     """
-    line = grounds.each[0].line
-    how = How(float(line.steps_per_spacing), at_speed.share, line.band_limited, follow)
-    speeds = at_speed.speed, at_speed.others
-    stay, decay, found = slide_on(at_speed.law, grounds.stack, speeds, loads, how)
-    table = found.table
-    datum = np.array([[ground.line.datum] for ground in grounds.each])
-    return Sliding(
-        grounds,
-        at_speed,
-        stay,
+    line = line_set.lines[0].line
+    steps = float(line.steps_per_spacing)
+    options = FrictionOptions(steps, constants.elastic_share, line.band_limited, follow)
+    thresholds, decay, results = slide_on_lines(
+        constants.law, line_set.stack, constants.speed, constants.others, loads, options
+    )
+    table = results.table
+    datum = np.array([[data.line.datum] for data in line_set.lines])
+    return SteadySliding(
+        line_set,
+        constants,
+        thresholds,
         decay,
         loads,
-        found,
-        table[..., INDENTATION],
-        table[..., FULL] > 0.0,
-        table[..., MU],
-        table[..., CONTACT],
-        table[..., INDENTATION] + datum,
-        table[..., SAMPLES],
-        table[..., SWEEPS] * grounds.stack.z.shape[1],
+        results,
+        table[..., D_COLUMN],
+        table[..., FULL_COLUMN] > 0.0,
+        table[..., MU_COLUMN],
+        table[..., CONTACT_COLUMN],
+        table[..., D_COLUMN] + datum,
+        table[..., WIDTH_COLUMN],
+        table[..., SWEEPS_COLUMN] * line_set.stack.z.shape[1],
         np.zeros(table.shape[:2], bool),
     )
 
 
-def follow_contacts(sliding: Sliding, before: Sliding | None = None) -> np.ndarray:
-    """Find friction and jumps from contacts between the samples, where a line is not all pressed.
+def follow_contacts(sliding: SteadySliding, before: SteadySliding | None = None) -> np.ndarray:
+    """Fill in friction and jumps in partial contact by following contacts between the samples.
 
-    Return how many patches of contact were come to under every load, on all lines, which are to be
-    known between their samples. What rounding hides is read from the samples.
-    before : sliding at another speed, which tells by how much samples miss the depth.
+    Return the number of patches visited per load, summed over all lines. Where rounding hides the
+    contact, friction is computed from the samples.
+    before : sliding at another speed, already followed; it tells by how much samples err in depth.
     """
-    grounds, at_speed, events = sliding.grounds, sliding.at_speed, np.zeros(sliding.loads.size)
-    speeds = at_speed.speed, at_speed.others
-    for j, ground in enumerate(grounds.each):
-        partial = np.flatnonzero(sliding.found.table[j, :, PRESSED] == 0.0)
+    constants, events = sliding.constants, np.zeros(sliding.loads.size)
+    for j, data in enumerate(sliding.line_set.lines):
+        partial = np.flatnonzero(sliding.results.table[j, :, PRESSED_COLUMN] == 0.0)
         if partial.size == 0:
             continue
-        smooth = ground.smooth
-        d = sliding.d[j, partial]
-        if before is not None:
-            deepest = smooth.deepest[2]
-            depth = before.indentation[j, partial] - ground.line.datum - deepest
-            missed = depth / (before.d[j, partial] - deepest)
-            d = deepest + (d - deepest) * np.where(before.followed[j, partial], missed, 1.0)
-        table, *changes = slide_between(smooth, *speeds, sliding.loads[partial] / ground.every, d)
-        found = Columns(*table.T)
-        some = found.events > 0.0
-        at, rest = (j, partial[some]), partial[~some]
-        n, steps = ground.line.z.size, ground.line.steps_per_spacing
+        guesses = _smooth_guesses(sliding, before, j, partial)
+        table, jumps, rates = slide_between(
+            data.smooth,
+            constants.speed,
+            constants.others,
+            sliding.loads[partial] / data.stride,
+            guesses,
+        )
+        columns = FollowedColumns(*table.T)
+        solved = columns.events > 0.0
+        at, rest = (j, partial[solved]), partial[~solved]
+        n, steps = data.line.z.size, data.line.steps_per_spacing
         sliding.followed[at] = True
-        for own, change in zip((sliding.found.jumps, sliding.found.rates), changes, strict=True):
-            own[at] = change[some]
-        sliding.mu[at] = found.mu[some]
-        sliding.contact[at] = np.minimum(found.length[some] * steps / n, 1.0)
-        sliding.indentation[at] = found.d[some] + ground.line.datum
-        sliding.samples[at] = found.median[some] * steps
-        sliding.updates[at] += found.events[some]
-        events[partial] += found.events
+        sliding.results.jumps[at] = jumps[solved]
+        sliding.results.rates[at] = rates[solved]
+        sliding.mu[at] = columns.mu[solved]
+        sliding.contact[at] = np.minimum(columns.length[solved] * steps / n, 1.0)
+        sliding.indentation[at] = columns.d[solved] + data.line.datum
+        sliding.samples[at] = columns.median_width[solved] * steps
+        sliding.updates[at] += columns.events[solved]
+        events[partial] += columns.events
         if rest.size:
-            lone = Grounds(alone(grounds.stack, j), [ground])
-            sampled = steady_friction(lone, at_speed, sliding.loads[rest])
-            for whole, part in zip(sliding.found, sampled.found, strict=True):
-                whole[j, rest] = part[0]
+            single = LineSet(single_line(sliding.line_set.stack, j), [data])
+            sampled = steady_friction(single, constants, sliding.loads[rest])
+            for field, sampled_field in zip(sliding.results, sampled.results, strict=True):
+                field[j, rest] = sampled_field[0]
     return events
+
+
+def _smooth_guesses(
+    sliding: SteadySliding, before: SteadySliding | None, j: int, loads: np.ndarray
+) -> np.ndarray:
+    """Return guesses of d on the smooth line j for some of the loads."""
+    d = sliding.d[j, loads]
+    if before is None:
+        return d
+    data = sliding.line_set.lines[j]
+    deepest = data.smooth.deepest[2]
+    depth = before.indentation[j, loads] - data.line.datum - deepest
+    ratio = depth / (before.d[j, loads] - deepest)
+    return deepest + (d - deepest) * np.where(before.followed[j, loads], ratio, 1.0)

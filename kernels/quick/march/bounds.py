@@ -1,64 +1,67 @@
-"""The bounds of d and D that a march takes for granted: guessed, and checked at every step."""
+"""Bounds of d and D that a march assumes: guessed first, and checked at every step."""
 
 from typing import NamedTuple
 
 import numpy as np
 
 from ...compile.jit import kernel, refcount_free_kernel
-from .given import advance
+from .jump_problem import indentation_advance
 
-LEAST_SPREAD = 1e-11  # of d: rounding stays far below it
+MIN_SPREAD = 1e-11  # relative to d: far above rounding
 
 
 class Bounds(NamedTuple):
-    """Between which values d and D(t) = d(t) - E d(t - 1) are taken to stay, both in h."""
+    """Open intervals assumed to contain d and D(t) = d(t) - E d(t - 1), in h."""
 
-    low: float  # of d
-    high: float
-    least: float  # of D
-    most: float
-
-
-NOTHING = Bounds(np.inf, -np.inf, np.inf, -np.inf)  # seen so far
+    d_min: float
+    d_max: float
+    advance_min: float  # of D
+    advance_max: float
 
 
-@kernel
-def are_within(bounds, d, advanced):
-    """Return whether d and D, here ``advanced``, lie within the bounds; NaN does not."""
-    return bounds.low < d < bounds.high and bounds.least < advanced < bounds.most
+EMPTY_BOUNDS = Bounds(np.inf, -np.inf, np.inf, -np.inf)
 
 
 @kernel
-def bounds_of(law, lowest, highest, least, most, margin):
-    """Return the Bounds around values of d and of D, farther out by ``margin`` of their spread.
+def within_bounds(bounds, d, advance):
+    """Return whether d and D, here ``advance``, lie within the bounds; NaN does not."""
+    d_inside = bounds.d_min < d < bounds.d_max
+    return d_inside and bounds.advance_min < advance < bounds.advance_max
 
-    D of any d that stays where it is, d / K, lies within them.
+
+@kernel
+def spread_bounds(law, d_min, d_max, advance_min, advance_max, margin):
+    """Return Bounds around ranges of d and D, wider on each side by ``margin`` of their spread.
+
+    They contain d / K, the value of D for constant d, for every d within them.
     """
-    wide = margin * max(highest - lowest, LEAST_SPREAD * highest)
-    low, high = max(lowest - wide, 0.0), highest + wide
-    least, most = min(least, low / law.stiffness), max(most, high / law.stiffness)
-    wide = margin * max(most - least, LEAST_SPREAD * highest)
+    wide = margin * max(d_max - d_min, MIN_SPREAD * d_max)
+    low, high = max(d_min - wide, 0.0), d_max + wide
+    least, most = min(advance_min, low / law.stiffness), max(advance_max, high / law.stiffness)
+    wide = margin * max(most - least, MIN_SPREAD * d_max)
     return Bounds(low, high, least - wide, most + wide)
 
 
 @refcount_free_kernel
-def first_bounds(march, d, margin):
-    """Return the Bounds of a whole march, of which the first step takes d to ``d`` or nearby."""
-    one, two = march.start.d, march.end.d
-    advanced = advance(march.law, d, one)
-    return bounds_of(march.law, min(one, two, d), max(one, two, d), advanced, advanced, margin)
+def initial_bounds(problem, d, margin):
+    """Return the Bounds of a whole march whose first step leads to about ``d``."""
+    one, two = problem.start.d, problem.end.d
+    advance = indentation_advance(problem.law, d, one)
+    return spread_bounds(problem.law, min(one, two, d), max(one, two, d), advance, advance, margin)
 
 
 @kernel
-def widened(law, bounds, d, advanced, margin):
-    """Return Bounds that hold also d and D, here ``advanced``, as a march left them."""
-    lowest, highest = min(bounds.low, d), max(bounds.high, d)
-    least, most = min(bounds.least, advanced), max(bounds.most, advanced)
-    return bounds_of(law, lowest, highest, least, most, margin)
+def widened_bounds(law, bounds, d, advance, margin):
+    """Return Bounds that also contain the d and D with which a march left ``bounds``."""
+    d_min, d_max = min(bounds.d_min, d), max(bounds.d_max, d)
+    least, most = min(bounds.advance_min, advance), max(bounds.advance_max, advance)
+    return spread_bounds(law, d_min, d_max, least, most, margin)
 
 
 @kernel
-def including(seen, d, advanced):
-    """Return Bounds that hold values seen so far, and d and D, here ``advanced``."""
-    low, high = min(seen.low, d), max(seen.high, d)
-    return Bounds(low, high, min(seen.least, advanced), max(seen.most, advanced))
+def extended_bounds(visited, d, advance):
+    """Return the range of the visited values of d and D, extended by another pair."""
+    d_min, d_max = min(visited.d_min, d), max(visited.d_max, d)
+    return Bounds(
+        d_min, d_max, min(visited.advance_min, advance), max(visited.advance_max, advance)
+    )

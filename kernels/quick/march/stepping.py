@@ -1,73 +1,96 @@
-"""The steps of the active-set march, of the samples that are listed, as long as the bounds hold."""
+"""Steps of the active-set march with one set of lists, as long as the bounds hold."""
 
 from typing import NamedTuple
 
+import numpy as np
+
 from ...compile.jit import refcount_free_kernel
-from ..contacts.pressed import weighed_side_by_side
-from .bounds import NOTHING, are_within, including
-from .crossings import arrive, depart
-from .landings import beside
-from .load_balance import next_indentation
+from ..contacts.pressed_samples import pressure_sums
+from .bounds import EMPTY_BOUNDS, extended_bounds, within_bounds
+from .certain_landings import Landings, landing_sums
+from .gap_crossings import Entries, enter_runs, leave_runs
+from .listed_samples import ListedSamples, SummedContact
+from .step_indentation import next_indentation
+from .undecided_runs import Runs
 
 
-class Stand(NamedTuple):
-    """Where a march stands, at the end of a step."""
+class MarchState(NamedTuple):
+    """State of a march at the end of a step."""
 
     step: int
-    kept: int  # how many steps have been kept
+    recorded: int  # number of recorded steps so far
     d: float  # indentation
     guess: float  # of the next one
-    advanced: float  # D
+    advance: float  # D
+
+
+class ActiveSet(NamedTuple):
+    """Lists of the samples that a march steps, and sums over the others that touch."""
+
+    runs: Runs
+    listed: ListedSamples
+    sums: SummedContact
+    entries: Entries
+    landings: Landings
+
+
+class Recorder(NamedTuple):
+    """Arrays that a march fills at the recorded steps."""
+
+    kept_steps: np.ndarray  # increasing step numbers (first step = 1)
+    mu: np.ndarray  # friction averaged over the step, in h/dx
+    indentation: np.ndarray  # d at the end of the step, in h
 
 
 @refcount_free_kernel
-def march_on(march, control, where, bounds, stand, last, into):
-    """March on to step ``last`` as long as the bounds hold; return (inside, stand, seen, work).
+def step_until(problem, control, active, bounds, state, last, recorder):
+    """March to step ``last`` while the bounds hold; return (inside, state, visited, work).
 
-    where : runs, lists, sums, arrivals, and landings. into : kept_steps, and mu and indentation at
-    them, which are filled in. seen : bounds of d and D on the way. work : element updates.
+    active : ActiveSet. recorder : filled. visited : range of d and D on the way.
+    work : element updates.
     """
-    law, (_, lists, sums, arrivals, landings) = march.law, where
-    kept_steps, mu, indentation = into
-    _, kept, d, guess, advanced = stand
-    seen, work = NOTHING, 0
-    for step in range(stand.step + 1, last + 1):
-        move_listed(law, lists, d)
-        arrive(law, lists, arrivals, d)
+    law, (_, listed, sums, entries, landings) = problem.law, active
+    kept_steps, mu, indentation = recorder
+    _, recorded, d, guess, advance = state
+    visited, work = EMPTY_BOUNDS, 0
+    for step in range(state.step + 1, last + 1):
+        move_listed(law, listed, d)
+        enter_runs(law, listed, entries, d)
         old = d
-        more = beside(landings, step, old, 0)
-        d, advanced, passes = next_indentation(control, law, lists, sums, more, old, guess)
-        work += passes * lists.c.size + arrivals[1].at.size
-        if not are_within(bounds, d, advanced):
-            return False, Stand(step, kept, d, guess, advanced), seen, work
+        landing = landing_sums(landings, step, old, 0)
+        d, advance, passes = next_indentation(control, law, listed, sums, landing, old, guess)
+        work += passes * listed.c.size + entries.crossings.slot.size
+        if not within_bounds(bounds, d, advance):
+            return False, MarchState(step, recorded, d, guess, advance), visited, work
         guess = d + (d - old)
         landings.past[step] = d
-        depart(lists, arrivals[1], d)
-        if step == kept_steps[kept]:
-            more = beside(landings, step, d, 0)[1], beside(landings, step, d, 1)[1]
-            mu[kept] = average(lists, sums, more, d, advanced)
-            indentation[kept] = d
-            kept += 1
-        seen = including(seen, d, advanced)
-    return True, Stand(last, kept, d, guess, advanced), seen, work
+        leave_runs(listed, entries.crossings, d)
+        if step == kept_steps[recorded]:
+            _, depth = landing_sums(landings, step, d, 0)
+            _, moment = landing_sums(landings, step, d, 1)
+            mu[recorded] = average_friction(listed, sums, depth, moment, d, advance)
+            indentation[recorded] = d
+            recorded += 1
+        visited = extended_bounds(visited, d, advance)
+    return True, MarchState(last, recorded, d, guess, advance), visited, work
 
 
 @refcount_free_kernel
-def move_listed(law, lists, d):
-    """Move every element to the next sample, of those that stay in their run (motion/slide.py)."""
-    c, z = lists.c, lists.z
+def move_listed(law, listed, d):
+    """Move every element that stays in its run to the next sample (motion/slide.py)."""
+    c, z = listed.c, listed.z
     for i in range(c.size - 1):
         c[i] = z[i] - law.decay * (z[i + 1] - max(c[i + 1], d))
 
 
 @refcount_free_kernel
-def average(lists, sums, more, d, advanced):
-    """Return mu averaged over a step: eq. 5, as step_average of model/friction.py has it.
+def average_friction(listed, sums, landing_depth, landing_moment, d, advance):
+    """Return mu averaged over a step: eq. 5, as step_average of model/friction.py.
 
-    The sums over samples are those of friction.py too, and of contacts/pressure.py at an instant.
-    more : overlap and moment of what touches beside both. advanced : D of the samples in sums.
+    The sums over samples are those of model/friction.py, and of contacts/pressure.py at an instant.
+    landing_depth, landing_moment : sums of certain landings. advance : D of the summed samples.
     """
-    depth, moment, _ = weighed_side_by_side(lists.c, None, lists.weight, d)
-    over = advanced - sums.level
-    moment += more[1] + (sums.moment + over * sums.weight)
-    return moment / (depth + more[0] + (sums.depth + over * sums.samples))
+    depth, moment, _ = pressure_sums(listed.c, None, listed.weight, d)
+    excess = advance - sums.level
+    moment += landing_moment + (sums.moment + excess * sums.weight)
+    return moment / (depth + landing_depth + (sums.depth + excess * sums.samples))

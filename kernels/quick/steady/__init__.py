@@ -1,6 +1,9 @@
-"""Steady sliding of elements that remember u alone: without marching, over the samples of a line.
+"""Steady sliding of elements that remember only u, found from spans of sixteen samples.
 
-model/steady.py visits every sample and is the reference. These files find the same for many loads
-of one line: ``spans`` says what is known of sixteen samples in a row, ``carry`` is a sweep that
-uses it and can list the contacts, ``sliding`` solves with it for the indentation.
+The reference, model/steady.py, visits every sample. This room returns the same result for many
+loads on one line. ``spans`` holds sums and extremes of sixteen consecutive samples.
+``thresholds`` gives the indentations above which a whole span stays in contact. ``span_sweep``
+carries the elements once round the line and can list the contacts (``contact_pieces``).
+``span_indentation`` solves for the indentation under a load. ``stack`` passes many short lines to
+one call.
 """

@@ -1,13 +1,14 @@
-"""Spans: what is known of sixteen samples in a row, so that most need not be visited.
+"""Spans: sums and extremes of sixteen consecutive samples, so that most samples are not visited.
 
 In steady sliding at indentation d the sample upstream of j is j + 1. If j + 1 touches, its element
-comes with E (z_{j+1} - d), E the decay of a step, and j touches where z_j - d lies below that:
+arrives with E (z_{j+1} - d), where E is the decay of a step. Sample j then touches where z_j - d
+lies below that:
 
     d > t_j = (z_j - E z_{j+1}) / (1 - E) = z_{j+1} + K (z_j - z_{j+1}),   K = 1 / (1 - E).
 
-So a span entered in contact stays in contact throughout where d lies above the largest of its t_j,
-and then its forces are sums over its heights. A span that is entered free, at u, is left free, at
-E^16 u, where its lowest sample lies higher than that over -d.
+A span that is entered in contact therefore stays in contact if d lies above the largest of its
+t_j, and its forces are sums over its heights. A span that is entered free, at u, stays free if its
+lowest sample lies above E^16 u + d; it is then left at E^16 u.
 """
 
 from typing import NamedTuple
@@ -17,74 +18,86 @@ import numpy as np
 from ...compile.jit import refcount_free_kernel
 
 SPAN = 16
-# Columns of what is known of a span, as many as the processor fetches at once: height z0 and slope
-# s0 of its first sample, and sums over all its samples j, with Delta f_j = f_(j+1) - f_j, of
-# z - z0, z' - s0, (z - z0) (z' - s0), (z' - s0)^2, (z' - s0) Delta z and Delta z Delta z'.
-FIRST, STEEP, HEIGHT, SLOPE, WORK, SQUARE, RISE, TURN = range(8)
+# Columns of the row of a span, one cache line: height z0 and slope s0 of its first sample, then
+# sums over all its samples j, with Delta f_j = f_(j+1) - f_j, of z - z0, z' - s0,
+# (z - z0) (z' - s0), (z' - s0)^2, (z' - s0) Delta z and Delta z Delta z'.
+SPAN_COLUMNS = 8
+(
+    FIRST_HEIGHT,
+    FIRST_SLOPE,
+    HEIGHT_SUM,
+    SLOPE_SUM,
+    WORK_SUM,
+    SQUARE_SUM,
+    RISE_SUM,
+    TURN_SUM,
+) = range(SPAN_COLUMNS)
 
 
 class Spans(NamedTuple):
-    """Sums over the whole spans of a line, each of shape (n // SPAN,), and over all of it.
+    """Sums over the whole spans of a line, each of shape (n // SPAN,), and over the whole line.
 
-    Of heights and slopes from those of the first sample, z0 and s0: sums over spans that lie
-    high or steep lose no digits.
+    Heights and slopes are taken relative to those of the first sample, z0 and s0, so that sums
+    over high or steep spans lose no digits.
     """
 
     lowest: np.ndarray  # height
-    first: np.ndarray  # z0
-    height: np.ndarray  # sum of z - z0
+    first_height: np.ndarray  # z0
+    height_sum: np.ndarray  # sum of z - z0
     steepest: np.ndarray  # largest |z'|
-    rows: np.ndarray  # shape (n // SPAN + 1, 8): of every span, RISE and TURN as add_rises leaves
-    # them; the last row has FIRST and STEEP of what follows
-    whole: np.ndarray  # shape (4,): sums over all samples, as HEIGHT to SQUARE of the line
-    deepest: int  # sample, the lowest one
+    rows: np.ndarray  # shape (n // SPAN + 1, SPAN_COLUMNS); add_rises fills RISE_SUM and TURN_SUM;
+    # the last row has FIRST_HEIGHT and FIRST_SLOPE of the sample after the last whole span
+    line_sums: np.ndarray  # shape (4,): HEIGHT_SUM to SQUARE_SUM over all samples of the line
+    deepest: int  # lowest sample of the line
 
 
 @refcount_free_kernel
 def fill_spans(z, slope, spans):
-    """Fill the arrays of Spans with what they are of a line; return the deepest sample."""
+    """Fill the arrays of Spans for a line; return the deepest sample."""
     n, count = z.size, z.size // SPAN
-    lowest, steepest, rows, whole = spans.lowest, spans.steepest, spans.rows, spans.whole
-    whole[:] = 0.0
+    lowest, steepest, rows, line_sums = spans.lowest, spans.steepest, spans.rows, spans.line_sums
+    line_sums[:] = 0.0
     for b in range(count):
         first = b * SPAN
-        a0 = a1 = a2 = a3 = steep = 0.0
+        heights = slopes = work = squares = steep = 0.0
         low = z[first]
         for j in range(first, first + SPAN):
-            a, c = z[j] - z[first], slope[j] - slope[first]
-            a0, a1, a2, a3 = a0 + a, a1 + c, a2 + a * c, a3 + c * c
+            dz, ds = z[j] - z[first], slope[j] - slope[first]
+            heights, slopes = heights + dz, slopes + ds
+            work, squares = work + dz * ds, squares + ds * ds
             low, steep = min(low, z[j]), max(steep, abs(slope[j]))
         lowest[b], steepest[b] = low, steep
-        rows[b, FIRST], rows[b, STEEP] = z[first], slope[first]
-        rows[b, HEIGHT], rows[b, SLOPE], rows[b, WORK], rows[b, SQUARE] = a0, a1, a2, a3
-        rows[b, RISE] = rows[b, TURN] = np.nan
-        spans.first[b], spans.height[b] = z[first], a0
-        a, c = z[first] - z[0], slope[first] - slope[0]
-        whole[0] += a0 + SPAN * a
-        whole[1] += a1 + SPAN * c
-        whole[2] += a2 + a * a1 + c * (a0 + SPAN * a)
-        whole[3] += a3 + c * (2.0 * a1 + SPAN * c)
+        rows[b, FIRST_HEIGHT], rows[b, FIRST_SLOPE] = z[first], slope[first]
+        rows[b, HEIGHT_SUM], rows[b, SLOPE_SUM] = heights, slopes
+        rows[b, WORK_SUM], rows[b, SQUARE_SUM] = work, squares
+        rows[b, RISE_SUM] = rows[b, TURN_SUM] = np.nan
+        spans.first_height[b], spans.height_sum[b] = z[first], heights
+        dz, ds = z[first] - z[0], slope[first] - slope[0]
+        line_sums[0] += heights + SPAN * dz
+        line_sums[1] += slopes + SPAN * ds
+        line_sums[2] += work + dz * slopes + ds * (heights + SPAN * dz)
+        line_sums[3] += squares + ds * (2.0 * slopes + SPAN * ds)
     for j in range(count * SPAN, n):
-        a, c = z[j] - z[0], slope[j] - slope[0]
-        whole[0] += a
-        whole[1] += c
-        whole[2] += a * c
-        whole[3] += c * c
+        dz, ds = z[j] - z[0], slope[j] - slope[0]
+        line_sums[0] += dz
+        line_sums[1] += ds
+        line_sums[2] += dz * ds
+        line_sums[3] += ds * ds
     after = count * SPAN if count * SPAN < n else 0
     rows[count, :] = np.nan
-    rows[count, FIRST], rows[count, STEEP] = z[after], slope[after]
+    rows[count, FIRST_HEIGHT], rows[count, FIRST_SLOPE] = z[after], slope[after]
     return int(np.argmin(z))
 
 
 @refcount_free_kernel
 def add_rises(rows, z, slope):
-    """Fill in RISE and TURN of the rows of Spans. Only a march asks for them."""
+    """Fill RISE_SUM and TURN_SUM of the rows of Spans, which only a march needs."""
     for b in range(rows.shape[0] - 1):
         first = b * SPAN
-        one = other = 0.0
+        rises = turns = 0.0
         for j in range(first, first + SPAN):
-            above = j + 1 if j + 1 < z.size else 0
-            up = z[above] - z[j]
-            one += (slope[j] - slope[first]) * up
-            other += (slope[above] - slope[j]) * up
-        rows[b, RISE], rows[b, TURN] = one, other
+            upstream = j + 1 if j + 1 < z.size else 0
+            rise = z[upstream] - z[j]
+            rises += (slope[j] - slope[first]) * rise
+            turns += (slope[upstream] - slope[j]) * rise
+        rows[b, RISE_SUM], rows[b, TURN_SUM] = rises, turns

@@ -1,7 +1,7 @@
-"""Lines of as many samples each, one above the other, that one call from Python goes through.
+"""Stacks of lines with equally many samples, processed by one call from Python.
 
-A call costs more than steady sliding on a short line, so short lines are handed over together. What
-is found on one does not depend on the others.
+A call from Python costs more than steady sliding on a short line, so short lines are passed
+together. The result for one line does not depend on the others.
 """
 
 from collections.abc import Sequence
@@ -10,37 +10,37 @@ from typing import NamedTuple
 import numpy as np
 
 from ...compile.jit import kernel
-from .spans import SPAN, TURN, Spans, fill_spans
+from .spans import SPAN, SPAN_COLUMNS, Spans, fill_spans
 
 
 class Stack(NamedTuple):
-    """Lines and what is known of their spans: every array has a row for each line."""
+    """Lines and the fields of their Spans: every array has one row per line."""
 
     z: np.ndarray  # in h, shape (lines, n)
-    slope: np.ndarray  # in h/dx, of the same shape
-    lowest: np.ndarray  # shape (lines, n // SPAN), as the next three; as of Spans
-    first: np.ndarray
-    height: np.ndarray
+    slope: np.ndarray  # in h/dx, shape (lines, n)
+    lowest: np.ndarray  # shape (lines, n // SPAN), like the next three
+    first_height: np.ndarray
+    height_sum: np.ndarray
     steepest: np.ndarray
-    rows: np.ndarray  # shape (lines, n // SPAN + 1, 8)
-    whole: np.ndarray  # shape (lines, 4)
+    rows: np.ndarray  # shape (lines, n // SPAN + 1, SPAN_COLUMNS)
+    line_sums: np.ndarray  # shape (lines, 4)
     deepest: np.ndarray  # shape (lines,)
 
 
 def spans_of_line(stack: Stack, k: int) -> Spans:
-    """Return the Spans of line k: rows of the stack."""
+    """Return the Spans of line k as views of the stack."""
     return Spans(
         stack.lowest[k],
-        stack.first[k],
-        stack.height[k],
+        stack.first_height[k],
+        stack.height_sum[k],
         stack.steepest[k],
         stack.rows[k],
-        stack.whole[k],
+        stack.line_sums[k],
         stack.deepest[k],
     )
 
 
-spans_in = kernel(spans_of_line)  # the same for kernels
+spans_in = kernel(spans_of_line)  # the same function for kernels
 
 
 @kernel
@@ -48,28 +48,28 @@ def stack_of(z, slope):
     """Return the Stack of lines. z (in h), slope (in h/dx) : shape (lines, n)."""
     lines, count = z.shape[0], z.shape[1] // SPAN
     shape = lines, count
-    found = Stack(
+    stack = Stack(
         z,
         slope,
         np.empty(shape),
         np.empty(shape),
         np.empty(shape),
         np.empty(shape),
-        np.empty((lines, count + 1, TURN + 1)),
+        np.empty((lines, count + 1, SPAN_COLUMNS)),
         np.empty((lines, 4)),
         np.empty(lines, np.int64),
     )
     for k in range(lines):
-        found.deepest[k] = fill_spans(z[k], slope[k], spans_in(found, k))
-    return found
+        stack.deepest[k] = fill_spans(z[k], slope[k], spans_in(stack, k))
+    return stack
 
 
 def stacked(rows: Sequence[np.ndarray]) -> np.ndarray:
-    """Return arrays of as many numbers as rows of one; a single one is not copied."""
+    """Return arrays of equal size as the rows of one array; a single array is not copied."""
     joined = rows[0] if len(rows) == 1 else np.concatenate(rows)
     return joined.reshape(len(rows), -1)
 
 
-def alone(stack: Stack, k: int) -> Stack:
-    """Return line k as a stack of its own: a row of it."""
+def single_line(stack: Stack, k: int) -> Stack:
+    """Return line k as a Stack of one line, a view of its row."""
     return Stack(*(field[k : k + 1] for field in stack))

@@ -1,6 +1,7 @@
-"""Thresholds of whole spans: above which indentation they stay in contact, or under pressure.
+"""Thresholds of whole spans: the indentations above which they stay in contact or under pressure.
 
-What a threshold is stands in spans.py. They depend on the speed, and serve all loads.
+The threshold t_j of contact is defined in spans.py. Thresholds depend on the speed and serve all
+loads.
 """
 
 from typing import NamedTuple
@@ -12,70 +13,70 @@ from .spans import SPAN
 
 
 class Thresholds(NamedTuple):
-    """Largest thresholds of every whole span at one speed, each of shape (n // SPAN,)."""
+    """Largest thresholds of the whole spans at one speed, and of the whole line."""
 
-    stay: np.ndarray  # of t_j: below d, contact lasts
-    press: np.ndarray  # of z - vbar z': below d + d', the pressure is positive
-    stay_all: float  # the same of all samples of the line
-    press_all: float
+    contact: np.ndarray  # of t_j, shape (n // SPAN,): contact lasts where d lies above
+    pressure: np.ndarray  # of z - vbar z', shape (n // SPAN,): p > 0 where d + d' lies above
+    line_contact: float  # largest t_j of the line
+    line_pressure: float  # largest z - vbar z' of the line
 
 
 @kernel
 def thresholds_of(z, slope, speed, stiffness):
     """Return the Thresholds at ``speed`` (vbar). stiffness : K of the law (rheology/law.py)."""
     n = z.size
-    stay, press = np.empty(n // SPAN), presses_of(z, slope, speed)
-    each = np.empty(SPAN)
-    whole = (n - 1) // SPAN  # spans with a sample of the array upstream of them
-    stay_all = -np.inf
-    for b in range(whole):
+    contact, pressure = np.empty(n // SPAN), pressure_thresholds(z, slope, speed)
+    in_span = np.empty(SPAN)
+    inner = (n - 1) // SPAN  # spans whose upstream neighbour lies in the array
+    line_contact = -np.inf
+    for b in range(inner):
         h = z[b * SPAN : b * SPAN + SPAN + 1]
         for k in range(SPAN):
-            each[k] = h[k + 1] + stiffness * (h[k] - h[k + 1])
-        stay[b] = _largest(each)
-        stay_all = max(stay_all, stay[b])
-    rest = -np.inf
-    for j in range(whole * SPAN, n):
+            in_span[k] = h[k + 1] + stiffness * (h[k] - h[k + 1])
+        contact[b] = _largest(in_span)
+        line_contact = max(line_contact, contact[b])
+    tail = -np.inf
+    for j in range(inner * SPAN, n):
         ahead = z[j + 1 if j + 1 < n else 0]
-        rest = max(rest, ahead + stiffness * (z[j] - ahead))
-    stay[whole:] = rest  # of a whole span that ends the line
-    return Thresholds(stay, press[:-1], max(stay_all, rest), press[-1])
+        tail = max(tail, ahead + stiffness * (z[j] - ahead))
+    contact[inner:] = tail  # a whole span that ends the line
+    return Thresholds(contact, pressure[:-1], max(line_contact, tail), pressure[-1])
 
 
 @kernel
-def presses_of(z, slope, speed):
-    """Return the largest z - vbar z' of every whole span, and at last that of all samples."""
+def pressure_thresholds(z, slope, speed):
+    """Return the largest z - vbar z' of every whole span and, last, of all samples."""
     count = z.size // SPAN
-    press = np.empty(count + 1)
-    each = np.empty(SPAN)
+    pressure = np.empty(count + 1)
+    in_span = np.empty(SPAN)
     highest = -np.inf
     for b in range(count):
         h, s = z[b * SPAN : b * SPAN + SPAN], slope[b * SPAN : b * SPAN + SPAN]
         for k in range(SPAN):
-            each[k] = h[k] - speed * s[k]
-        press[b] = _largest(each)
-        highest = max(highest, press[b])
+            in_span[k] = h[k] - speed * s[k]
+        pressure[b] = _largest(in_span)
+        highest = max(highest, pressure[b])
     for j in range(count * SPAN, z.size):
         highest = max(highest, z[j] - speed * slope[j])
-    press[count] = highest
-    return press
+    pressure[count] = highest
+    return pressure
 
 
 @kernel
-def presses_at(z, slope, speeds):
-    """Return what presses_of returns at several speeds (vbar), one row for each."""
-    press = np.empty((speeds.size, z.size // SPAN + 1))
+def pressure_thresholds_at(z, slope, speeds):
+    """Return the pressure_thresholds at several speeds (vbar), one row for each speed."""
+    pressure = np.empty((speeds.size, z.size // SPAN + 1))
     for k in range(speeds.size):
-        found = presses_of(z, slope, speeds[k])
-        for b in range(found.size):
-            press[k, b] = found[b]
-    return press
+        at_speed = pressure_thresholds(z, slope, speeds[k])
+        for b in range(at_speed.size):
+            pressure[k, b] = at_speed[b]
+    return pressure
 
 
 @refcount_free_kernel
-def _largest(each):
-    """Return the largest number of a span; they change. By halves: many are compared at once."""
+def _largest(values):
+    """Return the largest of SPAN values, which are overwritten. Halving lets it vectorise."""
     for half in (8, 4, 2, 1):
         for k in range(half):
-            each[k] = max(each[k], each[half + k])
-    return each[0]
+            values[k] = max(values[k], values[half + k])
+    return values[0]

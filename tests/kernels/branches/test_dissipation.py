@@ -1,4 +1,4 @@
-"""Friction of steady sliding as loss: against moduli, against fine lines, at both ends."""
+"""Friction of steady sliding as loss: against moduli, fine lines, and at both extremes."""
 
 import numpy as np
 import pytest
@@ -27,8 +27,8 @@ def friction(material, line, speed, load=0.1, scheme="exponential"):
     """Return (mu, contact) of steady sliding."""
     form = FORMS_BY_SCHEME[scheme](material)
     m = line.steps_per_spacing
-    found = steady_memory(form, line.z, speed * m, load * line.z.size)
-    return friction_by_loss(retardation(material), form, line, found.p, speed)
+    state = steady_memory(form, line.z, speed * m, load * line.z.size)
+    return friction_by_loss(retardation(material), form, line, state.p, speed)
 
 
 def errors_in_full_contact(material, rate, refinements, scheme="exponential"):
@@ -65,7 +65,7 @@ def test_a_sinusoid_in_full_contact_shows_the_loss_modulus(name, scheme, rate):
     ("Prony3", 1e-4), ("Prony3", 3.0), ("SBR", 1e-4), ("SBR", 1e3), ("dashpot", 1e-4),
 ])  # fmt: skip
 def test_four_samples_per_spacing_are_near_sixty_four(name, speed):
-    """At the lowest speeds too, where the sum over samples is off by more than itself."""
+    """Even at the lowest speeds, where the sum over samples errs by more than the friction."""
     errors = []
     for seed in range(3):
         coarse = friction(MATERIALS[name], line_of(4, seed), speed)[0]
@@ -74,7 +74,7 @@ def test_four_samples_per_spacing_are_near_sixty_four(name, speed):
 
 
 @pytest.mark.parametrize("name", MATERIALS)
-def test_friction_at_low_speeds_is_that_of_any_material_of_the_same_tau(name):
+def test_friction_at_low_speeds_depends_on_tau_alone(name):
     line = line_of(4)
     mu = [friction(MATERIALS[name], line, speed)[0] / speed for speed in (1e-7, 1e-8)]
     assert mu[0] == pytest.approx(mu[1], rel=1e-4)
@@ -88,9 +88,9 @@ def test_kelvin_element_by_quadrature(speed):
     load = 0.1 * line.z.size
     state, _ = steady_sliding(SCHEMES["exponential"](1.0 / (16 * speed)), line.z, load)
     mu, _, contact = quadrature(line.z, line.slope, *state, speed, speed, load)
-    found = friction(KELVIN, line, speed)
-    assert found[0] == pytest.approx(mu, rel=0.02)
-    assert found[1] == pytest.approx(contact, abs=0.01)
+    mu_by_loss, contact_by_loss = friction(KELVIN, line, speed)
+    assert mu_by_loss == pytest.approx(mu, rel=0.02)
+    assert contact_by_loss == pytest.approx(contact, abs=0.01)
 
 
 @pytest.mark.parametrize("material", [PRONY3, SBR, KELVIN])
@@ -102,9 +102,9 @@ def test_reversed_motion_of_the_mirrored_line(material):
     assert two == pytest.approx((-one[0], one[1]), rel=1e-9)
 
 
-def test_nothing_touches():
+def test_friction_is_nan_where_nothing_touches():
     line, form = line_of(4), retardation(PRONY3)
-    found = steady_at(form, line.z, 1.0, -1.0)
-    mu, contact = friction_by_loss(form, form, line, found.p, 0.25)
+    state = steady_at(form, line.z, 1.0, -1.0)
+    mu, contact = friction_by_loss(form, form, line, state.p, 0.25)
     assert np.isnan(mu)
     assert contact == 0.0

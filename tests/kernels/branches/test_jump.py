@@ -1,4 +1,4 @@
-"""Velocity jumps: exact with a dashpot, a rate without one."""
+"""Velocity jumps: a jump of mu with a dashpot, of its rate without one."""
 
 import numpy as np
 import pytest
@@ -24,52 +24,53 @@ def line_of(m):
 
 
 def steady(material, line, speed, scheme="exponential", load=0.3):
+    """Return (form, elements) of steady sliding."""
     form = FORMS_BY_SCHEME[scheme](material)
     m = line.steps_per_spacing
     return form, steady_memory(form, line.z, speed * m, load * line.z.size).elements
 
 
-def at_once(material, line, speed, scheme="exponential"):
-    """Return what friction_jump takes before the speed."""
+def sliding(material, line, speed, scheme="exponential"):
+    """Return the arguments of friction_jump before the speed."""
     form, elements = steady(material, line, speed, scheme)
     return form, line, elements
 
 
 @pytest.mark.parametrize("ratio", [0.5, 1.0, 1.2, 5.0])
-def test_kelvin_element_jumps_as_its_own_quadrature_says(ratio):
+def test_a_kelvin_element_jumps_as_in_its_quadrature(ratio):
     line, speed = line_of(4), 2.0
     load = 0.3 * line.z.size
     state, _ = steady_sliding(SCHEMES["exponential"](1.0 / (4.0 * speed)), line.z, load)
     mu = [quadrature(line.z, line.slope, *state, speed, s * speed, load)[0] for s in (1.0, ratio)]
-    found = friction_jump(*at_once(KELVIN, line, speed), speed, ratio)
-    assert found == pytest.approx(mu[1] - mu[0], rel=1e-4, abs=1e-12)
+    jump = friction_jump(*sliding(KELVIN, line, speed), speed, ratio)
+    assert jump == pytest.approx(mu[1] - mu[0], rel=1e-4, abs=1e-12)
 
 
-@pytest.mark.parametrize("way", [1.0, -1.0])
-def test_full_contact_jumps_by_what_the_dashpot_bears(way):
+@pytest.mark.parametrize("direction", [1.0, -1.0])
+def test_full_contact_jumps_by_the_share_of_the_dashpot(direction):
     """mu_0 - mu_1 = eta (v2 - v1) mean(z'^2) / Fbar, whatever the branches."""
     q, a, m = 2.0 * np.pi / 32.0, 0.3, 4
     x = np.arange(32 * m) / m
     line = Line.from_samples(a * np.cos(q * x), -a * q * np.sin(q * x), m)
     material, load = MATERIALS["dashpot"], 40.0
     for scheme in FORMS_BY_SCHEME:
-        form, elements = steady(material, line, way * 3.0, scheme, load)
-        expected = way * material.viscosity * 3.0 * 0.4 * (a * q) ** 2 / (2.0 * load)
-        found = friction_jump(form, line, elements, way * 3.0, 1.4)
-        assert found == pytest.approx(expected, rel=1e-9)
+        form, elements = steady(material, line, direction * 3.0, scheme, load)
+        expected = direction * material.viscosity * 3.0 * 0.4 * (a * q) ** 2 / (2.0 * load)
+        jump = friction_jump(form, line, elements, direction * 3.0, 1.4)
+        assert jump == pytest.approx(expected, rel=1e-9)
 
 
 def test_both_forms_jump_alike():
     line = line_of(32)
-    found = [
-        friction_jump(*at_once(MATERIALS["dashpot"], line, 3.0, scheme), 3.0, 2.0)
+    jumps = [
+        friction_jump(*sliding(MATERIALS["dashpot"], line, 3.0, scheme), 3.0, 2.0)
         for scheme in FORMS_BY_SCHEME
     ]
-    assert found[0] == pytest.approx(found[1], rel=0.02)
+    assert jumps[0] == pytest.approx(jumps[1], rel=0.02)
 
 
-def test_a_march_jumps_as_far():
-    """The first step after the jump, finer and finer, against the formula."""
+def test_a_march_jumps_by_the_formula():
+    """The first step after the jump approaches the formula under refinement."""
     material, speed, ratio = MATERIALS["dashpot"], 3.0, 2.0
     errors = []
     for m in (32, 256):
@@ -94,25 +95,25 @@ def first_step(form, line, elements, speed):
 
 @pytest.mark.parametrize("ratio", [0.5, 1.5])
 def test_without_a_dashpot_the_rate_jumps(ratio):
-    """What the change of speed adds to the first steps, over their time, against the formula."""
+    """The rate that the change of speed adds to the first step, against the formula."""
     material, speed = of_unit_tau((10.0, 3.0), (0.05, 0.5)), 1.0
     line = line_of(512)
     units, elements = steady(material, line, speed)
     dt = 1.0 / (ratio * speed * 512)
     start = np.dot(elements.p, line.slope) / elements.p.sum()
-    found = (first_step(units, line, elements, ratio * speed) - start) / dt
+    rate = (first_step(units, line, elements, ratio * speed) - start) / dt
     constant = (first_step(units, line, elements, speed) - start) * speed * 512
     expected = initial_rate(units, line, elements.p, speed, ratio)
-    assert found - constant == pytest.approx(expected, rel=0.1)
+    assert rate - constant == pytest.approx(expected, rel=0.1)
 
 
-def test_a_jump_to_the_same_speed_is_none():
+def test_a_jump_to_the_same_speed_is_zero():
     line = line_of(4)
     units, elements = steady(STANDARD, line, 1.0)
     assert initial_rate(units, line, elements.p, 1.0, 1.0) == 0.0
 
 
-def test_each_material_has_one_of_them():
+def test_a_material_has_either_a_jump_or_a_rate():
     line = line_of(4)
     for scheme in FORMS_BY_SCHEME:
         form, elements = steady(STANDARD, line, 1.0, scheme)

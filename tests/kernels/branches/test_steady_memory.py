@@ -1,4 +1,4 @@
-"""Steady sliding with internal variables: against marching, the Kelvin element, hard lines."""
+"""Steady sliding with internal variables: against marching, Kelvin elements, hard lines."""
 
 import numpy as np
 import pytest
@@ -7,10 +7,10 @@ from hypothesis import strategies as st
 
 from elastomer_friction.kernels import SCHEMES, steady_sliding
 from elastomer_friction.kernels.branches.steady_memory import (
-    _as_met,
-    _turn,
+    heights_in_order,
     steady_at,
     steady_memory,
+    turn_element,
 )
 from elastomer_friction.kernels.branches.tangents import (
     RADIX,
@@ -42,47 +42,47 @@ def three_modes(n, offset=0.0):
 @pytest.mark.parametrize("name", MATERIALS)
 @pytest.mark.parametrize("scheme", FORMS_BY_SCHEME)
 @pytest.mark.parametrize("speed", [3.0, -40.0])
-def test_a_march_stays_where_it_started(name, scheme, speed):
+def test_a_march_from_the_steady_state_stays_there(name, scheme, speed):
     z, _ = random_line(N, 0.7, M, 5)
     form, load = FORMS_BY_SCHEME[scheme](MATERIALS[name]), LOAD * z.size
-    found = steady_memory(form, z, speed, load)
-    line = Foundation(form, z, found.elements)
-    way = int(np.sign(speed))
+    state = steady_memory(form, z, speed, load)
+    line = Foundation(form, z, state.elements)
+    direction = int(np.sign(speed))
     for _ in range(2 * M):
-        line.step(way, 1.0 / abs(speed), load=load)
-        assert line.d == pytest.approx(found.d, rel=1e-10)
-    assert np.roll(line.p, -line.position) == pytest.approx(found.p, abs=1e-9 * load)
+        line.step(direction, 1.0 / abs(speed), load=load)
+        assert line.d == pytest.approx(state.d, rel=1e-10)
+    assert np.roll(line.p, -line.position) == pytest.approx(state.p, abs=1e-9 * load)
 
 
 @pytest.mark.parametrize("name", ["Prony3", "dashpot"])
-def test_marching_from_rest_ends_there(name):
+def test_a_march_from_rest_reaches_the_steady_state(name):
     z = three_modes(48)
     form, load = retardation(MATERIALS[name]), LOAD * z.size
-    speed = 2.0 * z.size  # memory: the longest time is worth a few periods
+    speed = 2.0 * z.size  # the longest relaxation time lasts a few periods
     start = sorted_root(z, load)
     p = np.maximum(0.0, start - z)
     line = Foundation(form, z, Elements(rest_memory(form, p), p, start))
-    found = steady_memory(form, z, speed, load)
-    far = abs(start - found.d)
+    state = steady_memory(form, z, speed, load)
+    far = abs(start - state.d)
     for _ in range(24 * z.size):
         line.step(1, 1.0 / speed, load=load)
-    assert line.d == pytest.approx(found.d, abs=1e-4 * far)
+    assert line.d == pytest.approx(state.d, abs=1e-4 * far)
 
 
 @pytest.mark.skipif(PLAIN_PYTHON, reason="NUMBA_DISABLE_JIT=1: counts are the same, and slow")
 def test_thirteen_branches_cost_a_hundredth_of_marching():
-    """With a hundred times the updates of elements a march is not within 1e-3 yet."""
+    """After a hundred times the element updates a march is still not within 1e-3."""
     z, _ = random_line(80, 0.7, M, 5)
     form, load = retardation(SBR), LOAD * z.size
-    speed = 1.0 * z.size  # the slowest branch lasts for 16 periods
-    found = steady_memory(form, z, speed, load)
+    speed = 1.0 * z.size  # the slowest branch lasts 16 periods
+    state = steady_memory(form, z, speed, load)
     start = sorted_root(z, load)
     p = np.maximum(0.0, start - z)
     line = Foundation(form, z, Elements(rest_memory(form, p), p, start))
-    far = abs(start - found.d)
-    for _ in range(100 * found.work // z.size):
+    far = abs(start - state.d)
+    for _ in range(100 * state.work // z.size):
         line.step(1, 1.0 / speed, load=load)
-    assert abs(line.d - found.d) > 1e-3 * far
+    assert abs(line.d - state.d) > 1e-3 * far
 
 
 @pytest.mark.parametrize("speed", [0.1, 3.0, 80.0])
@@ -107,12 +107,12 @@ def test_mirrored_line_under_reversed_motion(name):
 
 
 @pytest.mark.parametrize("name", MATERIALS)
-def test_given_indentation_carries_the_load_that_leads_to_it(name):
+def test_given_indentation_carries_the_load_that_produces_it(name):
     z, _ = random_line(N, 0.7, M, 5)
     form = retardation(MATERIALS[name])
     under_load = steady_memory(form, z, 5.0, LOAD * z.size)
-    held = steady_at(form, z, 5.0, under_load.d)
-    assert held.p.sum() == pytest.approx(LOAD * z.size, rel=1e-10)
+    at_d = steady_at(form, z, 5.0, under_load.d)
+    assert at_d.p.sum() == pytest.approx(LOAD * z.size, rel=1e-10)
     above = steady_at(form, z, 5.0, -1.0).elements
     assert not above.p.any()
     assert not above.memory.any()
@@ -161,18 +161,18 @@ LINES = {
 
 @pytest.mark.parametrize("name", LINES)
 @pytest.mark.parametrize("scheme", FORMS_BY_SCHEME)
-def test_lines_without_a_slope(name, scheme):
+def test_lines_that_are_not_smooth(name, scheme):
     z = LINES[name]
     for material in (PRONY3, SBR, MATERIALS["dashpot"]):
         for speed, load in ((1e-4, 1e-6), (0.3, 0.1), (-50.0, 3.0), (1e5, 1e-3)):
             form = FORMS_BY_SCHEME[scheme](material)
-            found = steady_memory(form, z, speed, load * z.size)
-            assert found.residual < 1e-7
-            assert found.p.sum() == pytest.approx(load * z.size, rel=1e-6)
-            assert found.p.min() >= 0.0
-            assert found.elements.memory.shape == (memory_size(form), z.size)
+            state = steady_memory(form, z, speed, load * z.size)
+            assert state.residual < 1e-7
+            assert state.p.sum() == pytest.approx(load * z.size, rel=1e-6)
+            assert state.p.min() >= 0.0
+            assert state.elements.memory.shape == (memory_size(form), z.size)
     if name in ("flat", "one sample"):
-        assert found.d == pytest.approx(load, rel=1e-6)
+        assert state.d == pytest.approx(load, rel=1e-6)
 
 
 @settings(max_examples=size(150, 10))
@@ -187,16 +187,16 @@ def test_lines_without_a_slope(name, scheme):
     st.sampled_from([1.0, -1.0]),
     st.sampled_from(list(FORMS_BY_SCHEME)),
 )
-def test_any_line_and_material(z, branches, speed, load, way, scheme):
-    """What is found repeats after a turn and carries the load, whatever was asked."""
+def test_any_line_and_material(z, branches, speed, load, direction, scheme):
+    """The state is periodic and carries the load, for any arguments."""
     z = np.array(z)
     spectrum = Spectrum(tuple(10.0**g for g, _ in branches), tuple(10.0**t for _, t in branches), 0)
-    found = steady_memory(
-        FORMS_BY_SCHEME[scheme](spectrum), z, way * 10.0**speed, 10.0**load * z.size
+    state = steady_memory(
+        FORMS_BY_SCHEME[scheme](spectrum), z, direction * 10.0**speed, 10.0**load * z.size
     )
-    assert found.residual < 1e-7
-    assert found.p.sum() == pytest.approx(10.0**load * z.size, rel=1e-6)
-    assert found.p.min() >= 0.0
+    assert state.residual < 1e-7
+    assert state.p.sum() == pytest.approx(10.0**load * z.size, rel=1e-6)
+    assert state.p.min() >= 0.0
 
 
 @pytest.mark.parametrize("speed", [1e-9, 1.0, 1e9])
@@ -204,53 +204,56 @@ def test_any_line_and_material(z, branches, speed, load, way, scheme):
 def test_thirty_branches_over_fourteen_decades(scheme, speed):
     material = of_unit_tau(np.full(30, 0.7), np.geomspace(1e-7, 1e7, 30))
     z, _ = random_line(12, 0.5, M, 5)
-    found = steady_memory(FORMS_BY_SCHEME[scheme](material), z, speed, LOAD * z.size)
-    assert found.residual < 1e-9
-    assert found.p.sum() == pytest.approx(LOAD * z.size, rel=1e-9)
+    state = steady_memory(FORMS_BY_SCHEME[scheme](material), z, speed, LOAD * z.size)
+    assert state.residual < 1e-9
+    assert state.p.sum() == pytest.approx(LOAD * z.size, rel=1e-9)
 
 
-def test_what_is_not_found_is_said(monkeypatch):
-    monkeypatch.setattr(f"{steady_memory.__module__}.TURNS", 1)
-    with pytest.raises(ValueError, match="speed = 2 samples per tau: no steady state was found"):
+def test_lack_of_convergence_is_an_error(monkeypatch):
+    monkeypatch.setattr(f"{steady_memory.__module__}.MAX_TURNS", 1)
+    with pytest.raises(ValueError, match="speed = 2 samples per tau: no steady state was state"):
         steady_memory(retardation(PRONY3), three_modes(8), 2.0, 1.0)
 
 
 @pytest.mark.parametrize("touching", [True, False])
 @pytest.mark.parametrize("scheme", FORMS_BY_SCHEME)
-def test_many_steps_do_to_tangents_what_one_after_the_other_does(scheme, touching):
+def test_powers_of_tangents_equal_repeated_steps(scheme, touching):
     form = FORMS_BY_SCHEME[scheme](PRONY3)
     law, size = lookahead_law(law_of(form, 0.01)), memory_size(form) + 2
     powers = powers_of_steps(law, size, 20000)
     start = np.zeros(powers.product.shape)
     start[:size, :size] = np.random.default_rng(2).normal(size=(size, size))
-    one_by_one, at_once = start.copy(), start.copy()
+    repeated, by_powers = start.copy(), start.copy()
     lengths = (1, 2, 3, RADIX - 1, RADIX, 700, RADIX**2 + RADIX - 1, 5)
     for length in lengths:
         for _ in range(length):
-            carry_rows(powers, touching, 1, one_by_one)
+            carry_rows(powers, touching, 1, repeated)
     for length in lengths:
-        carry_rows(powers, touching, length, at_once)
+        carry_rows(powers, touching, length, by_powers)
     assert np.count_nonzero(powers.known[int(touching)]) > 12
-    np.testing.assert_allclose(at_once, one_by_one, rtol=1e-10, atol=1e-12)
-    assert not at_once[:, size:].any()
+    np.testing.assert_allclose(by_powers, repeated, rtol=1e-10, atol=1e-12)
+    assert not by_powers[:, size:].any()
 
 
 @pytest.mark.parametrize("scheme", FORMS_BY_SCHEME)
 @pytest.mark.parametrize("speed", [1.0, 50.0, 1e4])
-def test_tangents_are_what_a_turn_makes_of_a_small_change(scheme, speed):
-    """At 1 sample per tau what the element remembers is forgotten on the way."""
+def test_tangents_equal_finite_differences_of_a_turn(scheme, speed):
+    """At 1 sample per tau the initial state decays to rounding on the way."""
     z, _ = random_line(N, 0.7, M, 5)
     form = FORMS_BY_SCHEME[scheme](PRONY3)
-    found = steady_memory(form, z, speed, LOAD * z.size)
+    state = steady_memory(form, z, speed, LOAD * z.size)
     law, size = lookahead_law(law_of(form, 1.0 / speed)), memory_size(form) + 1
-    line, powers = _as_met(z, np.argmin(z), -1, z.size), powers_of_steps(law, size + 1, z.size)
+    line, powers = (
+        heights_in_order(z, np.argmin(z), -1, z.size),
+        powers_of_steps(law, size + 1, z.size),
+    )
     ends = []
     for j in range(size):
         for change in (1e-7, -1e-7):
             x, forces = np.zeros(powers.product.shape[0]), np.empty(z.size)
-            x[size - 1] = found.d
+            x[size - 1] = state.d
             x[j] += change
-            _turn(law, line, x, powers, forces)
+            turn_element(law, line, x, powers, forces)
             ends.append(x[: size + 1])
     measured = (np.array(ends[::2]) - ends[1::2]) / 2e-7
     np.testing.assert_allclose(tangents_of(powers, forces)[0], measured, rtol=0, atol=1e-6)

@@ -1,4 +1,4 @@
-"""One realization: only what is asked for, shared work, agreement of the parts, symmetries."""
+"""One realization: requested quantities only, shared work, agreement of parts, symmetries."""
 
 import numpy as np
 import pytest
@@ -6,9 +6,9 @@ import pytest
 from elastomer_friction.kernels import SCHEMES, Case, Quantities, run_case, run_cases
 from elastomer_friction.kernels.quick import cases
 from elastomer_friction.kernels.quick.contacts.steady_friction import (
-    AS_GOOD,
-    AtSpeed,
-    Grounds,
+    FOLLOWED_SAMPLES,
+    LineSet,
+    SpeedConstants,
     steady_friction,
 )
 from elastomer_friction.kernels.quick.march.active import active_march
@@ -17,7 +17,7 @@ from tests.cases import ALL, CASE, KEPT, RATIOS, M, line_of
 from tests.reference_march import Elements, constants, relaxation, steady
 
 
-def test_only_what_is_asked_for_is_computed():
+def test_only_requested_quantities_are_computed():
     line = line_of()
     everything = run_case(line, CASE, ALL)
     steady_only = run_case(line, CASE, Quantities(jump=False, relaxation=False))
@@ -27,23 +27,23 @@ def test_only_what_is_asked_for_is_computed():
     assert steady_only.curves == jump_only.curves == []
     assert np.all(np.isfinite(everything.jump))
     assert [curve.shape for curve in everything.curves] == [KEPT.shape] * 3
-    # What is asked does not depend on what else is asked.
+    # A quantity does not depend on the other requested ones.
     np.testing.assert_array_equal(jump_only.jump, everything.jump)
     np.testing.assert_array_equal(steady_only.mu_2, everything.mu_2)
     assert jump_only.work < steady_only.work < everything.work
 
 
-def test_samples_are_refined_only_where_that_is_wanted():
-    line, asked = line_of(steps=4), Quantities(relaxation=False)
+def test_contacts_are_followed_only_on_request():
+    line, requested = line_of(steps=4), Quantities(relaxation=False)
     given = CASE._replace(load=1e-3, speed=100.0, refine=False)
     finer = given._replace(refine=True)
-    as_sampled, refined = run_case(line, given, asked), run_case(line, finer, asked)
-    pace = AtSpeed.of(given.scheme, line.steps_per_spacing, 100.0)
-    alone = steady_friction(Grounds.of([line]), pace, np.array([1e-3 * line.z.size]))
+    as_sampled, refined = run_case(line, given, requested), run_case(line, finer, requested)
+    constants = SpeedConstants.of(given.scheme, line.steps_per_spacing, 100.0)
+    alone = steady_friction(LineSet.of([line]), constants, np.array([1e-3 * line.z.size]))
     assert as_sampled.mu_1 == alone.mu[0, 0] > 0.0
-    assert as_sampled.samples_per_contact == alone.samples[0, 0] < 0.5 * AS_GOOD
-    assert refined.samples_per_contact >= AS_GOOD
-    together = run_cases(line, [given, finer], asked)
+    assert as_sampled.samples_per_contact == alone.samples[0, 0] < 0.5 * FOLLOWED_SAMPLES
+    assert refined.samples_per_contact >= FOLLOWED_SAMPLES
+    together = run_cases(line, [given, finer], requested)
     assert [one.mu_1 for one in together] == [as_sampled.mu_1, refined.mu_1]
 
 
@@ -66,22 +66,22 @@ def test_several_ratios_are_separate_runs_bit_for_bit_but_cheaper():
 
 
 def test_curve_is_marched_plainly_where_bounds_are_exceeded(monkeypatch):
-    def left(*args):
+    def beyond_bounds(*args):
         mu, d, settled, work, _ = active_march(*args)
         return mu + 2.0, d, settled, work, False
 
     line, case = line_of(), CASE._replace(load=1.0)
     usual = run_case(line, case, ALL)
-    monkeypatch.setattr(cases, "active_march", left)
+    monkeypatch.setattr(cases, "active_march", beyond_bounds)
     outcome = run_case(line, case, ALL)
     assert outcome.work > usual.work
-    # Not the wrong first try; more of the line is marched, and rounded otherwise.
+    # The wrong attempt is dropped; the plain march covers more samples and rounds differently.
     np.testing.assert_allclose(outcome.curves, usual.curves, rtol=1e-12)
 
 
 @pytest.mark.parametrize("scheme", SCHEMES)
 @pytest.mark.parametrize("load", [0.02, 0.5])
-def test_mirror_image_moving_the_other_way_is_the_same(scheme, load):
+def test_the_mirror_image_moving_the_other_way_is_the_same(scheme, load):
     line = line_of()
     outcome = run_case(line, CASE._replace(load=load, scheme=scheme), ALL)
     mirrored, falling = line.z[::-1].copy(), -line.slope[::-1]
@@ -95,7 +95,7 @@ def test_mirror_image_moving_the_other_way_is_the_same(scheme, load):
     np.testing.assert_allclose(course, -(mu[KEPT - 1] - mu[-1]), atol=1e-10)
 
 
-def test_the_indentation_rate_is_an_effect_of_the_relaxation_alone():
+def test_the_indentation_rate_affects_only_the_relaxation():
     line = line_of()
     full = run_case(line, CASE, ALL)
     without = run_case(line, CASE, Quantities(indentation_rate=False))
@@ -114,15 +114,15 @@ BAD_CASES = [
 ]
 
 
-def test_the_jump_of_the_smallest_step_is_that_of_a_larger_one_in_proportion():
-    asked = Quantities(relaxation=False)
+def test_the_jump_is_proportional_to_the_step_down_to_the_smallest():
+    requested = Quantities(relaxation=False)
     steps = np.array([1e-9, 1e-6, 1e-4])
-    jump = run_case(line_of(), CASE._replace(ratios=(*(1.0 + steps),)), asked).jump
+    jump = run_case(line_of(), CASE._replace(ratios=(*(1.0 + steps),)), requested).jump
     np.testing.assert_allclose(jump / steps, jump[-1] / steps[-1], rtol=1e-4)
 
 
 @pytest.mark.parametrize(("change", "named"), BAD_CASES, ids=str)
-def test_cases_without_meaning_are_refused(change, named):
+def test_invalid_cases_are_refused(change, named):
     with pytest.raises(ValueError, match=named):
         run_case(line_of(), CASE._replace(**change), ALL)
 
@@ -133,6 +133,6 @@ PLAIN = Case(0.1, 1.0, (1.2, 0.5), (np.array([1]),), "exponential")
 @pytest.mark.parametrize(
     "changed", [{"speed": -1.0}, {"ratios": (-1.2,)}, {"spectrum": Spectrum((1.0,), (1.0,), 0.0)}]
 )
-def test_a_kelvin_element_that_slides_one_way_is_plain(changed):
+def test_only_kelvin_elements_that_slide_forwards_are_plain(changed):
     assert PLAIN.plain
     assert not PLAIN._replace(**changed).plain

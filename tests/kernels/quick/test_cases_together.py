@@ -1,4 +1,4 @@
-"""Many cases, on one line or several: what one gives does not depend on its company, to the bit."""
+"""Many cases, on one line or several: no outcome depends on the others, to the bit."""
 
 from itertools import count
 
@@ -32,30 +32,31 @@ CASES = [
 
 
 def numbers(outcome):
-    """Return what an outcome holds, without the time it took, as bytes."""
+    """Return the fields of an outcome, without its times, as bytes."""
     fields = outcome._replace(seconds=None)._asdict()
     return {name: np.asarray(value).tobytes() for name, value in fields.items()}
 
 
-def alone(cases, asked):
-    return [numbers(run_case(LINE, case, asked)) for case in cases]
+def run_alone(cases, requested):
+    """Return the numbers of cases that are run one by one."""
+    return [numbers(run_case(LINE, case, requested)) for case in cases]
 
 
-ALONE = alone(CASES, STEADY)
+ALONE = run_alone(CASES, STEADY)
 
 
 @settings(max_examples=20)
 @given(st.permutations(range(len(CASES))), st.integers(1, len(CASES)))
-def test_company_and_order_change_no_bit(order, count):
+def test_other_cases_and_their_order_change_no_bit(order, count):
     part = order[:count]
     together = run_cases(LINE, [CASES[i] for i in part], STEADY)
-    assert [numbers(found) for found in together] == [ALONE[i] for i in part]
+    assert [numbers(outcome) for outcome in together] == [ALONE[i] for i in part]
 
 
-def test_company_changes_no_bit_of_a_relaxation():
+def test_other_cases_change_no_bit_of_a_relaxation():
     cases = CASES[::6]
     together = run_cases(LINE, cases, Quantities())
-    assert [numbers(found) for found in together] == alone(cases, Quantities())
+    assert [numbers(outcome) for outcome in together] == run_alone(cases, Quantities())
 
 
 def test_no_case_is_no_work():
@@ -67,43 +68,43 @@ def test_one_bad_case_is_refused():
         run_cases(LINE, [CASE, CASE._replace(load=-1.0)], STEADY)
 
 
-def test_time_is_booked_to_the_cases_that_took_it(monkeypatch):
-    """By a clock that goes on by one when it is read, and by every element that a march updates."""
-    readings, updated, march = count(1.0), [0.0], module._curves
+def test_time_is_assigned_to_the_cases_that_use_it(monkeypatch):
+    """The clock advances by one per reading and by one per element update of a march."""
+    readings, work, march = count(1.0), [0.0], module.relaxations_under_load
 
-    def marched(*how):
-        found, updates = march(*how)
-        updated[0] += float(updates.sum())
-        return found, updates
+    def counted(*arguments):
+        curves, updates = march(*arguments)
+        work[0] += float(updates.sum())
+        return curves, updates
 
-    monkeypatch.setattr(module, "_curves", marched)
-    monkeypatch.setattr(clocks, "computing_seconds", lambda: next(readings) + updated[0])
-    found = run_cases(LINE, CASES[:20], Quantities())
-    assert found[0].seconds.marching > found[-1].seconds.marching
-    assert found[-1].seconds.steady > 0.0  # of the line, that all share
+    monkeypatch.setattr(module, "relaxations_under_load", counted)
+    monkeypatch.setattr(clocks, "computing_seconds", lambda: next(readings) + work[0])
+    outcomes = run_cases(LINE, CASES[:20], Quantities())
+    assert outcomes[0].seconds.marching > outcomes[-1].seconds.marching
+    assert outcomes[-1].seconds.steady > 0.0  # a share of the common steady state
 
 
 MEMORY = CASE._replace(
     ratios=(1.2,), kept_steps=(KEPT[:3],), spectrum=Spectrum((1.0,), (1.0,), 0.1)
 )
-STEADY_ALONE = Quantities(jump=False, relaxation=False)
+STEADY_ONLY = Quantities(jump=False, relaxation=False)
 
 
-def test_cases_of_one_speed_are_together_and_those_with_memory_alone():
+def test_cases_of_one_speed_are_shared_and_those_with_memory_are_separate():
     faster, heavier = CASE._replace(speed=2.0 * CASE.speed), CASE._replace(load=2.0 * CASE.load)
-    found = prepare([CASE, MEMORY, faster, heavier], 4, STEADY_ALONE)
-    assert [some.rows for some in found.together] == [[0, 3], [2]]
-    assert found.alone == (1,)
-    np.testing.assert_array_equal(found.together[0].loads, [CASE.load, heavier.load])
+    prepared = prepare([CASE, MEMORY, faster, heavier], 4, STEADY_ONLY)
+    assert [shared.rows for shared in prepared.shared] == [[0, 3], [2]]
+    assert prepared.separate == (1,)
+    np.testing.assert_array_equal(prepared.shared[0].loads, [CASE.load, heavier.load])
 
 
-@pytest.mark.parametrize("asked", [ALL, STEADY_ALONE, ALL._replace(jump=False)])
-def test_lines_run_together_give_what_each_gives_alone(asked):
+@pytest.mark.parametrize("requested", [ALL, STEADY_ONLY, ALL._replace(jump=False)])
+def test_lines_run_together_equal_lines_run_alone(requested):
     cases = [CASE, CASE._replace(load=1e-3, speed=100.0), CASE._replace(load=40.0), MEMORY]
     lines = [line_of(shift=shift, steps=4) for shift in (0.0, 3.3, 20.2)]
-    together = run_prepared(lines, prepare(cases, 4, asked))
-    for line, found in zip(lines, together, strict=True):
-        for one, other in zip(found, run_cases(line, cases, asked), strict=True):
+    together = run_prepared(lines, prepare(cases, 4, requested))
+    for line, outcomes in zip(lines, together, strict=True):
+        for one, other in zip(outcomes, run_cases(line, cases, requested), strict=True):
             for name in set(one._fields) - {"seconds"}:
                 np.testing.assert_array_equal(getattr(one, name), getattr(other, name))
 
@@ -117,6 +118,6 @@ def test_lines_run_together_give_what_each_gives_alone(asked):
         [line_of(steps=8), line_of(steps=8)._replace(band_limited=False)],
     ],
 )
-def test_lines_that_cases_are_not_prepared_for_are_refused(lines):
+def test_lines_unlike_the_prepared_ones_are_refused(lines):
     with pytest.raises(ValueError, match="alike, of 8 steps per spacing"):
-        run_prepared(lines, prepare([CASE], 8, STEADY_ALONE))
+        run_prepared(lines, prepare([CASE], 8, STEADY_ONLY))

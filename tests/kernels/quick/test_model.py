@@ -1,4 +1,4 @@
-"""The model in one function is the reference: the quick path gives its numbers in hard corners."""
+"""The fast path against the reference, the model in one function, over hard regimes."""
 
 import math
 from functools import partial
@@ -22,24 +22,24 @@ from tests.lines import random_line
 from tests.sizes import size
 
 # (Hurst exponent, elements, samples per spacing): contacts narrower and wider than a span, fewer
-# samples than a span, whole spans and others; on the shortest no list is made for the march.
+# samples than a span, whole spans and others; the shortest are marched plainly.
 LINES = [(0.0, 5, 1), (0.0, 64, 1), (0.3, 77, 2), (0.7, 100, 4), (1.0, 48, 8)]
 LINES += size([(0.0, 256, 1), (0.7, 256, 4), (1.0, 256, 2)], [])
-PRESSED = (1e-6, 1e-3, 0.03, 0.3, 2.0, 40.0, 1e3)  # Fbar, from one sample to full contact
+LOADS_TESTED = (1e-6, 1e-3, 0.03, 0.3, 2.0, 40.0, 1e3)  # Fbar, from one sample to full contact
 KEPT = np.unique(np.geomspace(1, size(400, 20), 12).astype(int))
 RATIOS = (1.2, 0.5, 5.0)
-CLOSE, ROUNDING = 1e-11, 1e-15
+TOLERANCE, ROUNDING = 1e-11, 1e-15
 
 
 @pytest.mark.parametrize("scheme", SCHEMES)
 @pytest.mark.parametrize("x", size([1e-3, 0.01, 0.3, 3.0, 30.0, 1000.0], [0.01, 3.0, 300.0]))
 @pytest.mark.parametrize("point", LINES, ids=str)
-def test_the_quick_path_gives_the_numbers_of_the_model(point, x, scheme):
+def test_the_fast_path_equals_the_model(point, x, scheme):
     hurst, elements, m = point
     line = Line.from_samples(*random_line(elements, hurst, m, 3), m, band_limited=True)
     speed, ratios = x / np.pi, RATIOS[: size(3, 1)]
     kept = (KEPT,) * len(ratios)
-    cases = [Case(load, speed, ratios, kept, scheme, refine=False) for load in PRESSED]
+    cases = [Case(load, speed, ratios, kept, scheme, refine=False) for load in LOADS_TESTED]
     for case, quick in zip(cases, run_cases(line, cases, Quantities()), strict=True):
         total = case.load * line.z.size
         (w, d), _ = steady_sliding(SCHEMES[scheme](1.0 / (m * speed)), line.z, total)
@@ -49,24 +49,24 @@ def test_the_quick_path_gives_the_numbers_of_the_model(point, x, scheme):
         for k, ratio in enumerate(ratios):
             model = realization(line, case.load, speed, ratio, scheme, KEPT)
             largest = max(abs(model.mu_1), abs(model.mu_2), abs(model.mu_1 + model.jump))
-            # mu is a mean of slopes: where they cancel, their rounding is left.
-            lost = CLOSE * largest + ROUNDING * np.abs(line.slope).max()
-            near = partial(pytest.approx, rel=0.0, abs=lost)
+            # mu is a mean of slopes: if they cancel, their rounding remains.
+            error = TOLERANCE * largest + ROUNDING * np.abs(line.slope).max()
+            near = partial(pytest.approx, rel=0.0, abs=error)
             assert quick.mu_1 == near(model.mu_1)
             assert quick.mu_2[k] == near(model.mu_2)
             assert quick.jump[k] == near(model.jump)
             assert quick.curves[k] == near(model.mu)
             deep = model.indentation + line.datum
-            assert quick.indentation == pytest.approx(deep, rel=CLOSE, abs=CLOSE)
+            assert quick.indentation == pytest.approx(deep, rel=TOLERANCE, abs=TOLERANCE)
 
 
 @pytest.mark.parametrize("limits", [LOAD_LIMITS, SPEED_LIMITS])
-def test_both_limits_are_taken(limits):
+def test_both_limits_are_accepted(limits):
     for value in limits:
         check_range("speed", value, limits)
 
 
 @pytest.mark.parametrize("value", [0.0, -1.0, 1e-13, 1e13, math.inf, math.nan])
-def test_what_lies_outside_is_named_with_what_would_be_right(value):
+def test_values_outside_the_limits_are_refused(value):
     with pytest.raises(ValueError, match=r"^speed = \S+: must lie between 1e-12 and 1e\+12$"):
         check_range("speed", value, SPEED_LIMITS)

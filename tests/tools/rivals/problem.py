@@ -14,8 +14,8 @@ from elastomer_friction.kernels import (
     quadrature,
     steady_sliding,
 )
-from elastomer_friction.kernels.quick.contacts.steady_friction import Grounds
-from elastomer_friction.kernels.quick.march.given import March
+from elastomer_friction.kernels.quick.contacts.steady_friction import LineSet
+from elastomer_friction.kernels.quick.march.jump_problem import JumpProblem
 from elastomer_friction.kernels.rheology.kelvin import SCHEMES
 from tests.kernels.quick.march.given import steady_state_of
 
@@ -70,7 +70,7 @@ class Problem:
         self.weight = lagged_slope(line.slope, self.law.lag)
         self.kept = np.array([row.steps])
         self.control = ConstantForce(self.load)
-        spans = Grounds.of([line], marched=True).each[0].spans
+        spans = LineSet.of([line], marched=True).lines[0].spans
         laws = self.before, self.law
         states = (self.before, self.one), (self.law, self.two)
         ends = (steady_state_of(line.z, law, state) for law, state in states)
@@ -78,4 +78,4 @@ class Problem:
             quadrature(*line[:2], *self.one, self.speed, speed, self.load)[1]
             for speed in (self.speed, RATIO * self.speed)
         ]
-        self.setting = March(line.z, line.slope, spans, *laws, *ends, rates[1] - rates[0])
+        self.setting = JumpProblem(line.z, line.slope, spans, *laws, *ends, rates[1] - rates[0])

@@ -6,7 +6,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from elastomer_friction.kernels import Quantities
-from elastomer_friction.kernels.quick.contacts.between_samples import LEAST_STEPS
+from elastomer_friction.kernels.quick.contacts.between_samples import MIN_SMOOTH_STEPS
 from elastomer_friction.workflow.plan.error_laws import FOLLOWED, LAWS, contact_width, rate_error
 from elastomer_friction.workflow.plan.problems import expected_rate
 from elastomer_friction.workflow.simulate.realizations import block_means
@@ -72,7 +72,7 @@ PROBLEMS = st.tuples(
 @given(PROBLEMS, st.sampled_from(sorted(LAWS)))
 def test_an_error_falls_with_the_steps(problem, name):
     steps = np.array([1, 2, 4, 6, 8, 16, 64])
-    followed = (steps >= LEAST_STEPS) & (name != "relaxation_rate")
+    followed = (steps >= MIN_SMOOTH_STEPS) & (name != "relaxation_rate")
     errors = np.array([LAWS[name].error(problem, m) for m in steps])
     assert np.all(np.diff(errors[~followed]) < 0.0)
     assert np.all(errors[followed] == FOLLOWED)

@@ -1,4 +1,4 @@
-"""Narrow contacts, between samples: the model on fine samples, the parabola's closed form."""
+"""Narrow contacts between samples, against the model on fine samples and a parabola."""
 
 from functools import partial
 from types import SimpleNamespace
@@ -27,9 +27,9 @@ from elastomer_friction.kernels.lines.polynomials import (
 from elastomer_friction.kernels.quick.contacts.between_samples import slide_between
 from elastomer_friction.kernels.quick.contacts.smooth_line import smooth_line
 from elastomer_friction.kernels.quick.contacts.steady_friction import (
-    AS_GOOD,
-    AtSpeed,
-    Grounds,
+    FOLLOWED_SAMPLES,
+    LineSet,
+    SpeedConstants,
     follow_contacts,
     steady_friction,
 )
@@ -39,22 +39,22 @@ from tests.sizes import size
 
 
 def one_load(line, speed, scheme, load, others=()):
-    """Return what is found under a load."""
-    pace = AtSpeed.of(scheme, line.steps_per_spacing, speed, others)
-    grounds = Grounds.of([line])
-    found = steady_friction(grounds, pace, np.array([load]), grounds.known_between)
-    if grounds.known_between:
-        follow_contacts(found)
+    """Return steady sliding under one load, followed between the samples if possible."""
+    constants = SpeedConstants.of(scheme, line.steps_per_spacing, speed, others)
+    line_set = LineSet.of([line])
+    sliding = steady_friction(line_set, constants, np.array([load]), line_set.smooth)
+    if line_set.smooth:
+        follow_contacts(sliding)
     names = ("followed", "d", "mu", "contact", "indentation", "updates", "full", "samples")
     return SimpleNamespace(
-        **{name: getattr(found, name)[0, 0] for name in names},
-        jumps=found.found.jumps[0, 0],
-        samples_seen=found.samples_seen(0, 0),
+        **{name: getattr(sliding, name)[0, 0] for name in names},
+        jumps=sliding.results.jumps[0, 0],
+        effective_samples=sliding.effective_samples(0, 0),
     )
 
 
-# Whole numbers, whose sums are exact: where half of the load ends with a width, as it does in the
-# example, rounding would else say which width is the median, otherwise for each order of the sums.
+# Integers, whose sums are exact. In the example half of the load is reached exactly at the end of
+# a width, where rounding would otherwise decide the median.
 FORCES = hnp.arrays(float, st.integers(1, 40), elements=st.integers(-9, 9))
 
 
@@ -63,7 +63,7 @@ FORCES = hnp.arrays(float, st.integers(1, 40), elements=st.integers(-9, 9))
     [
         ([0.0, 0.0], 0.0),
         ([1.0, 2.0, 3.0], 3.0),  # full contact
-        ([-1.0, 5.0, -1.0, 1.0, 1.0, 0.0], 1.0),  # the narrow one carries more than half
+        ([-1.0, 5.0, -1.0, 1.0, 1.0, 0.0], 1.0),  # the narrow patch carries more than half
         ([-1.0, 1.0, -1.0, 2.0, 2.0, 0.0], 2.0),
         ([1.0, 0.0, 0.0, 1.0], 2.0),  # one patch round the end of the line
     ],
@@ -74,7 +74,7 @@ def test_the_median_over_the_load(force, samples):
 
 @example(np.array([-1.0, 0.75, 0.75, 0.75, 0.0, 0.75, 0.0, 0.75, 0.0, 0.75]), 26, 4)
 @given(FORCES, st.integers(0, 39), st.integers(1, 4))
-def test_finer_samples_are_so_many_times_as_many_wherever_the_line_begins(force, shift, fold):
+def test_samples_per_contact_scale_with_refinement_and_ignore_the_origin(force, shift, fold):
     finer = samples_per_contact(np.roll(np.repeat(force, fold), shift))
     assert finer == fold * samples_per_contact(force)
 
@@ -83,13 +83,13 @@ HURST, ELEMENTS, LOAD = 0.7, 500, 1e-3  # the light load of figures 5, 6 and gri
 
 
 def line_of(steps, index=0, hurst=HURST, elements=ELEMENTS):
-    """Return a random line at so many samples per spacing."""
+    """Return a random line with ``steps`` samples per spacing."""
     phases = draw_phases(np.random.default_rng(index), elements)
     return Line.self_affine(amplitudes(hurst, elements), phases, elements, steps)
 
 
 def slide(line, x, load=LOAD):
-    """Return steady sliding at x = v tau q_max under Fbar = load, and the jump for 1.2 v."""
+    """Return steady sliding at x = v tau q_max under Fbar = load, with the jump to 1.2 v."""
     speed = x / np.pi
     return one_load(line, speed, "exponential", load * line.z.size, (1.2 * speed,))
 
@@ -106,7 +106,7 @@ def test_the_highest_peak_alone_is_a_parabola(x):
 
 
 def fine(line, smooth, fold):
-    """Return heights over the deepest sample, slopes and that height, at so many times as many."""
+    """Return (heights over the deepest sample, slopes, its height) on ``fold`` times as many."""
     t = 1.0 - np.arange(fold) / fold
     parts = [
         septic_coefficients(line.z, line.slope, smooth.bend, smooth.spacing, j)
@@ -127,7 +127,7 @@ def fine(line, smooth, fold):
     st.integers(0, 99),
 )
 def test_contacts_are_those_of_the_model_on_fine_samples_of_the_line(hurst, load, x, ratio, index):
-    """The plain model, which knows nothing of patches, bounds or events, at any load and speed."""
+    """The plain model has no patches, bounds or events; any load and speed."""
     line, v = line_of(4, index, hurst, 30), x / np.pi
     smooth = smooth_line(line.z, line.slope, 0.25)
     guess = np.array([steady_sliding(SCHEMES["exponential"](0.25 / v), line.z, 120.0 * load)[0].d])
@@ -142,7 +142,7 @@ def test_contacts_are_those_of_the_model_on_fine_samples_of_the_line(hurst, load
     one, _, share = quadrature(z, slope, w, near, v, v, total)
     other, rate, _ = quadrature(z, slope, w, near, v, ratio * v, total)
     patch = samples_per_contact(near - (z - w))
-    close = 0.02 + 60.0 / patch**2  # of slopes: what quadrature of so many samples keeps
+    close = 0.02 + 60.0 / patch**2  # relative error of the quadrature on these samples
     assert events > 0.0
     assert d == pytest.approx(near + lowest, abs=1e-3 * (near + 1e-3))
     assert mu == pytest.approx(one, rel=close)
@@ -160,11 +160,11 @@ def test_a_smooth_line_is_the_line():
     np.testing.assert_allclose(found + lowest, expected, atol=2e-8)
 
 
-# Of 12 000 such comparisons 12 differ by more, where a patch begins, or the median is another one.
+# 12 of 12 000 such comparisons differ by more: a patch begins, or the median is a different one.
 @settings(max_examples=size(40, 10), derandomize=True)
 @given(st.floats(-3.0, 0.5), st.floats(-1.0, 3.0), st.floats(0.0, 1.0))
-def test_how_many_samples_there_are_plays_no_part(power, fast, hurst):
-    """Steady friction and jump: of m = 12 every third sample is taken, of m = 13 every one."""
+def test_the_number_of_samples_does_not_matter(power, fast, hurst):
+    """Steady friction and jump: every third sample is used at m = 12, every sample at m = 13."""
     load, x = 10.0**power, 10.0**fast
     few, every_third, every = (slide(line_of(m, 2, hurst, 100), x, load) for m in (4, 12, 13))
     for m, found in ((12, every_third), (13, every)):
@@ -176,8 +176,8 @@ def test_how_many_samples_there_are_plays_no_part(power, fast, hurst):
             assert few.samples == pytest.approx(4 / m * found.samples, rel=1e-2)
 
 
-def test_the_lightest_loads_rub_on_a_slope_of_the_line():
-    """Next to the deepest point, where a turn ends, rounding decides where an element leaves."""
+def test_friction_under_the_lightest_loads_is_a_slope_of_the_line():
+    """Near the deepest point, where a turn ends, rounding decides where an element leaves."""
     rng = np.random.default_rng(1)
     for index in range(size(100, 8)):
         line, speed = line_of(4, index, rng.uniform(), 30), 10.0 ** rng.uniform(0.0, 7.0)
@@ -187,7 +187,7 @@ def test_the_lightest_loads_rub_on_a_slope_of_the_line():
             assert abs(found.jumps[0]) < found.mu
 
 
-def test_depths_that_are_rounding_are_left_to_the_samples():
+def test_depths_at_rounding_level_use_the_samples():
     line = line_of(4)
     found = one_load(line, 1.0, "exponential", 1e-60)
     assert not found.followed
@@ -200,20 +200,20 @@ def slide_with_jumps(speed, load, steps=8, scheme="exponential"):
     return line, one_load(line, speed, scheme, load * line.z.size, others)
 
 
-def test_a_line_that_touches_all_over_is_known_by_its_samples():
+def test_full_contact_is_computed_from_the_samples():
     line, found = slide_with_jumps(0.1, 10.0)
     assert found.full
     assert not found.followed
-    assert found.samples == found.samples_seen == line.z.size
+    assert found.samples == found.effective_samples == line.z.size
 
 
 @pytest.mark.parametrize(
     ("speed", "load", "least", "most"), [(100.0, 1e-3, 0.0, 0.01), (0.1, 1.0, 0.5, 1.0)]
 )
-def test_partial_contacts_are_seen_between_the_samples(speed, load, least, most):
+def test_partial_contacts_are_followed_between_the_samples(speed, load, least, most):
     line, found = slide_with_jumps(speed, load)
     assert found.followed
-    assert found.samples_seen == max(found.samples, AS_GOOD)
+    assert found.effective_samples == max(found.samples, FOLLOWED_SAMPLES)
     assert found.updates > line.z.size
     assert least < found.contact < most
 
@@ -226,7 +226,7 @@ def test_jump_has_the_sign_of_the_step_and_vanishes_with_it(speed, load):
     assert same == pytest.approx(0.0, abs=1e-12)
 
 
-def test_rigid_shapes_of_samples_alone_are_never_followed():
+def test_lines_that_are_not_band_limited_are_never_followed():
     z = np.abs(np.linspace(-1.0, 1.0, 64, endpoint=False))
     slope = np.sign(np.linspace(-1.0, 1.0, 64, endpoint=False)) / 32.0
     line = Line.from_samples(z, slope, 8)

@@ -1,4 +1,4 @@
-"""Settings of velocity jumps that the tests of the active-set march share."""
+"""Velocity jumps for the tests of the active-set march."""
 
 from typing import NamedTuple
 
@@ -14,16 +14,17 @@ from elastomer_friction.kernels import (
     step_average,
 )
 from elastomer_friction.kernels.model.steady import sweep
-from elastomer_friction.kernels.quick.march.given import March, SteadyState
-from elastomer_friction.kernels.quick.steady.carry import decay_of
-from elastomer_friction.kernels.quick.steady.spans import SPAN, TURN, Spans, add_rises, fill_spans
+from elastomer_friction.kernels.quick.march.jump_problem import JumpProblem, SteadyState
+from elastomer_friction.kernels.quick.steady.span_sweep import decay_factors
+from elastomer_friction.kernels.quick.steady.spans import SPAN, add_rises
 from elastomer_friction.kernels.quick.steady.thresholds import thresholds_of
 from elastomer_friction.kernels.rheology.law import State
+from tests.kernels.quick.steady.given import spans_of
 from tests.lines import random_line
 
 
 class Jump(NamedTuple):
-    """A velocity jump on a line that is given or random."""
+    """A velocity jump on a given or random line."""
 
     hurst: float
     m: int
@@ -34,7 +35,7 @@ class Jump(NamedTuple):
 
 
 def setting_of(jump, elements, seed=1, line=None):
-    """Return (setting, load)."""
+    """Return (JumpProblem, load)."""
     z, slope = random_line(elements, jump.hurst, jump.m, seed) if line is None else line
     load = jump.load * z.size
     laws = [SCHEMES[jump.scheme](np.pi / (jump.m * jump.x * r)) for r in (1.0, jump.ratio)]
@@ -44,30 +45,22 @@ def setting_of(jump, elements, seed=1, line=None):
     before, after = (quadrature(z, slope, *states[0], v, r * v, load)[1] for r in (1.0, jump.ratio))
     spans = spans_of(z, slope)
     add_rises(spans.rows, z, slope)
-    return March(z, slope, spans, *laws, *passing, after - before), load
-
-
-def spans_of(z, slope):
-    """Return the Spans of a line."""
-    count = z.size // SPAN
-    rows, whole = np.empty((count + 1, TURN + 1)), np.empty(4)
-    spans = Spans(*(np.empty(count) for _ in range(4)), rows, whole, 0)
-    return spans._replace(deepest=fill_spans(z, slope, spans))
+    return JumpProblem(z, slope, spans, *laws, *passing, after - before), load
 
 
 def steady_state_of(z, law, state):
-    """Return a steady state as elements pass the spans of a line."""
+    """Return a State as the SteadyState of a march."""
     w, d = state
     u = np.minimum(w, z - d)
     above = np.append(np.arange(SPAN, z.size, SPAN), 0)
     entered = np.full(z.size // SPAN + 1, np.nan)
     entered[: above.size] = u[above]
-    # No pressure is asked for: any speed.
-    return SteadyState(decay_of(law), thresholds_of(z, z, 1.0, law.stiffness).stay, entered, d)
+    thresholds = thresholds_of(z, z, 1.0, law.stiffness)  # of contact: at any speed and slopes
+    return SteadyState(decay_factors(law), thresholds.contact, entered, d)
 
 
 def states_of(setting):
-    """Return the states of both steady slides, by plain sweeps."""
+    """Return the states of steady sliding at both speeds, by plain sweeps."""
     states = []
     for law, d in ((setting.before, setting.start.d), (setting.law, setting.end.d)):
         w = np.empty_like(setting.z)
@@ -77,7 +70,7 @@ def states_of(setting):
 
 
 def size_of_jump(setting, jump, load):
-    """Return the change of mu when the speed changes."""
+    """Return the jump of mu, without sign."""
     v, start = jump.x / np.pi, states_of(setting)[0]
     before, after = (
         quadrature(setting.z, setting.slope, *start, v, speed, load)[0]
@@ -87,22 +80,22 @@ def size_of_jump(setting, jump, load):
 
 
 def dense(setting, load, kept_steps):
-    """Return (deviation of mu from its steady value at v2, indentation) of the plain march."""
+    """Return (deviation of mu from its steady value at v2, indentation) by the plain march."""
     law, (one, (w, d)) = setting.law, states_of(setting)
     weight = lagged_slope(setting.slope, law.lag)
-    # Samples that cannot touch are left out: the digits of small displacements would be lost.
+    # A cap leaves out samples that cannot touch, where small displacements would lose digits.
     for cap in (1.02 * max(one.d, d), 1.001 * max(one.d, load)):
-        mu, found, _, inside = march(
+        mu, indentation, _, inside = march(
             law, ConstantForce(load), setting.z, weight, one, kept_steps, cap
         )
         if inside:
             break
     assert inside
-    return mu - step_average(weight, setting.z - w, d), found
+    return mu - step_average(weight, setting.z - w, d), indentation
 
 
 def rounding_of_mu(setting, load):
-    """Return what rounding leaves open of mu: of the overlaps, differences of heights."""
+    """Return the rounding error of mu, from overlaps that are differences of heights."""
     w, d = states_of(setting)[1]
     touching = (setting.z - w < d).sum()
     overlap = load / setting.law.stiffness / touching

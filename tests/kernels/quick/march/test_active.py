@@ -1,4 +1,4 @@
-"""The active-set march against the plain one, its lists shortened or not, and what they save."""
+"""The active-set march against the plain march, with and without shorter lists, and its work."""
 
 import itertools
 from functools import partial
@@ -10,15 +10,33 @@ from hypothesis import strategies as st
 
 from elastomer_friction.kernels import SCHEMES, ConstantForce
 from elastomer_friction.kernels.motion.stretches import touchable
-from elastomer_friction.kernels.quick.march.active import MARGINS, active_march
-from elastomer_friction.kernels.quick.march.bounds import are_within, bounds_of, first_bounds
-from elastomer_friction.kernels.quick.march.crossings import Steady, arrivals_of
-from elastomer_friction.kernels.quick.march.landings import beside, land, landed, no_landings
-from elastomer_friction.kernels.quick.march.lists import lists_of
-from elastomer_friction.kernels.quick.march.load_balance import foresee
-from elastomer_friction.kernels.quick.march.narrow import closer_bounds, march_shortening
-from elastomer_friction.kernels.quick.march.runs import classes_of
-from elastomer_friction.kernels.quick.march.stepping import Stand, march_on
+from elastomer_friction.kernels.quick.march.active import BOUND_MARGINS, active_march
+from elastomer_friction.kernels.quick.march.bounds import (
+    initial_bounds,
+    spread_bounds,
+    within_bounds,
+)
+from elastomer_friction.kernels.quick.march.certain_landings import (
+    Gap,
+    add_landing,
+    landing_sums,
+    no_landings,
+    update_distances,
+)
+from elastomer_friction.kernels.quick.march.gap_crossings import SteadyFlight, run_entries
+from elastomer_friction.kernels.quick.march.listed_samples import listed_samples
+from elastomer_friction.kernels.quick.march.shortened_lists import (
+    march_with_shortening,
+    narrower_bounds,
+)
+from elastomer_friction.kernels.quick.march.step_indentation import predict_first_indentation
+from elastomer_friction.kernels.quick.march.stepping import (
+    ActiveSet,
+    MarchState,
+    Recorder,
+    step_until,
+)
+from elastomer_friction.kernels.quick.march.undecided_runs import undecided_runs
 from tests.kernels.quick.march.given import (
     Jump,
     dense,
@@ -43,8 +61,8 @@ REGIMES = [
 ]
 
 
-def assert_same(setting, load, jump, kept_steps, margins=MARGINS):
-    """Compare with the plain march, within 1e-9 of the jump and what rounding leaves of mu."""
+def assert_same(setting, load, jump, kept_steps, margins=BOUND_MARGINS):
+    """Compare with the plain march, to 1e-9 of the jump plus the rounding of mu."""
     mu, d, settled, _, inside = active_march(setting, ConstantForce(load), kept_steps, margins)
     assert inside
     deviation, expected = dense(setting, load, kept_steps)
@@ -55,31 +73,31 @@ def assert_same(setting, load, jump, kept_steps, margins=MARGINS):
 
 @pytest.mark.parametrize("scheme", SCHEMES)
 @pytest.mark.parametrize("hurst", [0.0, 0.5, 1.0])
-def test_it_is_the_plain_march_in_every_regime(hurst, scheme):
+def test_equals_the_plain_march_in_every_regime(hurst, scheme):
     regimes = [jump for jump in REGIMES if (jump.hurst, jump.scheme) == (hurst, scheme)]
     for jump in regimes[:: size(7, 5)]:
         setting, load = setting_of(jump, size(100, 24))
         assert_same(setting, load, jump, EVERY)
 
 
-def followed(setting, control, steps, narrowing=True, margin=0.1):
-    """Return (mu, indentation, inside, work) of a march whose lists are shortened, or are not."""
-    guess = foresee(control, setting)
-    bounds = first_bounds(setting, guess, margin)
-    runs, met, sums = classes_of(setting, bounds)
-    lists, steady = lists_of(runs, met), Steady(setting.start.decay.once, setting.start.d)
-    arrivals = arrivals_of(setting.law, lists, runs, steady, setting.z, steps)
-    kept = np.arange(1, steps + 1)
+def marched(setting, control, steps, shortening=True, margin=0.1):
+    """Return (mu, indentation, inside, work) of a march, with or without shorter lists."""
+    start = setting.start
+    guess = predict_first_indentation(control, setting)
+    bounds = initial_bounds(setting, guess, margin)
+    runs, collected, sums = undecided_runs(setting, bounds)
+    listed, flight = listed_samples(runs, collected), SteadyFlight(start.decay.sample, start.d)
+    entries = run_entries(setting.law, listed, runs, flight, setting.z, steps)
+    landings = no_landings(setting.end.d, start.d, steps)
+    active = ActiveSet(runs, listed, sums, entries, landings)
     mu, d = np.full(steps, np.nan), np.full(steps, np.nan)
-    where = runs, lists, sums, arrivals
-    stand = Stand(0, 0, setting.start.d, guess, np.nan)
-    others = bounds, stand, steps, (kept, mu, d)
-    if narrowing:
-        found = march_shortening(setting, control, where, *others, 1e9)
+    recorder = Recorder(np.arange(1, steps + 1), mu, d)
+    state = MarchState(0, 0, start.d, guess, np.nan)
+    arguments = setting, control, active, bounds, state, steps, recorder
+    if shortening:
+        inside, _, _, work = march_with_shortening(*arguments, 1e9)
     else:
-        landings = no_landings(setting.end.d, setting.start.d, steps)
-        found = march_on(setting, control, (*where, landings), *others)
-    inside, _, _, work = found
+        inside, _, _, work = step_until(*arguments)
     return mu, d, inside, work
 
 
@@ -96,10 +114,10 @@ def followed(setting, control, steps, narrowing=True, margin=0.1):
     margin=st.sampled_from([0.0, 1e-3, 0.05, 0.1, 0.3, 0.5]),
 )
 def test_small_lines(elements, seed, hurst, m, load, x, ratio, scheme, margin):
-    """It may fall back on the plain march, but never gives other numbers.
+    """A march may fail, for the plain march to take over, but never gives different numbers.
 
-    Nor do lists that are shortened as soon as they can be, however often that was too much: the
-    march goes back to longer ones, and ends if the bounds hold that it began with.
+    The same holds if lists are shortened as early as possible, however often the march has to
+    return to longer ones; it succeeds if its initial bounds hold.
     """
     jump = Jump(hurst, m, 10.0**load, 10.0**x, ratio, scheme)
     setting, load = setting_of(jump, max(elements, -(-4 // m)), seed)
@@ -107,41 +125,43 @@ def test_small_lines(elements, seed, hurst, m, load, x, ratio, scheme, margin):
     if active_march(setting, ConstantForce(load), kept, margins)[-1]:
         assert_same(setting, load, jump, kept, margins)
     short, long = (
-        followed(setting, ConstantForce(load), EVERY.size, narrowing, max(margin, 0.05))
-        for narrowing in (True, False)
+        marched(setting, ConstantForce(load), EVERY.size, shortening, max(margin, 0.05))
+        for shortening in (True, False)
     )
     assert short[2] == long[2]
     mu, d, _, _ = short
     deviation, expected = dense(setting, load, EVERY)
-    held = np.isfinite(d)
-    np.testing.assert_allclose(d[held], expected[held], rtol=1e-11, atol=1e-15)
+    reached = np.isfinite(d)
+    np.testing.assert_allclose(d[reached], expected[reached], rtol=1e-11, atol=1e-15)
     allowed = 1e-9 * size_of_jump(setting, jump, load) + rounding_of_mu(setting, load)
-    apart = (mu - deviation)[held]  # the steady average, whatever it is
-    np.testing.assert_allclose(apart - apart[:1], 0.0, atol=2.0 * allowed)
+    steady = (mu - deviation)[reached]  # the steady average, equal at all steps
+    np.testing.assert_allclose(steady - steady[:1], 0.0, atol=2.0 * allowed)
 
 
-def test_lists_become_short():
+def test_shorter_lists_save_work():
     setting, load = setting_of(Jump(0.7, 4, 1.0, 60.0, 1.2), size(1000, 60))
     short, long = (
-        followed(setting, ConstantForce(load), size(300, 40), narrowing)
-        for narrowing in (True, False)
+        marched(setting, ConstantForce(load), size(300, 40), shortening)
+        for shortening in (True, False)
     )
     assert short[2]
     assert long[2]
     assert short[3] < size(0.6, 0.95) * long[3]
 
 
-def test_a_march_that_began_anew_shortens_its_lists_too():
-    """At H = 1 and large x, d comes to rest and moves on where a higher asperity is met."""
+def test_a_restarted_march_shortens_its_lists_too():
+    """At H = 1 and large x, d comes to rest and moves again when a higher asperity lands."""
     setting, load = setting_of(Jump(1.0, 4, 0.025, size(3e3, 150.0), 0.8), size(2000, 100))
-    marched = partial(active_march, setting, ConstantForce(load), np.array([size(10_000, 500)]))
-    first, found = (marched(m) for m in (MARGINS[:1], MARGINS))
-    _, d, held, work = followed(setting, ConstantForce(load), size(10_000, 500), False, 2.0)
-    assert not first[-1]
-    assert found[-1]
-    assert held
-    np.testing.assert_allclose(found[1], d[-1:], rtol=1e-11)
-    assert found[3] < size(0.2, 0.9) * work
+    steps = size(10_000, 500)
+    march_with = partial(active_march, setting, ConstantForce(load), np.array([steps]))
+    *_, inside_first = march_with(BOUND_MARGINS[:1])
+    _, d, _, work, inside = march_with(BOUND_MARGINS)
+    _, d_wide, inside_wide, work_wide = marched(setting, ConstantForce(load), steps, False, 2.0)
+    assert not inside_first
+    assert inside
+    assert inside_wide
+    np.testing.assert_allclose(d, d_wide[-1:], rtol=1e-11)
+    assert work < size(0.2, 0.9) * work_wide
 
 
 LONG = [Jump(0.7, 4, 1.0, 78.0, 1.2), Jump(0.7, 4, 0.025, 78.0, 0.8), Jump(1.0, 4, 1.0, 31.0, 1.2)]
@@ -154,7 +174,7 @@ def test_long_lines_over_all_steps(jump):
     assert_same(setting, load, jump, np.arange(1, steps + 1))
 
 
-def test_full_contact_has_nothing_to_list():
+def test_full_contact_lists_nothing():
     jump = Jump(1.0, 4, 60.0, 3.0, 1.2)
     setting, load = setting_of(jump, size(200, 40))
     w, d = states_of(setting)[0]
@@ -176,7 +196,7 @@ def test_decay_near_zero_and_near_one(x):
         np.testing.assert_allclose(mu - settled, deviation, atol=1e-8 * np.abs(mu).max())
 
 
-def test_bounds_that_are_left_cost_a_restart_and_no_digit():
+def test_leaving_the_bounds_costs_a_restart_and_no_accuracy():
     jump = Jump(0.7, 4, 0.3, 10.0, 2.0)
     setting, load = setting_of(jump, size(200, 40))
     assert not active_march(setting, ConstantForce(load), EVERY, (-0.4,) * 3)[-1]
@@ -184,7 +204,7 @@ def test_bounds_that_are_left_cost_a_restart_and_no_digit():
 
 
 def test_few_elements_are_stepped():
-    """Of the samples that the plain march steps."""
+    """The plain march steps all samples that can touch."""
     jump = Jump(0.7, 4, 1.0, 78.0, 1.2)
     setting, load = setting_of(jump, size(2000, 100))
     steps = size(130, 30)
@@ -199,39 +219,39 @@ PAST = np.array([2.0, 1.9, 1.85, 1.83, 1.82, 1.815])
 SIZE = 40
 
 
-def aloft(source, height):
-    """Return the displacements of elements that left a sample in contact, up to now."""
+def displacements_behind(source, height):
+    """Return the displacements of elements that left contact at a sample, up to now."""
     w = np.full(SIZE, np.nan)
     for i in range(1, PAST.size):
         w[(source - i) % SIZE] = LAW.decay**i * (height - PAST[-1 - i])
     return w
 
 
-def test_sums_are_those_of_samples_one_by_one():
+def test_landing_sums_equal_those_of_single_samples():
     landings, step, now = no_landings(1.8, PAST[0], 20), PAST.size, 1.81
     samples = [(0.4, 0.5, 2, 0.3), (0.1, 0.7, 4, -0.2), (0.2, 0.3, 4, 0.6)]
     for height, z, q, weight in samples:
-        w = aloft(45, height)  # 45 is sample 5, counted on round the period
-        assert land(LAW, landings, (height, 45, q), (z, weight), PAST, w, 9)
-    landings = landed(landings)
+        w = displacements_behind(45, height)  # 45 is sample 5 of the next period
+        assert add_landing(LAW, landings, Gap(height, 45, q), z, weight, PAST, w, 9)
+    landings = update_distances(landings)
     assert landings.distances.tolist() == [2, 4]
     past = np.append(PAST, now)
     landings.past[: past.size] = past
-    each = [now - z + LAW.decay**q * (height - past[step - q]) for height, z, q, _ in samples]
+    overlaps = [now - z + LAW.decay**q * (height - past[step - q]) for height, z, q, _ in samples]
     weights = [weight for *_, weight in samples]
-    assert beside(landings, step, now, 0) == (3.0, pytest.approx(sum(each), rel=1e-13))
-    expected = np.dot(each, weights)
-    assert beside(landings, step, now, 1) == (3.0, pytest.approx(expected, rel=1e-13))
+    assert landing_sums(landings, step, now, 0) == (3.0, pytest.approx(sum(overlaps), rel=1e-13))
+    expected = np.dot(overlaps, weights)
+    assert landing_sums(landings, step, now, 1) == (3.0, pytest.approx(expected, rel=1e-13))
 
 
 @pytest.mark.parametrize("margin", [0.6, 2.4, 40.0])
-def test_closer_ones_leave_room_but_never_go_beyond(margin):
-    """A margin of the spread between what was seen, here 2.5, and the end, 2.75."""
-    outer = bounds_of(LAW, 1.0, 3.0, 0.2, 0.9, 0.4)
-    seen = bounds_of(LAW, 2.5, 2.5, 0.6, 0.6, 0.0)
-    found = closer_bounds(LAW, outer, seen, 2.75, margin)
-    assert found.high == pytest.approx(min(2.75 + margin * 0.25, outer.high))
-    assert found.low == pytest.approx(max(2.5 - margin * 0.25, outer.low))
-    assert found.least >= outer.least
-    assert found.most <= outer.most
-    assert are_within(found, 2.75, 0.6)
+def test_narrower_bounds_have_a_margin_but_stay_inside(margin):
+    """The margin is relative to the spread between the visited d, 2.5, and the final one, 2.75."""
+    outer = spread_bounds(LAW, 1.0, 3.0, 0.2, 0.9, 0.4)
+    visited = spread_bounds(LAW, 2.5, 2.5, 0.6, 0.6, 0.0)
+    narrower = narrower_bounds(LAW, outer, visited, 2.75, margin)
+    assert narrower.d_max == pytest.approx(min(2.75 + margin * 0.25, outer.d_max))
+    assert narrower.d_min == pytest.approx(max(2.5 - margin * 0.25, outer.d_min))
+    assert narrower.advance_min >= outer.advance_min
+    assert narrower.advance_max <= outer.advance_max
+    assert within_bounds(narrower, 2.75, 0.6)

@@ -1,0 +1,184 @@
+"""Elements on their way to the runs, from the neighbouring contact or across a gap.
+
+No sample of a gap touches: an element leaves the sample upstream of it with u and arrives q steps
+later with E^q u. Slots hold the displacements at arrival, one slot per step to come. If elements
+cross the gap within the march the slots form a ring, and the element that leaves takes the slot of
+the one that arrives.
+"""
+
+from typing import NamedTuple
+
+import numpy as np
+
+from ...compile.jit import dispatch_on_type, kernel, refcount_free_kernel
+from ...rheology.law import MIN_MAGNITUDE
+from .jump_problem import line_rise
+
+NEGLIGIBLE_DECAY = 1e-30  # a smaller factor makes a displacement zero relative to d
+
+
+class DirectEntries(NamedTuple):
+    """Runs that elements enter directly from a sample that always touches."""
+
+    slot: np.ndarray  # where they enter the lists: the leading sample of the run
+    rise: np.ndarray  # a_j there
+
+
+class GapCrossings(NamedTuple):
+    """Runs that elements enter across a gap, or from a listed sample at the other end of the line.
+
+    Crossing f has its arrivals in arrivals[begin[f] : begin[f + 1]].
+    """
+
+    slot: np.ndarray  # where they enter the lists
+    begin: np.ndarray  # shape (crossings + 1,)
+    next: np.ndarray  # place of the next arrival; changes
+    is_ring: np.ndarray  # whether the places form a ring; else the last one, zero, repeats
+    arrivals: np.ndarray  # displacements at arrival
+    source: np.ndarray  # slot from which elements leave; -1 for a sample that always touches
+    source_z: np.ndarray  # height of the sample that they leave
+    decay: np.ndarray  # E^q
+
+
+class Entries(NamedTuple):
+    """Entries of elements into all runs."""
+
+    direct: DirectEntries
+    crossings: GapCrossings
+
+
+class SteadyFlight(NamedTuple):
+    """Free elements in steady sliding at v1: between runs they decay from the last contact."""
+
+    decay: float  # of a displacement over one sample
+    d: float  # indentation
+
+
+@dispatch_on_type.refcount_free
+def fill_arrivals(flight, arrivals, begin, end, powers, line, leading, distance, u):
+    """Fill in the displacements at arrival of the elements now upstream of a leading sample.
+
+    flight : present displacements, a State of all samples or SteadyFlight. distance, u : of the
+    source that elements come from, and the displacement there.
+    """
+
+
+@kernel
+def decay_powers(decay, steps):
+    """Return E^k for k = 0, 1, ... up to steps, or up to the first negligible one, set to zero."""
+    powers = np.empty(steps + 1)
+    powers[0] = 1.0
+    for k in range(1, steps + 1):
+        powers[k] = powers[k - 1] * decay
+        if powers[k] < NEGLIGIBLE_DECAY:
+            powers[k] = 0.0
+            return powers[: k + 1]
+    return powers
+
+
+@kernel
+def run_entries(law, listed, runs, flight, line, steps):
+    """Return the Entries into all runs.
+
+    line : heights of all samples. flight : present displacements and indentation, SteadyFlight or
+    a State of all samples that elements cross. steps : still to come.
+    """
+    powers = decay_powers(law.decay, steps)
+    direct, crossing = np.empty(runs.leading.size, np.int64), np.empty(runs.leading.size, np.int64)
+    a = f = 0
+    for r in range(runs.leading.size):
+        if runs.source_touches[r] and runs.distance[r] == 1:
+            direct[a] = r
+            a += 1
+        else:
+            crossing[f] = r
+            f += 1
+    slot, rise = np.empty(a, np.int64), np.empty(a)
+    for i in range(a):
+        slot[i] = listed.begin[direct[i] + 1] - 1
+        upstream = runs.leading[direct[i]] + 1
+        rise[i] = line_rise(law, listed.z[slot[i]], line[upstream if upstream < line.size else 0])
+    crossings = _gap_crossings(listed, runs, crossing[:f], flight, line, powers)
+    return Entries(DirectEntries(slot, rise), crossings)
+
+
+@kernel
+def _gap_crossings(listed, runs, crossing, flight, line, powers):
+    """Return the GapCrossings of the runs ``crossing``."""
+    reach, size = powers.size - 1, crossing.size
+    slot, begin, place = (
+        np.empty(size, np.int64),
+        np.zeros(size + 1, np.int64),
+        np.empty(size, np.int64),
+    )
+    source, source_z, decay = np.empty(size, np.int64), np.empty(size), np.empty(size)
+    is_ring = np.empty(size, np.bool_)
+    for f in range(size):
+        r = crossing[f]
+        q = runs.distance[r]
+        slot[f], place[f], is_ring[f] = listed.begin[r + 1] - 1, begin[f], q <= reach
+        begin[f + 1] = begin[f] + (q if is_ring[f] else reach + 1)
+        decay[f] = powers[q] if is_ring[f] else 0.0
+        if runs.source_touches[r]:
+            upstream = runs.leading[r] + q
+            upstream = upstream - line.size if upstream >= line.size else upstream
+            source[f], source_z[f] = -1, line[upstream]
+        else:
+            source[f] = listed.begin[r - 1 if r > 0 else runs.leading.size - 1]
+            source_z[f] = listed.z[source[f]]
+    arrivals = np.empty(begin[-1])
+    for f in range(size):
+        r = crossing[f]
+        u = source_z[f] - (flight.d if source[f] < 0 else max(listed.c[source[f]], flight.d))
+        fill_arrivals(
+            flight,
+            arrivals,
+            begin[f],
+            begin[f + 1],
+            powers,
+            line,
+            runs.leading[r],
+            runs.distance[r],
+            u,
+        )
+        if not is_ring[f]:
+            arrivals[begin[f + 1] - 1] = 0.0  # all later arrivals are negligible
+        elif source[f] < 0:
+            arrivals[begin[f + 1] - 1] = decay[f] * u
+    return GapCrossings(slot, begin, place, is_ring, arrivals, source, source_z, decay)
+
+
+@fill_arrivals.register(SteadyFlight)
+def _fill_steady_arrivals(flight, arrivals, begin, end, powers, line, leading, distance, u):
+    count = min(end - begin, powers.size - 1)
+    u *= flight.decay ** float(distance - count)
+    for k in range(count - 1, -1, -1):
+        u = u if u < -MIN_MAGNITUDE else 0.0
+        arrivals[begin + k] = powers[k + 1] * u
+        u *= flight.decay
+
+
+@refcount_free_kernel
+def enter_runs(law, listed, entries, d):
+    """Set the thresholds where elements enter the lists. d : indentation before the step."""
+    direct, crossings = entries
+    for i in range(direct.slot.size):
+        listed.c[direct.slot[i]] = direct.rise[i] + law.decay * d
+    for f in range(crossings.slot.size):
+        i = crossings.slot[f]
+        listed.c[i] = listed.z[i] - crossings.arrivals[crossings.next[f]]
+
+
+@refcount_free_kernel
+def leave_runs(listed, crossings, d):
+    """Send elements into the gaps at the end of a step, and advance to the next arrivals."""
+    for f in range(crossings.slot.size):
+        place = crossings.next[f]
+        if crossings.is_ring[f]:
+            i = crossings.source[f]
+            u = crossings.source_z[f] - (d if i < 0 else max(listed.c[i], d))
+            crossings.arrivals[place] = crossings.decay[f] * u
+        place += 1
+        if place == crossings.begin[f + 1]:
+            place = crossings.begin[f] if crossings.is_ring[f] else place - 1
+        crossings.next[f] = place

@@ -1,0 +1,369 @@
+"""Shorter lists in a long march: the samples that remain undecided within narrower bounds.
+
+They pay off in long marches in which d moves far (docs/speed.md). Samples that have become decided
+move from the lists to the sums, or to the gaps. Only the runs are visited. Samples where elements
+certainly land after a gap are summed too (certain_landings.py).
+The recursion for the gaps g is that of undecided_runs.py. As the elements on their way are known,
+their displacements u are bounded in addition.
+"""
+
+from typing import NamedTuple
+
+import numpy as np
+
+from ...compile.jit import inlined_kernel, kernel, refcount_free_kernel
+from ...rheology.law import State
+from .bounds import Bounds, spread_bounds, within_bounds
+from .certain_landings import (
+    Gap,
+    add_landing,
+    restored_landings,
+    saved_landings,
+    update_distances,
+)
+from .displacement_bounds import ALWAYS_TOUCHES, NEVER_TOUCHES, UNDECIDED
+from .gap_crossings import decay_powers, fill_arrivals, run_entries
+from .jump_problem import line_rise
+from .listed_samples import ListedSamples, SummedContact, add_sample
+from .stepping import ActiveSet, MarchState, step_until
+from .undecided_runs import MIN_GAP_SAMPLES, UNKNOWN_GAP, Runs, contact_kind
+
+FIRST_MARGIN = 0.6  # of narrower bounds, relative to the spread; doubled after each fall-back
+MIN_NARROWING = 0.25  # of the spread of D
+FIRST_SHORTENING = 6  # step after which lists may be shortened; then half as many steps again
+CERTAIN_LANDING = 5  # a contact kind: elements always land here, after a gap
+
+
+class SavedMarch(NamedTuple):
+    """Longer lists to which a march can return."""
+
+    active: ActiveSet
+    bounds: Bounds
+    state: MarchState
+
+
+class SampleBounds(NamedTuple):
+    """Bounds at a sample, now and in all steps to come."""
+
+    gap_min: float  # of max(g, 0)
+    gap_max: float
+    u_min: float  # of the displacement u
+    u_max: float
+
+
+class Source(NamedTuple):
+    """The last sample upstream that may touch, where elements come from."""
+
+    sample: int
+    touches: bool  # whether it always touches
+
+
+class RunSlots(NamedTuple):
+    """Shorter runs, with their slots in the longer lists."""
+
+    runs: Runs
+    first: np.ndarray  # lowest slot of each run
+    last: np.ndarray  # highest slot
+
+
+@kernel
+def march_with_shortening(problem, control, active, bounds, state, last, recorder, worth):
+    """March as step_until does, with shorter lists wherever they save more than they cost.
+
+    If d leaves the bounds, the march returns to the last step of longer lists whose bounds hold
+    and continues with those; the next narrower bounds leave more room.
+    active : the ActiveSet at the start. worth : factor that multiplies the savings.
+    """
+    law, margin = problem.law, FIRST_MARGIN
+    longer = _no_saved_marches(SavedMarch(active, bounds, state))
+    work, due, w = 0, FIRST_SHORTENING, np.empty(problem.z.size)
+    while True:
+        inside, new, visited, updates = step_until(
+            problem, control, active, bounds, state, min(due, last), recorder
+        )
+        work += updates
+        if not inside:
+            while len(longer) > 0 and not within_bounds(longer[-1].bounds, new.d, new.advance):
+                longer.pop()
+            if len(longer) == 0:
+                return False, new, visited, work
+            saved, bounds, state = longer.pop()
+            landings = restored_landings(active.landings, saved.landings)
+            active = _with_landings(saved, landings)
+            due, margin = new.step, 2.0 * margin
+            continue
+        state, remaining = new, last - new.step
+        if remaining == 0:
+            return True, state, visited, work
+        narrower = narrower_bounds(law, bounds, visited, problem.end.d, margin)
+        crossings = active.entries.crossings
+        if worth * savings_ratio(bounds, narrower, active.listed, crossings, remaining) > 1.0:
+            saved = _with_landings(active, saved_landings(active.landings))
+            longer.append(SavedMarch(saved, bounds, state))
+            present_displacements(law, active, state.d, w, remaining)
+            past = active.landings.past[: state.step + 1]
+            active = shorten_lists(law, problem.z, narrower, active, past, w, remaining)
+            bounds = narrower
+            work += active.listed.c.size + active.entries.crossings.arrivals.size
+        due += due // 2
+
+
+@kernel
+def _no_saved_marches(example):
+    """Return an empty list whose items have the type of the example, which numba infers."""
+    saved = [example]
+    saved.pop()
+    return saved
+
+
+@kernel
+def _with_landings(active, landings):
+    """Return the ActiveSet with other Landings."""
+    return ActiveSet(active.runs, active.listed, active.sums, active.entries, landings)
+
+
+@refcount_free_kernel
+def savings_ratio(bounds, narrower, listed, crossings, steps):
+    """Return what shorter lists save relative to their cost, from sizes alone."""
+    old_spread = bounds.advance_max - bounds.advance_min
+    saved = 1.0 - (narrower.advance_max - narrower.advance_min) / old_spread
+    step_cost = 2.0 * listed.c.size + 16.0 * crossings.slot.size
+    cost = 30.0 * crossings.arrivals.size + 100.0 * listed.c.size
+    return steps * step_cost * saved / cost if saved > MIN_NARROWING and cost > 0.0 else 0.0
+
+
+@kernel
+def narrower_bounds(law, bounds, visited, d_end, margin):
+    """Return Bounds inside ``bounds`` for d between the visited range and its final value.
+
+    margin : extra width on each side, relative to the spread of d and of D.
+    """
+    d_min, d_max = min(visited.d_min, d_end), max(visited.d_max, d_end)
+    new = spread_bounds(law, d_min, d_max, visited.advance_min, visited.advance_max, margin)
+    return Bounds(
+        max(new.d_min, bounds.d_min),
+        min(new.d_max, bounds.d_max),
+        max(new.advance_min, bounds.advance_min),
+        min(new.advance_max, bounds.advance_max),
+    )
+
+
+@kernel
+def shorten_lists(law, line, bounds, active, past, w, steps):
+    """Return the ActiveSet within narrower bounds, at the end of a step.
+
+    line : heights of all samples. past : d from the start to the end of this step.
+    w : displacements, see present_displacements. steps : still to come.
+    """
+    size, added = active.listed.c.size, np.zeros(4)
+    slots = _allocate(size)
+    count = _walk_lists(law, line, bounds, active, past, w, steps, slots, added)
+    runs = Runs(
+        slots.runs.leading[:count],
+        slots.runs.trailing[:count],
+        slots.runs.distance[:count],
+        slots.runs.source_touches[:count],
+    )
+    sums = SummedContact(
+        active.sums.level,
+        active.sums.samples + added[0],
+        active.sums.depth + added[1],
+        active.sums.weight + added[2],
+        active.sums.moment + added[3],
+    )
+    listed = _selected_slots(active.listed, slots.first[:count], slots.last[:count])
+    landings = update_distances(active.landings)
+    entries = run_entries(law, listed, runs, State(w, past[-1]), line, steps)
+    return ActiveSet(runs, listed, sums, entries, landings)
+
+
+@kernel
+def _allocate(size):
+    """Return RunSlots with room for one run per listed sample."""
+    runs = Runs(
+        np.empty(size, np.int64),
+        np.empty(size, np.int64),
+        np.empty(size, np.int64),
+        np.empty(size, np.bool_),
+    )
+    return RunSlots(runs, np.empty(size, np.int64), np.empty(size, np.int64))
+
+
+@refcount_free_kernel
+def _walk_lists(law, line, bounds, active, past, w, steps, slots, added):
+    """Sort the listed samples into contact kinds; return the number of shorter runs.
+
+    slots : RunSlots, filled. added : tally of the samples that now always touch. Certain landings
+    are added to those of ``active``. Other arguments : see shorten_lists.
+    """
+    runs, listed, sums, (_, crossings), landings = active
+    d, count, crossing = past[-1], 0, 0
+    # The source of the first run is known at the end of the walk, if it was listed.
+    source, sample = Source(line.size, False), SampleBounds(0.0, UNKNOWN_GAP, -bounds.d_max, 0.0)
+    for r in range(runs.leading.size):
+        j, kind = runs.leading[r], NEVER_TOUCHES
+        if runs.source_touches[r]:
+            source = Source(j + runs.distance[r], True)
+        arriving, sample = _entering_bounds(
+            law, line, bounds, runs, r, crossings, crossing, steps, sample
+        )
+        crossing += not (runs.source_touches[r] and runs.distance[r] == 1)
+        for i in range(listed.begin[r + 1] - 1, listed.begin[r] - 1, -1):
+            previous, upstream_touches = kind, sample.gap_max == 0.0
+            rise = line_rise(law, line[j], _height_at(line, j + 1))
+            c = listed.c[i] + (line[j] - listed.z[i])
+            least, most, sample = _sample_bounds(law, bounds, line[j], c, d, rise, sample, arriving)
+            touches = sample.gap_max == 0.0
+            kind = contact_kind(False, upstream_touches and touches, least, most)
+            if kind == UNDECIDED and previous == NEVER_TOUCHES and source.touches and touches:
+                gap = Gap(_height_at(line, source.sample), source.sample, source.sample - j)
+                if add_landing(law, landings, gap, line[j], listed.weight[i], past, w, steps):
+                    kind = CERTAIN_LANDING
+            if kind == ALWAYS_TOUCHES:
+                add_sample(sums.level - rise, listed.weight[i], added)
+            elif kind == UNDECIDED:
+                near = source.sample <= runs.leading[r]
+                count = _list_sample(slots, count, j, i, previous, source, near)
+            if kind != NEVER_TOUCHES:
+                source = Source(j, touches)
+            arriving = law.decay * sample.u_min, law.decay * sample.u_max
+            j -= 1
+    new = slots.runs
+    from_line_end = count > 0 and new.leading[0] + new.distance[0] == line.size
+    if from_line_end and not new.source_touches[0]:
+        new.distance[0] = source.sample + line.size - new.leading[0]
+        new.source_touches[0] = source.touches
+    return count
+
+
+@inlined_kernel
+def _list_sample(slots, count, j, i, previous, source, near):
+    """Add sample j in slot i to the last shorter run or to a new one; return the number of runs.
+
+    previous : contact kind of the sample upstream. near : whether the source lies in this longer
+    run, so that the samples between are listed already.
+    """
+    runs = slots.runs
+    short_gap = previous == NEVER_TOUCHES and source.sample - j <= MIN_GAP_SAMPLES and near
+    continues = short_gap and count > 0 and runs.trailing[count - 1] == source.sample
+    if previous != UNDECIDED and not continues:
+        ahead = source.sample - 1 - j if short_gap and source.touches else 0
+        runs.leading[count], slots.last[count] = j + ahead, i + ahead
+        runs.distance[count] = source.sample - runs.leading[count]
+        runs.source_touches[count] = source.touches
+        count += 1
+    runs.trailing[count - 1], slots.first[count - 1] = j, i
+    return count
+
+
+@refcount_free_kernel
+def _entering_bounds(law, line, bounds, runs, r, crossings, crossing, steps, upstream):
+    """Return (bounds of the displacements that enter run r, SampleBounds of its source).
+
+    crossing : the next of the crossings. steps : still to come. upstream : SampleBounds at the end
+    of the run before.
+    """
+    if runs.source_touches[r]:
+        height = _height_at(line, runs.leading[r] + runs.distance[r])
+        upstream = SampleBounds(0.0, 0.0, height - bounds.d_max, height - bounds.d_min)
+        if runs.distance[r] == 1:
+            return (law.decay * upstream.u_min, law.decay * upstream.u_max), upstream
+    arriving = arrival_bounds(crossings, crossing, upstream.u_min, upstream.u_max, steps)
+    return arriving, SampleBounds(0.0, UNKNOWN_GAP, upstream.u_min, upstream.u_max)
+
+
+@refcount_free_kernel
+def _height_at(line, j):
+    """Return the height of sample j, which may lie one period ahead."""
+    return line[j - line.size if j >= line.size else j]
+
+
+@kernel
+def _sample_bounds(law, bounds, z, c, d, rise, upstream, arriving):
+    """Return (least, most, SampleBounds): bounds of g of a sample, and its SampleBounds.
+
+    c, d : present threshold and indentation. rise : a_j. upstream : SampleBounds of the sample
+    upstream. arriving : bounds of the displacement with which elements arrive.
+    """
+    least = max(
+        rise - bounds.advance_max + law.decay * upstream.gap_min, z - arriving[1] - bounds.d_max
+    )
+    most = min(
+        rise - bounds.advance_min + law.decay * upstream.gap_max, z - arriving[0] - bounds.d_min
+    )
+    least, most = min(least, c - d), max(most, c - d)
+    u = z - max(c, d)
+    u_min, u_max = min(arriving[0], z - bounds.d_max), min(arriving[1], z - bounds.d_min)
+    sample = SampleBounds(max(least, 0.0), max(most, 0.0), min(u, u_min), max(u, u_max))
+    return least, most, sample
+
+
+@kernel
+def _selected_slots(listed, first, last):
+    """Return the ListedSamples of the slots first[r] ... last[r]."""
+    begin = np.zeros(first.size + 1, np.int64)
+    for r in range(first.size):
+        begin[r + 1] = begin[r] + last[r] - first[r] + 1
+    size = begin[-1]
+    z, weight, c = np.empty(size), np.empty(size), np.empty(size)
+    for r in range(first.size):
+        for i in range(first[r], last[r] + 1):
+            k = begin[r] + i - first[r]
+            z[k], weight[k], c[k] = listed.z[i], listed.weight[i], listed.c[i]
+    return ListedSamples(begin, z, weight, c)
+
+
+@kernel
+def present_displacements(law, active, d, w, steps):
+    """Fill w, shape (n,), with the displacements of elements in runs and on their way to them.
+
+    d : present indentation. steps : still to come; elements that would arrive later are left out.
+    """
+    runs, listed, _, (_, crossings), _ = active
+    powers = decay_powers(law.decay, steps)
+    f = 0
+    for r in range(runs.leading.size):
+        if not (runs.source_touches[r] and runs.distance[r] == 1):
+            begin, end, place = crossings.begin[f], crossings.begin[f + 1], crossings.next[f]
+            for k in range(1, min(runs.distance[r], powers.size - 1) + 1):
+                j = runs.leading[r] + k
+                arrival = crossings.arrivals[place]
+                w[j - w.size if j >= w.size else j] = arrival / powers[k] if arrival else 0.0
+                place += 1
+                if place == end:
+                    place = begin if crossings.is_ring[f] else end - 1
+            f += 1
+    for r in range(runs.leading.size):
+        for i in range(listed.begin[r], listed.begin[r + 1]):
+            w[runs.trailing[r] + i - listed.begin[r]] = listed.z[i] - max(listed.c[i], d)
+
+
+@refcount_free_kernel
+def arrival_bounds(crossings, f, u_min, u_max, steps):
+    """Return bounds of the displacements with which elements arrive in the steps to come.
+
+    u_min, u_max : bounds of the displacement where they leave.
+    """
+    begin, end = crossings.begin[f], crossings.begin[f + 1]
+    if crossings.is_ring[f]:
+        low, high = crossings.decay[f] * u_min, crossings.decay[f] * u_max
+    else:
+        begin, end = crossings.next[f], end - 1
+        negligible = end - begin < steps
+        low, high = (0.0, 0.0) if negligible else (np.inf, -np.inf)
+    for slot in range(begin, end):
+        low, high = min(low, crossings.arrivals[slot]), max(high, crossings.arrivals[slot])
+    return low, high
+
+
+@fill_arrivals.register(State)
+def _fill_present_arrivals(flight, arrivals, begin, end, powers, line, leading, distance, u):
+    w, d = flight
+    count = min(end - begin, powers.size - 1)
+    wrap = min(line.size - leading - 1, count)
+    for k in range(wrap):
+        j = leading + 1 + k
+        arrivals[begin + k] = powers[k + 1] * min(w[j], line[j] - d)
+    for k in range(wrap, count):
+        j = k - wrap
+        arrivals[begin + k] = powers[k + 1] * min(w[j], line[j] - d)

@@ -1,0 +1,76 @@
+"""Load balance of one step: listed and summed samples carry the load together."""
+
+from typing import NamedTuple
+
+import numpy as np
+
+from ...compile.jit import kernel, refcount_free_kernel
+from ...model.contact import excess_at, indentation_under, lowest_threshold, overlap
+from ..contacts.pressed_samples import pressure_sums
+from .jump_problem import indentation_advance
+
+MAX_SHORT_LIST = 128  # samples, below which ``overlap`` is faster than ``pressure_sums``
+MIN_D_SHARE = 0.1  # of the old d that a prediction of the first step keeps
+RATE_FACTOR = 1.2  # predicted change of d over the one that d' just after the jump gives
+
+
+@refcount_free_kernel
+def predict_first_indentation(control, problem):
+    """Return an estimate of d after the first step, rather too far than too near.
+
+    d follows d' as a touching element does, by 1 - E = 1 / K in a step. If the load is almost zero
+    d' is rounding; the indentation at which one element carries the load bounds the estimate.
+    """
+    law, d = problem.law, problem.start.d
+    new = max(d + RATE_FACTOR * problem.rate / law.stiffness, MIN_D_SHARE * d)
+    return min(new, law.decay * d + control.load / law.stiffness)
+
+
+class PartlyListed(NamedTuple):
+    """The contact in a step: listed samples, and others as the force they carry at ``d_old``.
+
+    Forces are in units of the stiffness of the law.
+    """
+
+    c: np.ndarray  # thresholds of the listed samples
+    d_old: float  # an indentation
+    carried: float  # force that the others carry at it
+    samples: float  # number of the others
+
+
+@excess_at.register(PartlyListed)
+def _excess_of_partly_listed(contact, load, d):
+    force, count = listed_overlap(contact.c, d)
+    more = contact.samples * (d - contact.d_old)
+    slope = count + contact.samples
+    return force + more + (contact.carried - load), slope, slope
+
+
+@lowest_threshold.register(PartlyListed)
+def _lowest_of_partly_listed(contact, load):
+    lowest = contact.c.min() if contact.c.size > 0 else np.inf
+    return lowest, lowest + load
+
+
+@refcount_free_kernel
+def next_indentation(control, law, listed, sums, landings, d, guess):
+    """Return (d, D of the summed samples, passes over the listed samples) of a step.
+
+    Solves n (D - level) + sum (level - a) + sum max(0, d - c) = load / K (eq. 4).
+    landings : number of certain landings, and their overlap at the old d (certain_landings.py).
+    d : the old indentation. guess : of the new one. d is infinite where nothing can carry the load.
+    """
+    load = control.load / law.stiffness - landings[1]
+    carried = sums.samples * (d / law.stiffness - sums.level) + sums.depth
+    contact = PartlyListed(listed.c, d, carried, sums.samples + landings[0])
+    new, passes = indentation_under(contact, load, guess)
+    return new, indentation_advance(law, new, d), passes
+
+
+@kernel
+def listed_overlap(c, d):
+    """Return (sum of d - c_i, number) over the touching elements c_i < d."""
+    if c.size < MAX_SHORT_LIST:
+        return overlap(c, d)
+    depth, _, touching = pressure_sums(c, None, None, d)
+    return depth, touching
