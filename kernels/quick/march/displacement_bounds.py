@@ -38,7 +38,7 @@ def displacement_bounds(problem, bounds):
 
 
 @refcount_free_kernel
-def free_displacement(decay, u):
+def decayed_displacement(decay, u):
     """Return the displacement of an element one sample after u, if no force acts on it."""
     return decay.sample * u if u < -MIN_MAGNITUDE else 0.0
 
@@ -68,8 +68,8 @@ def kind_of_first(problem, bounds, levels):
     u_start, u_end, w_start, w_end = start.entered[0], end.entered[0], 0.0, 0.0
     for j in range(min(SPAN, z.size) - 1, -1, -1):
         w_start, w_end = (
-            free_displacement(start.decay, u_start),
-            free_displacement(end.decay, u_end),
+            decayed_displacement(start.decay, u_start),
+            decayed_displacement(end.decay, u_end),
         )
         u_start, u_end = min(w_start, z[j] - start.d), min(w_end, z[j] - end.d)
     if z[0] - (w_start if levels.near_is_start else w_end) >= bounds.d_max + levels.near_slack:

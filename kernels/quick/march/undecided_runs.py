@@ -21,8 +21,8 @@ from .displacement_bounds import (
     FORCED_UNDECIDED,
     NEVER_TOUCHES,
     UNDECIDED,
+    decayed_displacement,
     displacement_bounds,
-    free_displacement,
     kind_of_first,
     span_always_touches,
     span_never_touches,
@@ -139,8 +139,8 @@ def _walk_span(problem, bounds, levels, first, b, state, runs, collected, level,
     u_start, u_end = start.entered[b], end.entered[b]
     for j in range(min((b + 1) * SPAN, z.size) - 1, b * SPAN - 1, -1):
         w_start, w_end = (
-            free_displacement(start.decay, u_start),
-            free_displacement(end.decay, u_end),
+            decayed_displacement(start.decay, u_start),
+            decayed_displacement(end.decay, u_end),
         )
         u_start, u_end = min(w_start, z[j] - start.d), min(w_end, z[j] - end.d)
         near, far = (w_start, w_end) if levels.near_is_start else (w_end, w_start)

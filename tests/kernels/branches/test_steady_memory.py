@@ -211,7 +211,7 @@ def test_thirty_branches_over_fourteen_decades(scheme, speed):
 
 def test_lack_of_convergence_is_an_error(monkeypatch):
     monkeypatch.setattr(f"{steady_memory.__module__}.MAX_TURNS", 1)
-    with pytest.raises(ValueError, match="speed = 2 samples per tau: no steady state was state"):
+    with pytest.raises(ValueError, match="speed = 2 samples per tau: no steady state was found"):
         steady_memory(retardation(PRONY3), three_modes(8), 2.0, 1.0)
 
 
