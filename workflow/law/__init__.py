@@ -1,7 +1,4 @@
-"""A reduced law of friction with its error: fitted to motions, stepped, compared, exported.
-
-The errors that a law states belong to it, as its range does.
-"""
+"""Reduced laws of friction with their range and error: fit, step, compare and export."""
 
 from typing import TYPE_CHECKING
 
@@ -15,7 +12,7 @@ if TYPE_CHECKING:
     from .memory_law import MemoryLaw
     from .reduced_law import Law
     from .transients import Transient, transients_of
-    from .usual_laws import KINDS, LuGreLaw, RateStateLaw
+    from .usual_laws import LuGreLaw, RateStateLaw
     from .usual_laws import read_law as read
 
 __all__, __getattr__, __dir__ = public_names(__name__, __file__)

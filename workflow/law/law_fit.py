@@ -1,47 +1,57 @@
-"""Laws fitted to computed motions, with the error on motions that were held out.
-
-The law of states is linear in its tables D and Z_j once lengths, times and the ages are known:
-those alone are searched for, by scipy's least_squares, and the tables follow by linear least
-squares at every trial (variable projection: G. H. Golub and V. Pereyra, SIAM J. Numer. Anal. 10,
-413 (1973)). Tables that the motions leave open stay smooth over ln v.
-"""
+"""Fit of a law to computed motions, with the error on motions that were held out."""
 
 import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
-from functools import lru_cache, partial
-from typing import Any
+from functools import partial
+from typing import Any, NamedTuple, Protocol
 
 import numpy as np
-from scipy.linalg import lstsq
-from scipy.optimize import least_squares
 
 from ..given_motion import finely
 from ..ground import UserError
-from .load_law import LEAST_LOADS, LoadLaw
-from .memory_law import MemoryLaw, even, odd, relaxed_to
-from .reduced_law import Law, Validity, followed, mean_speed
-from .transients import PIECE, Transient, motions_of
-from .usual_laws import KINDS, LuGreLaw, RateStateLaw
+from .load_law import MIN_LOADS, LoadLaw
+from .memory_law import MemoryLaw
+from .memory_search import MemorySearch
+from .reduced_law import Law, Validity
+from .residuals import (
+    Masks,
+    known_friction,
+    masked_friction,
+    masked_residuals,
+    root_mean_square,
+    row_residuals,
+)
+from .transients import MAX_VELOCITY_CHANGE, Transient, motions_of
+from .usual_laws import LAWS_BY_KIND
+from .usual_search import UsualSearch
 
-LEAST_SAMPLES = 20
-RATIO = 2.5  # of neighbouring speeds of a table, at most
-DEEPEST = 1e-3  # of the fastest speed: no table begins below
-BELOW = 0.1  # of the slowest speed, where contacts age as at rest and friction is linear
-FEW = 0.02  # of the samples that may be slower than the first speed of a table
-TINY = 1e-300  # in place of zero, to divide by
-NOTHING = 5e-3  # rms over that of mu, below which mu is a function of the velocity alone
-SMOOTH = 1e-2  # weight of the bends of tables, over that of the samples
-LEVEL = 0.1  # weight of their values, over that of their bends
-FOLDS = 4
-ALIKE = 0.1  # share by which speeds of one kind differ
-MOST_STATES = 5
-TRIALS, AGAIN = 60, 15  # evaluations of the Jacobian, at first and for a fold
-LARGEST = ("rms", "largest", "usual", "left", "model_error")  # of several loads
-FAR = 12.0  # that the parameters of usual laws, most of them logarithms, go from where they begin
-WIDE = 1e3  # times the whole way or time: a length or time that is none
+MIN_FRICTION_SAMPLES = 20
+MAX_STATES = 5
+MAX_SPEED_RATIO = 2.5  # of neighbouring speeds of a table
+MIN_TABLE_SPEED = 1e-3  # relative to the fastest speed
+RESTING_SPEED = 0.1  # relative to the slowest speed: below it contacts age as at rest
+SLOW_SAMPLES = 0.02  # share of the samples that may be slower than the slowest speed
+STATELESS_RESIDUAL = 5e-3  # relative rms below which mu is a function of the velocity
+MIN_SCALE = 1e-300  # lower bound of a divisor
+FOLDS = 4  # of the cross-validation
+SAME_SPEED = 0.1  # relative difference of speeds or rests that count as equal
+FIRST_EVALUATIONS, FOLD_EVALUATIONS = 60, 15  # of the Jacobian, at most
+MAXIMA_OVER_LOADS = ("rms", "largest", "usual", "left", "model_error")  # fields of Validity
 
-Kept = Sequence[np.ndarray]  # of each motion, which rows count, booleans
+
+class Search(Protocol):
+    """Search for the law of one kind."""
+
+    def fit(self, masks: Masks, max_evaluations: int, start: Any = None) -> tuple[Law, Any]:
+        """Return the law that fits the masked rows best, and a start for further fits."""
+
+
+class HeldOut(NamedTuple):
+    """Residuals on held-out motions or folds, and their description."""
+
+    residuals: list[np.ndarray]
+    description: str
 
 
 def fit_law(
@@ -54,38 +64,38 @@ def fit_law(
 ) -> Law | LoadLaw:
     """Return a law fitted to the motions of one or several results of the model.
 
-    results : datasets of ``scene.run`` or of a study with the quantity "trace", of one surface; of
-    three normal forces or more the law is a table over them. states : exponential states beside the
-    memory of contacts, 0 to 5. kind : "states", "rate-state" or "lugre". held_out : results that
-    are not fitted to, of which the error is stated; by default each quarter of the segments in
-    turn, by a fit to the others. Of a table each load but the first and the last is held out too,
-    and the law of its neighbours compared with it. point : of the grid, as {"hurst": 0.7}. Raises
-    UserError where there is nothing to fit.
+    results : datasets of ``scene.run`` or of a study with the quantity "trace", for one surface;
+    three normal forces or more give a table over the load. states : exponential states besides the
+    age of contacts, 0 to 5. kind : "states", "rate-state" or "lugre". held_out : results that are
+    not fitted, for which the error is stated; by default each quarter of the segments in turn is
+    predicted by a fit to the other three. In a table each inner load is also predicted by the laws
+    of its two neighbours. point : nearest values on the axes of the grid, for example
+    {"hurst": 0.7}. Raises UserError for invalid arguments and results that cannot be fitted.
     """
-    if kind not in KINDS:
-        raise UserError(f"kind = {kind!r}: must be one of {', '.join(KINDS)}")
-    if not (isinstance(states, int) and 0 <= states <= MOST_STATES):
-        raise UserError(f"states = {states!r}: must be a whole number, 0 to {MOST_STATES}")
+    if kind not in LAWS_BY_KIND:
+        raise UserError(f"kind = {kind!r}: must be one of {', '.join(LAWS_BY_KIND)}")
+    if not (isinstance(states, int) and 0 <= states <= MAX_STATES):
+        raise UserError(f"states = {states!r}: must be a whole number, 0 to {MAX_STATES}")
     motions = motions_of(results, point)
     if not motions:
         raise UserError("there is nothing to fit: no result is given")
-    speeds = _speeds(motions)
-    motions = [_fine(motion, speeds[0]) for motion in motions]
+    speeds = _table_speeds(motions)
+    motions = [_refined(motion, speeds[0]) for motion in motions]
     others = [] if held_out is None else motions_of(held_out, point)
-    others = [_fine(each, speeds[0]) for each in others]
-    forces = sorted({each.normal_force for each in motions if math.isfinite(each.normal_force)})
-    fit = partial(_fitted, speeds=speeds, kind=kind, states=states)
+    others = [_refined(motion, speeds[0]) for motion in others]
+    forces = sorted({m.normal_force for m in motions if math.isfinite(m.normal_force)})
+    fit = partial(_fit_one_load, speeds=speeds, kind=kind, states=states)
     if len(forces) < 2:
         return fit(motions, others)[0]
-    if kind != MemoryLaw.kind or len(forces) < LEAST_LOADS:
+    if kind != MemoryLaw.kind or len(forces) < MIN_LOADS:
         raise UserError(
-            f"normal_force of {forces}: a law over the load is of the kind {MemoryLaw.kind} and of "
-            f"{LEAST_LOADS} loads or more; fit one law to each"
+            f"normal_force of {forces}: a law over the load requires the kind {MemoryLaw.kind} and "
+            f"{MIN_LOADS} loads or more; fit one law to each load"
         )
-    return _over_loads(forces, motions, others, fit)
+    return _fit_loads(forces, motions, others, fit)
 
 
-def _fitted(
+def _fit_one_load(
     motions: Sequence[Transient],
     others: Sequence[Transient],
     start: Any = None,
@@ -94,398 +104,227 @@ def _fitted(
     kind: str,
     states: int,
 ) -> tuple[Law, Any]:
-    """Return the law of one load with its errors, and what the fit to the next load begins with.
+    """Return the law of one load with its errors, and a start for the fit of the next load.
 
-    others : motions that are held out. start : a law of as many states as are asked for begins
-    there, where it is not None.
+    others : motions that are held out. start : where the fit begins; None for a law that may turn
+    out to need no states.
     """
-    kept = [np.isfinite(motion.mu) for motion in motions]
-    _check(motions, kept)
-    usual = _rms(_kept_mu(motions, kept))
-    plain = _Memory(motions, speeds, 0)
-    left = _rms(_differences(plain.fit(kept, TRIALS)[0], motions, kept)) / max(usual, TINY)
-    search: Any = plain
+    masks = known_friction(motions)
+    _check_samples(motions, masks)
+    mu_scale = root_mean_square(masked_friction(motions, masks))
+    stateless = MemorySearch(motions, speeds, 0)
+    residuals = masked_residuals(stateless.fit(masks, FIRST_EVALUATIONS)[0], motions, masks)
+    left = root_mean_square(residuals) / max(mu_scale, MIN_SCALE)
+    search: Search = stateless
     if kind != MemoryLaw.kind:
-        search = _Usual(motions, speeds, kind)
-    elif states and (left > NOTHING or start is not None):
-        search = _Memory(motions, speeds, states)
-    law, found = search.fit(kept, TRIALS, start)
+        search = UsualSearch(motions, speeds, kind)
+    elif states and (left > STATELESS_RESIDUAL or start is not None):
+        search = MemorySearch(motions, speeds, states)
+    law, parameters = search.fit(masks, FIRST_EVALUATIONS, start)
     if others:
-        missed = _differences(law, others, [np.isfinite(each.mu) for each in others])
-        words = "; ".join(each.name for each in others)
+        errors = masked_residuals(law, others, known_friction(others))
+        held_out = HeldOut(errors, "; ".join(motion.name for motion in others))
     else:
-        missed, words = _left_out(search, motions, kept, found)
+        held_out = _cross_validated(search, motions, masks, parameters)
     validity = replace(
-        _validity(law, motions, kept, speeds),
-        usual=usual,
+        _validity(law, motions, masks, speeds),
+        usual=mu_scale,
         left=left**2,
-        held_rms=max(_rms([each]) for each in missed),
-        held_largest=float(np.max(np.abs(np.concatenate(missed)))),
-        held_out=words,
+        held_rms=max(root_mean_square([residual]) for residual in held_out.residuals),
+        held_largest=float(np.max(np.abs(np.concatenate(held_out.residuals)))),
+        held_out=held_out.description,
     )
-    return law.with_validity(validity), found
+    return law.with_validity(validity), parameters
 
 
-def _over_loads(
+def _fit_loads(
     forces: Sequence[float],
     motions: Sequence[Transient],
     others: Sequence[Transient],
     fit: Callable[..., tuple[Law, Any]],
 ) -> LoadLaw:
-    """Return the table of the laws of several loads, each searched for from that of the last."""
+    """Return the table of the laws of several loads; each fit starts from that of the last load."""
     laws: list[Any] = []
     start = None
     for force in forces:
-        law, start = fit(_under(force, motions), _under(force, others), start)
+        law, start = fit(_at_load(force, motions), _at_load(force, others), start)
         laws.append(law)
     table = LoadLaw.of(list(forces), laws)
-    known = [law.validity for law in laws]
-    missed, words = _between_loads(table, laws, motions, others)
-    errors = [*((each.held_rms, each.held_largest) for each in known), *missed]
+    validities = [law.validity for law in laws]
+    predicted, descriptions = _predicted_loads(table, laws, motions, others)
+    errors = [*((validity.held_rms, validity.held_largest) for validity in validities), *predicted]
     rms, largest = np.max(errors, axis=0)
+    segments = tuple(
+        (f"{force:.4g} N, {segment}", error)
+        for force, validity in zip(forces, validities, strict=True)
+        for segment, error in validity.motions
+    )
     validity = replace(
-        known[0],
+        validities[0],
         normal_force=math.nan,
-        longest_rest=max(each.longest_rest for each in known),
+        longest_rest=max(validity.longest_rest for validity in validities),
         held_rms=float(rms),
         held_largest=float(largest),
-        held_out="; ".join([known[0].held_out, *words]),
-        window=f"{known[0].window} under each load",
-        motions=tuple(
-            (f"{force:.4g} N, {name}", rms)
-            for force, one in zip(forces, known, strict=True)
-            for name, rms in one.motions
-        ),
-        **{name: max(getattr(each, name) for each in known) for name in LARGEST},
+        held_out="; ".join([validities[0].held_out, *descriptions]),
+        window=f"{validities[0].window} under each load",
+        motions=segments,
+        **{name: max(getattr(v, name) for v in validities) for name in MAXIMA_OVER_LOADS},
     )
     return table.with_validity(validity)
 
 
-def _between_loads(
+def _predicted_loads(
     table: LoadLaw, laws: Sequence[Any], motions: Sequence[Transient], others: Sequence[Transient]
 ) -> tuple[list[tuple[float, float]], list[str]]:
-    """Return (rms, largest) of each motion that a table is tried on, and what that was in words.
+    """Return the errors (rms, largest) on motions at loads that a table predicts, in words too.
 
-    Each load but the ends is tried by the law of its neighbours, and so are motions of others
-    under loads that no law was fitted to, by the whole table.
+    The laws of the two neighbours predict each inner load. The whole table predicts held-out
+    motions at loads without a law.
     """
     forces = table.load.tolist()
-    tried = [(table, each) for each in others if each.normal_force not in forces]
-    words = [each.name for _, each in tried]
+    predictions = [(table, motion) for motion in others if motion.normal_force not in forces]
+    descriptions = [motion.name for _, motion in predictions]
     for k in range(1, len(forces) - 1):
         ends = [forces[k - 1], forces[k + 1]]
         neighbours = LoadLaw.of(ends, [laws[k - 1], laws[k + 1]])
-        tried += [(neighbours, each) for each in _under(forces[k], motions)]
-        words.append(f"{forces[k]:.4g} N by the laws of {ends[0]:.4g} and {ends[1]:.4g} N")
+        predictions += [(neighbours, motion) for motion in _at_load(forces[k], motions)]
+        descriptions.append(f"{forces[k]:.4g} N by the laws of {ends[0]:.4g} and {ends[1]:.4g} N")
     errors = []
-    for law, each in tried:
-        under = law.at(normal_force=each.normal_force)
-        (off,) = _differences(under, [each], [np.isfinite(each.mu)])
-        errors.append((_rms([off]), float(np.max(np.abs(off)))))
-    words[-1] += f", {max(rms for rms, _ in errors):.3g} rms at most"
-    return errors, words
+    for predictor, motion in predictions:
+        law = predictor.at(normal_force=motion.normal_force)
+        (residual,) = masked_residuals(law, [motion], known_friction([motion]))
+        errors.append((root_mean_square([residual]), float(np.max(np.abs(residual)))))
+    descriptions[-1] += f", {max(rms for rms, _ in errors):.3g} rms at most"
+    return errors, descriptions
 
 
-def _under(force: float, motions: Sequence[Transient]) -> list[Transient]:
-    return [each for each in motions if each.normal_force == force]
+def _at_load(force: float, motions: Sequence[Transient]) -> list[Transient]:
+    return [motion for motion in motions if motion.normal_force == force]
 
 
-def _validity(law: Law, motions: Sequence[Transient], kept: Kept, speeds: np.ndarray) -> Validity:
-    """Return the range of motions that a law was fitted to, and its errors on them."""
-    errors = np.concatenate([each.error[own] for each, own in zip(motions, kept, strict=True)])
-    rows_off = [_row_differences(law, motion) for motion in motions]
-    named = tuple(
-        (f"{motion.name}, {name}" if len(motions) > 1 else name, _rms([each[rows]]))
-        for motion, each in zip(motions, rows_off, strict=True)
-        for name, rows in motion.parts()
+def _validity(law: Law, motions: Sequence[Transient], masks: Masks, speeds: np.ndarray) -> Validity:
+    """Return the range of the fitted motions, and the errors of the law on them."""
+    errors = np.concatenate([m.error[mask] for m, mask in zip(motions, masks, strict=True)])
+    all_rows = [row_residuals(law, motion) for motion in motions]
+    segments = tuple(
+        (
+            f"{motion.name}, {segment}" if len(motions) > 1 else segment,
+            root_mean_square([residual[rows]]),
+        )
+        for motion, residual in zip(motions, all_rows, strict=True)
+        for segment, rows in motion.parts()
     )
-    off = [each[own] for each, own in zip(rows_off, kept, strict=True)]
+    residuals = [residual[mask] for residual, mask in zip(all_rows, masks, strict=True)]
     return Validity(
         slowest=float(speeds[1]),
         fastest=float(speeds[-1]),
-        longest_rest=max(float(_rests(motion).max()) for motion in motions),
+        longest_rest=max(float(_rest_durations(motion).max()) for motion in motions),
         normal_force=motions[0].normal_force,
         temperature=motions[0].temperature,
         shift=motions[0].shift,
-        rms=_rms(off),
-        largest=float(np.max(np.abs(np.concatenate(off)))),
-        model_error=_rms([errors[np.isfinite(errors)]]),
-        motions=named,
-        window=f"{errors.size} samples of {len(named)} segments, all of them",
+        rms=root_mean_square(residuals),
+        largest=float(np.max(np.abs(np.concatenate(residuals)))),
+        model_error=root_mean_square([errors[np.isfinite(errors)]]),
+        motions=segments,
+        window=f"{errors.size} samples of {len(segments)} segments, all of them",
         source=motions[0].name,
     )
 
 
-def _kept_mu(motions: Sequence[Transient], kept: Kept) -> list[np.ndarray]:
-    return [motion.mu[own] for motion, own in zip(motions, kept, strict=True)]
-
-
-def _speeds(motions: Sequence[Transient]) -> np.ndarray:
-    """Return the speeds of the tables: in equal ratios, and one below all, where contacts age."""
-    found = np.abs(np.concatenate([each.velocity[np.isfinite(each.mu)] for each in motions]))
-    moving = found[found > 0.0]
+def _table_speeds(motions: Sequence[Transient]) -> np.ndarray:
+    """Return the speeds of the tables: a geometric series, after one speed below all others."""
+    speeds = np.abs(np.concatenate([m.velocity[np.isfinite(m.mu)] for m in motions]))
+    moving = speeds[speeds > 0.0]
     if not moving.size:
         raise UserError("there is nothing to fit: every motion is at rest")
-    fastest = float(np.max([np.max(np.abs(each.velocity)) for each in motions]))
-    slowest = max(float(np.quantile(moving, FEW)), DEEPEST * fastest)
-    count = max(math.ceil(math.log(fastest / slowest) / math.log(RATIO) - 1e-9), 1) + 1
-    found = np.geomspace(slowest, fastest, count) if fastest > slowest else np.array([fastest])
-    return np.concatenate([[BELOW * slowest], found])
+    fastest = float(np.max([np.max(np.abs(m.velocity)) for m in motions]))
+    slowest = max(float(np.quantile(moving, SLOW_SAMPLES)), MIN_TABLE_SPEED * fastest)
+    ratio = math.log(fastest / slowest) / math.log(MAX_SPEED_RATIO)
+    count = max(math.ceil(ratio - 1e-9), 1) + 1
+    series = np.geomspace(slowest, fastest, count) if fastest > slowest else np.array([fastest])
+    return np.concatenate([[RESTING_SPEED * slowest], series])
 
 
-def _fine(motion: Transient, least: float) -> Transient:
-    """Return a motion with rows between, where its velocity changes; they hold no friction."""
-    time, velocity, last = finely(motion.time, motion.velocity, least, PIECE)
+def _refined(motion: Transient, smallest_speed: float) -> Transient:
+    """Return a motion with additional rows without friction where its velocity changes."""
+    time, velocity, samples = finely(
+        motion.time, motion.velocity, smallest_speed, MAX_VELOCITY_CHANGE
+    )
     mu, error = np.full(time.size, np.nan), np.full(time.size, np.nan)
-    mu[last], error[last] = motion.mu, motion.error
-    segment = motion.segment[np.minimum(np.searchsorted(last, np.arange(time.size)), last.size - 1)]
-    return motion._replace(time=time, velocity=velocity, mu=mu, error=error, segment=segment)
+    mu[samples], error[samples] = motion.mu, motion.error
+    following = np.minimum(np.searchsorted(samples, np.arange(time.size)), samples.size - 1)
+    return motion._replace(
+        time=time, velocity=velocity, mu=mu, error=error, segment=motion.segment[following]
+    )
 
 
-def _check(motions: Sequence[Transient], kept: Kept) -> None:
-    """Raise UserError where there is nothing to fit, or what does not belong together."""
-    count = sum(int(each.sum()) for each in kept)
-    if count < LEAST_SAMPLES:
+def _check_samples(motions: Sequence[Transient], masks: Masks) -> None:
+    """Raise UserError for too few samples and for a velocity that never changes."""
+    count = sum(int(mask.sum()) for mask in masks)
+    if count < MIN_FRICTION_SAMPLES:
         raise UserError(
-            f"there is nothing to fit: the motions hold {count} samples of friction, a law wants "
-            f"{LEAST_SAMPLES}"
+            f"there is nothing to fit: the motions hold {count} samples of friction; a law needs "
+            f"{MIN_FRICTION_SAMPLES}"
         )
-    if all(np.ptp(each.velocity) == 0.0 for each in motions):
+    if all(np.ptp(motion.velocity) == 0.0 for motion in motions):
         raise UserError("there is nothing to fit: the velocity never changes")
 
 
-class _Memory:
-    """The law of states over motions: searched in p, linear in its tables.
+def _cross_validated(
+    search: Search, motions: Sequence[Transient], masks: Masks, start: Any
+) -> HeldOut:
+    """Return the residuals on each fold by a fit to the other folds."""
+    parts, description = _parts_to_hold_out(motions)
+    residuals: list[np.ndarray] = []
+    for fold in range(FOLDS):
+        fitted_masks = [mask.copy() for mask in masks]
+        for k, rows in parts[fold::FOLDS]:
+            fitted_masks[k][rows] = False
+        law, _ = search.fit(fitted_masks, FOLD_EVALUATIONS, start)
+        held_masks = [mask & ~fitted for mask, fitted in zip(masks, fitted_masks, strict=True)]
+        residuals.append(np.concatenate(masked_residuals(law, motions, held_masks)))
+    return HeldOut(residuals, description)
 
-    p : logarithms of the lengths and of the times of contacts and states, then of the ages at all
-    speeds but the fastest, where it is 1.
+
+def _parts_to_hold_out(
+    motions: Sequence[Transient],
+) -> tuple[list[tuple[int, np.ndarray]], str]:
+    """Return the parts (motion, rows) that are held out in turn, and their description.
+
+    Parts are segments, sorted by speed so that the folds share equal speeds. A segment that alone
+    reaches an end of the range stays in every fit.
     """
-
-    def __init__(self, motions: Sequence[Transient], speeds: np.ndarray, states: int) -> None:
-        self.motions, self.speeds, self.states = motions, speeds, states
-        eye = np.eye(speeds.size)
-        self.odd = [odd(m.velocity, speeds, eye).T for m in motions]
-        self.even = [even(m.velocity, speeds, eye).T for m in motions]
-        self.dt = [np.diff(m.time) for m in motions]
-        self.way = [_ways(m) for m in motions]
-        self.memory = lru_cache(4 * (states + 1) * len(motions))(self._memory)
-        self.bends = _bends(speeds)
-        self.usual = _rms([m.mu[np.isfinite(m.mu)] for m in motions])
-
-    def _memory(self, motion: int, length: float, time: float, ages: bool) -> np.ndarray:
-        """Return what a state follows of each table value at every row, shape (rows, speeds)."""
-        basis = (self.even if ages else self.odd)[motion]
-        x = self.way[motion] * math.exp(-length) + self.dt[motion] * math.exp(-time)
-        found = np.empty_like(basis)
-        found[0] = basis[0]
-        keep = np.exp(-x)
-        # What a step adds by the change of its target alone, of all steps at once:
-        added = (
-            relaxed_to(basis[:-1], basis[:-1], basis[1:], x[:, None]) - keep[:, None] * basis[:-1]
-        )
-        for k in range(x.size):
-            found[k + 1] = found[k] * keep[k] + added[k]
-        return found
-
-    def _design(self, p: np.ndarray, motion: int) -> np.ndarray:
-        """Return the derivatives of mu by D and Z_j at every row, shape (rows, tables)."""
-        states, count = self.states, self.speeds.size
-        lengths, times = p[: states + 1], p[states + 1 : 2 * states + 2]
-        parts = [self.odd[motion]]
-        parts += [self.memory(motion, lengths[j], times[j], False) for j in range(1, states + 1)]
-        whole = np.concatenate(parts, 1)
-        if not states:
-            return whole
-        ages = np.concatenate([np.exp(p[2 * states + 2 :]), [1.0]])
-        assert ages.size == count
-        return whole * (self.memory(motion, lengths[0], times[0], True) @ ages)[:, None]
-
-    def _solved(self, p: np.ndarray, kept: Kept) -> tuple[np.ndarray, np.ndarray]:
-        """Return the tables for p, and the residuals with those of smoothness."""
-        rows = [self._design(p, k)[own] for k, own in enumerate(kept)]
-        mu = np.concatenate(_kept_mu(self.motions, kept))
-        matrix = np.concatenate(rows)
-        weight = SMOOTH * math.sqrt(mu.size)
-        smooth = weight * np.kron(np.eye(self.states + 1), self.bends)
-        whole = np.concatenate([matrix, smooth])
-        right = np.concatenate([mu, np.zeros(len(smooth))])
-        tables = lstsq(whole, right, lapack_driver="gelsy", check_finite=False)[0]
-        bent = whole @ tables - right
-        if not self.states:
-            return tables, bent
-        ages = np.concatenate([p[2 * self.states + 2 :], [0.0]])
-        return tables, np.concatenate([bent, weight * self.usual * (self.bends @ ages)])
-
-    def fit(self, kept: Kept, trials: int, start: Any = None) -> tuple[MemoryLaw, Any]:
-        """Return the law that fits the rows ``kept`` best, and its p.
-
-        start : a p to go on from, whose order of the states is kept; else their lengths rise.
-        """
-        p, states, count = np.zeros(0), self.states, self.speeds.size
-        if states:
-            first, low, high = self._begin()
-            best = least_squares(
-                lambda p: self._solved(p, kept)[1],
-                np.clip(first if start is None else start, low, high),
-                bounds=(low, high),
-                x_scale="jac",
-                max_nfev=trials,
-            )
-            p = best.x
-            if start is None:
-                order = np.append(0, 1 + np.argsort(p[1 : states + 1]))
-                p = np.concatenate([p[order], p[states + 1 + order], p[2 * states + 2 :]])
-        tables = self._solved(p, kept)[0].reshape(states + 1, count)
-        lengths, times = p[: states + 1], p[states + 1 : 2 * states + 2]
-        ages = np.concatenate([np.exp(p[2 * states + 2 :]), [1.0]]) if states else np.ones(count)
-        law = MemoryLaw(
-            speed=self.speeds,
-            direct=tables[0],
-            target=tables[1:],
-            rate_per_length=np.exp(-lengths) if states else np.zeros(1),
-            rate=np.exp(-times) if states else np.zeros(1),
-            age=ages,
-        )
-        return law, p
-
-    def _begin(self) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-        """Return where the search begins, and the least and largest p."""
-        states, ages = self.states, self.speeds.size - 1
-        ways, times = np.concatenate(self.way), np.concatenate(self.dt)
-        whole_way, whole_time, parts = _extent(self.motions)
-        way, time = whole_way / parts, whole_time / parts
-        shares = np.geomspace(0.01, 0.2, states + 2)[1:-1]
-        lengths = np.concatenate([[0.07], shares]) * way
-        lasting = np.concatenate([[0.3], shares]) * time
-        first = [np.log(lengths), np.log(lasting), np.linspace(0.5, 0.0, ages + 1)[:-1]]
-        least = math.log(0.1 * ways[ways > 0.0].min()), math.log(0.1 * times[times > 0.0].min())
-        most = math.log(WIDE * whole_way), math.log(WIDE * whole_time)
-        low = [np.full(states + 1, least[0]), np.full(states + 1, least[1]), np.full(ages, -5.0)]
-        high = [np.full(states + 1, most[0]), np.full(states + 1, most[1]), np.full(ages, 5.0)]
-        return np.concatenate(first), np.concatenate(low), np.concatenate(high)
-
-
-class _Usual:
-    """Rate-and-state friction, with either state, or LuGre over motions."""
-
-    def __init__(self, motions: Sequence[Transient], speeds: np.ndarray, kind: str) -> None:
-        self.motions = motions
-        self.validity = Validity(slowest=float(speeds[1]), fastest=float(speeds[-1]))
-        self.level = max(_rms([m.mu[np.isfinite(m.mu)] for m in motions]), TINY)
-        self.middle = float(np.sqrt(speeds[1] * speeds[-1]))
-        way, _, parts = _extent(motions)
-        length = math.log(0.05 * way / parts)
-        if kind == RateStateLaw.kind:
-            self.makes: list[Callable] = [
-                partial(self._aged, ageing=ageing) for ageing in (False, True)
-            ]
-            self.first = np.array([-2.0, 0.05, length, 1.0])
-        else:
-            self.makes = [self._lugre]
-            self.first = np.array([math.log(self.level) - length, 0.0, 0.0, 0.0, 0.0, 0.0])
-
-    def _aged(self, p: np.ndarray, ageing: bool) -> Law:
-        a, b, mu = self.level * math.exp(p[0]), self.level * p[1], self.level * p[3]
-        return RateStateLaw(a, b, math.exp(p[2]), mu, self.middle, ageing, validity=self.validity)
-
-    def _lugre(self, p: np.ndarray) -> Law:
-        coulomb, static = map(float, self.level * np.exp(p[3:5]))
-        damping, viscous = map(float, p[1:3] * self.level / self.middle)
-        stribeck = self.middle * math.exp(p[5])
-        return LuGreLaw(
-            math.exp(p[0]), damping, viscous, coulomb, static, stribeck, validity=self.validity
-        )
-
-    def fit(self, kept: Kept, trials: int, start: Any = None) -> tuple[Law, Any]:
-        """Return the law that fits the rows ``kept`` best, and what a fit can go on from."""
-        found = []
-        for make, first in [start] if start else [(make, self.first) for make in self.makes]:
-
-            def off(p: np.ndarray, make: Callable = make) -> np.ndarray:
-                return np.concatenate(_differences(make(p), self.motions, kept)) / self.level
-
-            bounds = self.first - FAR, self.first + FAR
-            best = least_squares(off, first, bounds=bounds, x_scale="jac", max_nfev=trials)
-            found.append((best.cost, make, best.x))
-        _, make, p = min(found, key=lambda each: each[0])
-        return make(p), (make, p)
-
-
-def _left_out(
-    search: Any, motions: Sequence[Transient], kept: Kept, start: Any
-) -> tuple[list[np.ndarray], str]:
-    """Return the errors on each quarter of the segments by a fit to the others, and words."""
     parts = [(k, rows) for k, motion in enumerate(motions) for _, rows in motion.parts()]
     if len(parts) < FOLDS + 2:
-        parts = [(k, own) for k, rows in parts for own in np.array_split(rows, FOLDS)]
-        words = "each quarter of the samples in turn, by a fit to the others"
-    else:  # segments of one speed part, and none leaves that alone reaches an end of the range
-        speed = [float(np.mean(np.abs(motions[k].velocity[rows]))) for k, rows in parts]
-        rests = [_rests(motion) for motion in motions]  # a jump after one stands in two rows
-        rest = [float(rests[k][max(rows[0] - 2, 0) : rows[0]].max(initial=0)) for k, rows in parts]
-        alone = {_alone(speed, np.argmin), _alone(speed, np.argmax), _alone(rest, np.argmax)}
-        parts = [parts[k] for k in np.argsort(speed, kind="stable") if k not in alone]
-        words = f"each quarter of {len(parts)} segments in turn, by a fit to the others; the "
-        words += "others alone reach the slowest or fastest speed, or follow the longest rest"
-    missed: list[np.ndarray] = []
-    for fold in range(FOLDS):
-        others = [own.copy() for own in kept]
-        for k, rows in parts[fold::FOLDS]:
-            others[k][rows] = False
-        law, _ = search.fit(others, AGAIN, start)
-        gone = [own & ~other for own, other in zip(kept, others, strict=True)]
-        missed.append(np.concatenate(_differences(law, motions, gone)))
-    return missed, words
+        parts = [(k, part) for k, rows in parts for part in np.array_split(rows, FOLDS)]
+        return parts, "each quarter of the samples in turn, by a fit to the others"
+    speed = [float(np.mean(np.abs(motions[k].velocity[rows]))) for k, rows in parts]
+    durations = [_rest_durations(motion) for motion in motions]
+    # A jump after a rest occupies two rows.
+    rest = [float(durations[k][max(rows[0] - 2, 0) : rows[0]].max(initial=0)) for k, rows in parts]
+    unique = {
+        _unique_extreme(speed, np.argmin),
+        _unique_extreme(speed, np.argmax),
+        _unique_extreme(rest, np.argmax),
+    }
+    parts = [parts[k] for k in np.argsort(speed, kind="stable") if k not in unique]
+    return parts, (
+        f"each quarter of {len(parts)} segments in turn, by a fit to the others; segments with the "
+        "extreme speeds or the longest rest stay in every fit"
+    )
 
 
-def _row_differences(law: Law, motion: Transient) -> np.ndarray:
-    """Return mu of the law less that of the model at every row of a motion."""
-    return followed(law, motion.time, motion.velocity) - motion.mu
+def _rest_durations(motion: Transient) -> np.ndarray:
+    """Return the time for which a motion has been at rest at every row, s."""
+    durations = np.zeros(motion.time.size)
+    resting = (motion.velocity[1:] == 0.0) & (motion.velocity[:-1] == 0.0)
+    for k in np.flatnonzero(resting):
+        durations[k + 1] = durations[k] + motion.time[k + 1] - motion.time[k]
+    return durations
 
 
-def _differences(law: Law, motions: Sequence[Transient], kept: Kept) -> list[np.ndarray]:
-    return [_row_differences(law, m)[own] for m, own in zip(motions, kept, strict=True)]
-
-
-def _ways(motion: Transient) -> np.ndarray:
-    """Return how far a motion goes between rows, m."""
-    return np.diff(motion.time) * list(map(mean_speed, motion.velocity[:-1], motion.velocity[1:]))
-
-
-def _extent(motions: Sequence[Transient]) -> tuple[float, float, int]:
-    """Return how far (m) and how long (s) all motions go, and how many segments they have."""
-    way = sum(float(_ways(m).sum()) for m in motions)
-    time = sum(float(m.time[-1] - m.time[0]) for m in motions)
-    return way, time, sum(len(list(m.parts())) for m in motions)
-
-
-def _bends(speeds: np.ndarray) -> np.ndarray:
-    """Return rows that are zero on tables without bends over ln v, and small on small ones."""
-    count = speeds.size
-    level = LEVEL * np.eye(count)
-    if count < 3:
-        return level
-    slope = np.diff(np.eye(count), axis=0) / np.diff(np.log(speeds))[:, None]
-    return np.concatenate([np.diff(slope, axis=0), level])
-
-
-def _rests(motion: Transient) -> np.ndarray:
-    """Return for how long a motion has been at rest at every row, s."""
-    rests = np.zeros(motion.time.size)
-    still = (motion.velocity[1:] == 0.0) & (motion.velocity[:-1] == 0.0)
-    for k in np.flatnonzero(still):
-        rests[k + 1] = rests[k] + motion.time[k + 1] - motion.time[k]
-    return rests
-
-
-def _alone(values: Sequence[float], end: Callable) -> int | None:
-    """Return which of the values is the largest or smallest and has none like it."""
-    k = int(end(values))
+def _unique_extreme(values: Sequence[float], extreme: Callable) -> int | None:
+    """Return the index of the extreme value, None if another value is about equal to it."""
+    k = int(extreme(values))
     others = np.delete(values, k)
-    return k if (np.abs(others - values[k]) > ALIKE * abs(values[k])).all() else None
-
-
-def _rms(parts: Sequence[np.ndarray]) -> float:
-    """Return the root of the mean square of all numbers, NaN of none."""
-    found = np.concatenate(parts)
-    return float(np.sqrt(np.mean(found**2))) if found.size else math.nan
+    return k if (np.abs(others - values[k]) > SAME_SPEED * abs(values[k])).all() else None

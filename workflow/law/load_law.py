@@ -1,7 +1,7 @@
-"""Laws of one surface under several normal forces, as tables over the load.
+"""Tables of the laws of one surface over the normal force.
 
-Every number of the law between two loads is linear in ln F_N between those of the laws that were
-fitted to them; below the least load and above the greatest it is that of the end.
+Between two loads every number of the law is interpolated linearly in ln F_N. Loads outside the
+table are clamped to its ends.
 """
 
 import warnings
@@ -14,13 +14,13 @@ from ..given_motion import LawError
 from .memory_law import MemoryLaw
 from .reduced_law import BeyondLawWarning, FittedLaw, finite_number
 
-LOAD_TABLES = ("direct", "target", "rate_per_length", "rate", "age")  # that depend on the load
-LEAST_LOADS = 3  # of which one can be held out
+LOAD_TABLES = ("direct", "target", "rate_per_length", "rate", "age")  # fields with an axis load
+MIN_LOADS = 3  # so that the law of one load can be predicted by its neighbours
 
 
 @dataclass(frozen=True)
 class LoadLaw(FittedLaw):
-    """The numbers of a MemoryLaw over the load; ``at`` gives the law of one load."""
+    """Table of the numbers of a MemoryLaw over the load; ``at`` returns the law of one load."""
 
     kind: ClassVar[str] = "states-over-load"
     load: np.ndarray  # N, increasing, shape (loads,)
@@ -32,46 +32,52 @@ class LoadLaw(FittedLaw):
     age: np.ndarray  # g_s, shape (loads, speeds)
 
     def __post_init__(self) -> None:
-        """Raise UserError where loads do not increase or the law of one of them is none."""
+        """Raise UserError for loads that do not increase and for an invalid law of one load."""
         for name in ("load", "speed", *LOAD_TABLES):
             object.__setattr__(self, name, np.asarray(getattr(self, name), float))
         if not self.target.size:
             object.__setattr__(self, "target", np.zeros((self.load.size, 0, self.speed.size)))
         rising = self.load.ndim == 1 and (np.diff(self.load, prepend=0.0) > 0.0).all()
         if self.load.size < 2 or not rising:
-            raise LawError("loads must be two or more, and increase from above zero")
+            raise LawError("load: must hold two or more increasing positive values")
         if any(len(getattr(self, name)) != self.load.size for name in LOAD_TABLES):
-            raise LawError("the tables must hold one row of values for each load")
+            raise LawError("the tables must hold one row per load")
         for force in self.load:
-            self._law(force)
+            self._law_at(force)
 
     @classmethod
     def of(cls, loads: list[float], laws: list[MemoryLaw]) -> Self:
-        """Return the table over loads (N), increasing, of laws of the same speeds."""
+        """Return the table over increasing loads (N) of laws with the same speeds."""
         rows = [np.array([getattr(law, name) for law in laws]) for name in LOAD_TABLES]
         return cls(np.array(loads), laws[0].speed, *rows)
 
     def at(
         self, *, normal_force: float | None = None, temperature: float | None = None
     ) -> MemoryLaw:
-        """Return the law of one load (N), and of another temperature, as ``Law.at`` does.
+        """Return the law of one load (N), optionally at another temperature as in ``Law.at``.
 
-        Beyond the loads of the table it warns and takes the nearest of them. Raises UserError
-        without a load, and for what is no finite number above zero.
+        Warns and uses the nearest load outside the table. Raises UserError for a missing load and
+        for one that is not finite and positive.
         """
         if normal_force is None:
-            raise LawError(f"normal_force: missing; the law is a table over {self._loads()} N")
+            raise LawError(
+                f"normal_force: missing; must be given for a law over {self._load_text()} N"
+            )
         force = finite_number("normal_force", normal_force, "N")
         if not force > 0.0:
             raise LawError(f"normal_force = {force!r}: must be greater than zero")
         nearest = float(np.clip(force, self.load[0], self.load[-1]))
         if nearest != force:
-            said = f"normal_force = {force:g}: the law was fitted to {self._loads()} N; the nearest"
-            warnings.warn(f"{said}, {nearest:g} N, is taken", BeyondLawWarning, stacklevel=2)
-        law = self._law(nearest)
+            message = (
+                f"normal_force = {force:g}: outside the fitted {self._load_text()} N; using the "
+                f"nearest load, {nearest:g} N"
+            )
+            warnings.warn(message, BeyondLawWarning, stacklevel=2)
+        law = self._law_at(nearest)
         return law if temperature is None else law.at(temperature=temperature)
 
-    def _law(self, force: float) -> MemoryLaw:
+    def _law_at(self, force: float) -> MemoryLaw:
+        """Return the law of a load (N) within the table."""
         k = min(max(int(np.searchsorted(self.load, force)), 1), self.load.size - 1)
         share = np.log(force / self.load[k - 1]) / np.log(self.load[k] / self.load[k - 1])
         rows = [getattr(self, name) for name in LOAD_TABLES]
@@ -80,8 +86,10 @@ class LoadLaw(FittedLaw):
         return MemoryLaw(self.speed, *between, validity=validity)
 
     def outside(self) -> str:
-        """Return what the law does outside its range."""
-        return f"{self._law(self.load[0]).outside()}; a load beyond the table is clamped to its end"
+        """Return the behaviour of the law outside its range, in words."""
+        return (
+            f"{self._law_at(self.load[0]).outside()}; a load beyond the table is clamped to its end"
+        )
 
-    def _loads(self) -> str:
+    def _load_text(self) -> str:
         return f"{self.load[0]:.4g} ... {self.load[-1]:.4g}"

@@ -1,17 +1,18 @@
-"""The law of exponential states: a table, a direct effect, n states and the memory of contacts.
+"""Law with exponential states: a direct effect, n states and the age of contacts.
 
     mu = g (D(v) + sum_j z_j)
     dz_j/dt = (|v|/D_j + 1/t_j) (Z_j(v) - z_j),   dg/dt = (|v|/D_c + 1/t_c) (g_s(|v|) - g)
 
-z_j is what friction remembers of the motion, over a length D_j and a time t_j; g is how the
-contacts have aged, as the state of rate-and-state friction is, and 1 at the fastest speed. D, Z_j
-are odd in v, g_s is even; all are tables that are linear in v between speeds and from rest to the
-slowest one, g_s constant there, and constant above the fastest. So steady friction is
+The state z_j holds the memory of the motion over a length D_j and a time t_j. The age of contacts
+g corresponds to the state of rate-and-state friction and is 1 at the fastest speed. D and Z_j are
+odd in v, g_s is even. All three are tables, linear in v between the speeds and constant above the
+fastest. Between rest and the slowest speed D and Z_j are linear and g_s is constant. Steady
+friction is
 
     mu_ss(v) = g_s(|v|) (D(v) + sum_j Z_j(v)),
 
-odd in v and linear in region I. With v constant a step is the exact exponential; with v linear in
-time it is of second order: rates at the mean speed, targets linear.
+odd in v and linear in region I. At constant v a step is exact. If v is linear in time the step is
+of second order: it uses the rates at the mean speed and linear targets.
 """
 
 from collections.abc import Mapping
@@ -24,11 +25,11 @@ from numpy.typing import ArrayLike
 from ..given_motion import LawError, finite_numbers
 from .reduced_law import Law, mean_speed
 
-SMALL = 1e-6  # of a step over its time, below which a mean is a series
+SERIES_STEP = 1e-6  # relative to the relaxation time; shorter steps use a series
 
 
 def odd(v: ArrayLike, speeds: np.ndarray, table: np.ndarray) -> np.ndarray:
-    """Return tables (..., speeds) at velocities, linear in v from rest on, constant above."""
+    """Interpolate odd tables (..., speeds), linear in v from rest on and constant above."""
     at = np.abs(v)
     above = np.minimum(np.searchsorted(speeds, at), speeds.size - 1)
     low = np.where(above > 0, speeds[above - 1], 0.0)
@@ -38,7 +39,7 @@ def odd(v: ArrayLike, speeds: np.ndarray, table: np.ndarray) -> np.ndarray:
 
 
 def even(v: ArrayLike, speeds: np.ndarray, table: np.ndarray) -> np.ndarray:
-    """Return tables (..., speeds) at velocities, linear in |v|, constant below and above."""
+    """Interpolate even tables (..., speeds), linear in |v| and constant below and above."""
     at = np.clip(np.abs(v), speeds[0], speeds[-1])
     above = np.maximum(np.searchsorted(speeds, at), 1)
     share = (at - speeds[above - 1]) / (speeds[above] - speeds[above - 1])
@@ -46,14 +47,16 @@ def even(v: ArrayLike, speeds: np.ndarray, table: np.ndarray) -> np.ndarray:
 
 
 def relaxed_to(state: np.ndarray, old: np.ndarray, new: np.ndarray, x: np.ndarray) -> np.ndarray:
-    """Return states after a step of x times their time, in which the target went linearly."""
-    mean = np.where(x > SMALL, -np.expm1(-x) / np.where(x > SMALL, x, 1.0), 1.0 - 0.5 * x)
+    """Return states after a step of x relaxation times with a target linear in time."""
+    mean = np.where(
+        x > SERIES_STEP, -np.expm1(-x) / np.where(x > SERIES_STEP, x, 1.0), 1.0 - 0.5 * x
+    )
     return new + (state - old) * np.exp(-x) - (new - old) * mean
 
 
 @dataclass(frozen=True)
 class MemoryLaw(Law):
-    """A table of steady friction, a direct effect, n exponential states, the age of contacts."""
+    """Law with a direct effect, n exponential states and the age of contacts."""
 
     kind: ClassVar[str] = "states"
     times: ClassVar[Mapping[str, int]] = {"speed": -1, "rate": -1}
@@ -65,7 +68,7 @@ class MemoryLaw(Law):
     age: np.ndarray  # g_s at the speeds
 
     def __post_init__(self) -> None:
-        """Raise UserError where the tables do not fit together."""
+        """Raise UserError for tables with inconsistent shapes or values."""
         for name in ("speed", "direct", "target", "rate_per_length", "rate", "age"):
             object.__setattr__(self, name, np.asarray(getattr(self, name), float))
         if not self.target.size:
@@ -74,21 +77,24 @@ class MemoryLaw(Law):
         tables = self.direct.shape == self.age.shape == (count,) and count > 1
         rates = self.rate.shape == self.rate_per_length.shape == (states + 1,)
         if not (tables and rates and self.target.shape == (states, count)):
-            raise LawError("the tables must have two speeds or more, one value for each and state")
+            raise LawError(
+                "the tables must hold two speeds or more, and one value per speed and state"
+            )
         positive = bool((np.diff(self.speed, prepend=0.0) > 0.0).all())
         if not positive or min(self.rate.min(), self.rate_per_length.min()) < 0.0:
-            raise LawError("speeds must increase from above zero, and no rate be below zero")
+            raise LawError("speed must be positive and increasing; rates must not be negative")
 
     @property
     def numbers(self) -> int:
-        """Return how many numbers a state has."""
+        """Return the length of a state vector."""
         return self.rate.size + 1
 
     def _init(self, velocity: float) -> np.ndarray:
-        """Return (v, g, z_1 ... z_n) of steady sliding."""
+        """Return the state (v, g, z_1 ... z_n) of steady sliding."""
         return np.concatenate([[velocity], self._targets(velocity)])
 
     def _targets(self, v: float) -> np.ndarray:
+        """Return g_s and Z_j at a velocity."""
         odds = odd(v, self.speed, self.target)
         return np.concatenate([[even(v, self.speed, self.age)], odds])
 
@@ -106,9 +112,9 @@ class MemoryLaw(Law):
         return even(v, self.speed, self.age) * odd(v, self.speed, whole)
 
     def outside(self) -> str:
-        """Return what the law does outside its range."""
+        """Return the behaviour of the law outside its range, in words."""
         return (
-            f"below {self.validity.slowest:.3g} m/s mu goes to zero at rest, in proportion to v "
-            f"from {self.speed[0]:.3g} m/s on; above {self.speed[-1]:.3g} m/s the speed in its "
-            "tables is clamped to that"
+            f"below {self.validity.slowest:.3g} m/s mu decreases to zero at rest, in proportion to "
+            f"v below {self.speed[0]:.3g} m/s; the tables clamp the speed to "
+            f"{self.speed[-1]:.3g} m/s"
         )

@@ -1,8 +1,8 @@
-"""What every reduced law of friction has: a state, a step, its range and its error, as JSON.
+"""Base classes of the reduced laws: state and step, validity range, errors and JSON.
 
-A law is a few numbers and a state, from which a model of a machine gets mu(t) of any v(t) without
-the elastomer behind it. Its state begins with the velocity; between two steps the velocity is
-linear in time, and a step of no duration is a jump of it.
+A law consists of a few numbers and a state vector. It gives a machine model mu(t) for any v(t)
+without simulating the elastomer. The first number of the state is the velocity. Within a step the
+velocity is linear in time, and a step of zero duration is a jump of the velocity.
 """
 
 import json
@@ -18,30 +18,30 @@ from numpy.typing import ArrayLike
 
 from ..given_motion import LawError, finely, given_motion
 from ..study import shift_of
-from .transients import PIECE, motions_of
+from .transients import MAX_VELOCITY_CHANGE, motions_of
 
 FORMAT = 1  # of the JSON
-WORDS = ("motions", "held_out", "window", "source", "shift")  # of a Validity; the rest are numbers
-ADDED = ("temperature", "shift")  # of a Validity, which older files do not have
-BEYOND = 1.0 + 1e-9  # times the fastest speed: rounding
+TEXT_FIELDS = ("motions", "held_out", "window", "source", "shift")  # of Validity
+OPTIONAL_FIELDS = ("temperature", "shift")  # of Validity, absent from older files
+SPEED_MARGIN = 1.0 + 1e-9  # factor on the fastest speed, for rounding
 
 
 class BeyondLawWarning(UserWarning):
-    """A law is asked outside the range in which it was fitted."""
+    """A law is evaluated outside the range of its fit."""
 
 
 @dataclass(frozen=True)
 class Validity:
-    """In which range a law was fitted, and how closely it follows; mu has no unit.
+    """Range in which a law was fitted, and its errors; mu has no unit.
 
-    slowest, fastest : speeds between which it was fitted, m/s; mu is in proportion to v below and
-    that of the fastest above. longest_rest : s. normal_force : N, of the motions. rms, largest :
-    of mu of the law less that of the model, on the motions that it was fitted to. held_rms,
-    held_largest : the same on motions that it was not fitted to, the worst of them: its stated
-    error. usual : rms of mu itself. model_error : rms standard error of mu in the model. left :
-    share of the variance of mu that is left when mu is a function of the velocity alone. motions :
-    what it was fitted to, with the rms error on each. held_out, window : what was held out and how
-    much was fitted, in words. source : of the result.
+    slowest, fastest : fitted range of speeds, m/s; mu is proportional to v below it and constant
+    above. longest_rest : s. normal_force : N. rms, largest : error of mu on the fitted motions.
+    held_rms, held_largest : error on motions that were held out, the worst of them: the stated
+    error of the law. usual : rms of mu. model_error : rms standard error of mu in the model. left :
+    share of the variance of mu that a function of the velocity alone does not explain. motions :
+    the fitted segments with the rms error on each. held_out, window : descriptions of the motions
+    that were held out and fitted. source : name of the result. temperature : degrees Celsius.
+    shift : the shift of the times of the material with the temperature, as JSON.
     """
 
     slowest: float = float("nan")
@@ -64,7 +64,7 @@ class Validity:
 
 
 class Compared(NamedTuple):
-    """A motion of the model beside the law."""
+    """Friction of the model and of a law on one segment of a motion."""
 
     name: str
     time: np.ndarray  # s
@@ -77,78 +77,77 @@ class Compared(NamedTuple):
 
 @dataclass(frozen=True)
 class FittedLaw(ABC):
-    """What was fitted to motions: numbers with a range and an error, told and written as JSON."""
+    """Numbers fitted to motions, with their range and errors, as text and as JSON."""
 
     kind: ClassVar[str]
     validity: Validity = field(default_factory=Validity, kw_only=True)
 
     def with_validity(self, validity: Validity) -> Self:
-        """Return the law with other range and errors."""
+        """Return the law with another range and other errors."""
         return replace(self, validity=validity)
 
     def to_json(self) -> str:
-        """Return the law as JSON, from which ``read`` gets it back to the bit."""
-        numbers = {
-            each.name: np.asarray(getattr(self, each.name)).tolist()
-            for each in fields(self)
-            if each.name != "validity"
-        }
-        told = {name: _plain(value) for name, value in asdict(self.validity).items()}
-        whole = {"format": FORMAT, "kind": self.kind, **numbers, "validity": told}
-        return json.dumps(whole, indent=1, allow_nan=False)
+        """Return the law as JSON, which ``read`` restores to the bit."""
+        numbers = {name: np.asarray(getattr(self, name)).tolist() for name in self._number_names()}
+        validity = {name: _json_value(value) for name, value in asdict(self.validity).items()}
+        content = {"format": FORMAT, "kind": self.kind, **numbers, "validity": validity}
+        return json.dumps(content, indent=1, allow_nan=False)
 
     def told(self) -> list[str]:
-        """Return the numbers, the range and the error of the law, in lines for people."""
-        known = self.validity
-        numbers = [each.name for each in fields(self) if each.name != "validity"]
-        share = 100.0 / known.usual if known.usual else float("nan")
-        at = "" if math.isnan(known.temperature) else f", {known.temperature:.4g} °C"
+        """Return a description of the numbers, range and error of the law, in lines."""
+        validity = self.validity
+        numbers = [f"{name} {_array_text(getattr(self, name))}" for name in self._number_names()]
+        percent = 100.0 / validity.usual if validity.usual else float("nan")
+        temperature = validity.temperature
+        at = "" if math.isnan(temperature) else f", {temperature:.4g} °C"
         return [
-            f"kind: {self.kind}; "
-            + "; ".join(f"{name} {_short(getattr(self, name))}" for name in numbers),
-            f"range: speeds of {known.slowest:.3g} ... {known.fastest:.3g} m/s, rest of "
-            f"{known.longest_rest:.3g} s at most, normal force {self._loads()} N{at}",
+            f"kind: {self.kind}; {'; '.join(numbers)}",
+            f"range: speeds of {validity.slowest:.3g} ... {validity.fastest:.3g} m/s, rest of "
+            f"{validity.longest_rest:.3g} s at most, normal force {self._load_text()} N{at}",
             f"outside: {self.outside()}",
-            f"error on the worst of the motions held out: {known.held_rms:.3g} rms "
-            f"({share * known.held_rms:.3g} % of the rms of mu), {known.held_largest:.3g} "
-            f"at most; held out: {known.held_out}",
-            f"error on what was fitted, {known.window}: {known.rms:.3g} rms "
-            f"({share * known.rms:.3g} %), {known.largest:.3g} at most; the model's own standard "
-            f"error {known.model_error:.3g}",
+            f"error on the worst of the motions held out: {validity.held_rms:.3g} rms "
+            f"({percent * validity.held_rms:.3g} % of the rms of mu), "
+            f"{validity.held_largest:.3g} at most; held out: {validity.held_out}",
+            f"error on the fitted motions, {validity.window}: {validity.rms:.3g} rms "
+            f"({percent * validity.rms:.3g} %), {validity.largest:.3g} at most; standard error of "
+            f"the model {validity.model_error:.3g}",
         ]
 
     def outside(self) -> str:
-        """Return what the law does outside its range."""
-        return "its formula goes on; nothing is clamped"
+        """Return the behaviour of the law outside its range, in words."""
+        return "its formula is extrapolated; nothing is clamped"
 
-    def _loads(self) -> str:
-        """Return the normal force of the motions in words, without its unit."""
+    def _number_names(self) -> list[str]:
+        return [field.name for field in fields(self) if field.name != "validity"]
+
+    def _load_text(self) -> str:
+        """Return the normal force of the fitted motions as text, without its unit."""
         return f"{self.validity.normal_force:.4g}"
 
 
 @dataclass(frozen=True)
 class Law(FittedLaw):
-    """A reduced law: ``init``, ``step`` and ``steady`` make it, the rest follows from them."""
+    """A reduced law of one load, defined by ``init``, ``step`` and ``steady``."""
 
-    times: ClassVar[Mapping[str, int]]  # numbers that go as a time (1), or as one over it (-1)
+    times: ClassVar[Mapping[str, int]]  # numbers that scale as a time (1) or as its inverse (-1)
 
     def init(self, velocity: float) -> np.ndarray:
-        """Return the state of steady sliding at a velocity, m/s; its first number is that.
+        """Return the state of steady sliding at a velocity in m/s, its first number.
 
-        Raises UserError for a velocity that is no finite number.
+        Raises UserError for a velocity that is not finite.
         """
         return self._init(finite_number("velocity", velocity, "m/s"))
 
     @abstractmethod
     def _init(self, velocity: float) -> np.ndarray:
-        """Return what ``init`` does, of a number that is checked."""
+        """Return the state of steady sliding at a validated velocity."""
 
     def step(self, state: np.ndarray, v: float, dt: float) -> tuple[np.ndarray, float]:
-        """Return the state after dt (s), in which the velocity became v (m/s) linearly, and mu.
+        """Return the state after dt (s), during which the velocity changes linearly to v, and mu.
 
-        dt = 0 is a jump of the velocity. Of a constant velocity every division of a time into
-        steps gives the same state. The state that is given stays as it is. Raises UserError for a
-        negative dt, for what is no finite number, and for a state that is none of this law.
+        v : m/s. dt = 0 is a jump of the velocity. At constant velocity the state does not depend on
+        the division of a time into steps. The given state is not modified. Raises UserError for a
+        negative dt, for values that are not finite, and for a state of another length.
         """
         v, dt = finite_number("v", v, "m/s"), finite_number("dt", dt, "s")
         if dt < 0.0:
@@ -161,28 +160,31 @@ class Law(FittedLaw):
 
     @property
     def numbers(self) -> int:
-        """Return how many numbers a state has: the velocity and one more, of most laws."""
+        """Return the length of a state vector: the velocity and, in most laws, one state."""
         return 2
 
     @abstractmethod
     def _step(self, state: np.ndarray, v: float, dt: float) -> tuple[np.ndarray, float]:
-        """Return what ``step`` does, of numbers that are checked."""
+        """Return the state after a step and mu, for validated arguments."""
 
     @abstractmethod
     def steady(self, v: ArrayLike) -> np.ndarray:
         """Return steady friction mu(v); v in m/s, any shape and sign."""
 
     def scaled(self, factor: float) -> dict[str, Any]:
-        """Return the numbers that change where all times are ``factor`` times as long."""
-        own = {name: getattr(self, name) for name in self.times}
-        return {k: own[k] * factor if self.times[k] > 0 else own[k] / factor for k in own}
+        """Return the numbers that change when all times are multiplied by a factor."""
+        numbers = {name: getattr(self, name) for name in self.times}
+        return {
+            name: number * factor if self.times[name] > 0 else number / factor
+            for name, number in numbers.items()
+        }
 
     def shifted(self, factor: float) -> Self:
-        """Return the law where all times of the material are ``factor`` times as long.
+        """Return the law with all times of the material multiplied by a factor.
 
-        As a temperature multiplies them by the law of Williams, Landel and Ferry: exact for the
-        model, in which mu depends on v times a relaxation time. Raises UserError for factors that
-        are not positive.
+        A temperature does so by the law of Williams, Landel and Ferry. The shift is exact for the
+        model, in which mu depends on v times a relaxation time. Raises UserError for a factor that
+        is not positive.
         """
         if not finite_number("factor", factor, "1") > 0.0:
             raise LawError(f"factor = {factor!r}: must be greater than zero")
@@ -197,52 +199,63 @@ class Law(FittedLaw):
     def at(self, *, temperature: float) -> Self:
         """Return the law at another temperature, degrees Celsius, by the shift of its material.
 
-        Raises UserError where no shift is known, or none at that temperature.
+        Raises UserError if no shift is known, or none at that temperature.
         """
-        own, wanted = self.validity, finite_number("temperature", temperature, "°C")
-        if not own.shift:
+        temperature = finite_number("temperature", temperature, "°C")
+        if not self.validity.shift:
             raise LawError(
-                f"temperature = {temperature!r}: the law knows no wlf, arrhenius or shifts of its "
+                f"temperature = {temperature!r}: the law has no wlf, arrhenius or shifts of its "
                 "material; fit it to results that have them, or use shifted(a)"
             )
-        shift = json.loads(own.shift)
-        law = self.shifted(shift_of(shift, wanted) / shift_of(shift, own.temperature))
-        return law.with_validity(replace(law.validity, temperature=wanted))
+        shift = json.loads(self.validity.shift)
+        factor = shift_of(shift, temperature) / shift_of(shift, self.validity.temperature)
+        law = self.shifted(factor)
+        return law.with_validity(replace(law.validity, temperature=temperature))
 
     def run(self, time: ArrayLike, velocity: ArrayLike) -> np.ndarray:
         """Return mu at times (s) for velocities (m/s) that are linear in between; shape (n,).
 
-        Two samples of one time are a step. Sliding is steady before. Changes of the velocity are
-        taken in small parts, so that v(t) counts and not its samples. Warns beyond the fastest
-        speed. Raises UserError for times that decrease and for what is not finite.
+        Two samples at the same time are a jump. Sliding is steady before the first sample. Changes
+        of the velocity are divided into small steps, so that the result does not depend on the
+        sampling of v(t). Warns above the fastest speed. Raises UserError for times that decrease
+        and for values that are not finite.
         """
-        t, v, last = finely(*given_motion(time, velocity), self.validity.slowest, PIECE)
-        if v.size and np.max(np.abs(v)) > self.validity.fastest * BEYOND:
-            said = (
-                f"{np.max(np.abs(v)):g} m/s is above {self.validity.fastest:g} m/s, up to which the"
+        motion = given_motion(time, velocity)
+        t, v, samples = finely(*motion, self.validity.slowest, MAX_VELOCITY_CHANGE)
+        if v.size and np.max(np.abs(v)) > self.validity.fastest * SPEED_MARGIN:
+            message = (
+                f"{np.max(np.abs(v)):g} m/s is above the fastest fitted speed, "
+                f"{self.validity.fastest:g} m/s; the speed is clamped there"
             )
-            said += " law was fitted; the speed is clamped there"
-            warnings.warn(said, BeyondLawWarning, stacklevel=2)
-        return followed(self, t, v)[last]
+            warnings.warn(message, BeyondLawWarning, stacklevel=2)
+        return friction_along(self, t, v)[samples]
 
     def compare(self, results: Any, point: dict[str, Any] | None = None) -> list[Compared]:
-        """Return every motion of one or several results of the model, and the law beside it.
+        """Return the friction of the model and of the law for every segment of the results.
 
-        results : as ``fit`` takes them, or transients. Raises UserError as ``fit`` does.
+        results : as for ``fit``, or transients. Raises UserError as ``fit`` does.
         """
-        found = []
+        comparisons = []
         for motion in motions_of(results, point):
-            law = self.run(motion.time, motion.velocity)
-            for name, at in motion.parts():
-                off = law[at] - motion.mu[at]
-                kept = motion.time[at], motion.velocity[at], motion.mu[at], law[at]
-                errors = float(np.sqrt(np.mean(off**2))), float(np.max(np.abs(off)))
-                found.append(Compared(f"{motion.name}, {name}", *kept, *errors))
-        return found
+            mu = self.run(motion.time, motion.velocity)
+            for segment, rows in motion.parts():
+                difference = mu[rows] - motion.mu[rows]
+                comparisons.append(
+                    Compared(
+                        name=f"{motion.name}, {segment}",
+                        time=motion.time[rows],
+                        velocity=motion.velocity[rows],
+                        mu=motion.mu[rows],
+                        law=mu[rows],
+                        rms=float(np.sqrt(np.mean(difference**2))),
+                        largest=float(np.max(np.abs(difference))),
+                    )
+                )
+        return comparisons
 
 
-def followed(law: Law, t: np.ndarray, v: np.ndarray) -> np.ndarray:
-    """Return mu of one step from each row of a motion to the next, as they are given."""
+def friction_along(law: Law, t: np.ndarray, v: np.ndarray) -> np.ndarray:
+    """Return mu at the rows of a motion, with one step of the law between neighbouring rows."""
     mu = np.zeros(t.size)
     if not v.size:
         return mu
@@ -252,24 +265,24 @@ def followed(law: Law, t: np.ndarray, v: np.ndarray) -> np.ndarray:
     return mu
 
 
-def _short(value: Any) -> str:
+def _array_text(value: Any) -> str:
     return np.array2string(np.asarray(value), precision=4, separator=", ").replace("\n", "")
 
 
-def _plain(value: Any) -> Any:
-    """Return a value as JSON knows it: what is not finite as a word."""
+def _json_value(value: Any) -> Any:
+    """Return a value that JSON can hold: NaN and infinity as strings."""
     return str(value) if isinstance(value, float) and not np.isfinite(value) else value
 
 
 def finite_number(name: str, value: Any, unit: str) -> float:
-    """Return a number. Raises UserError for what is no finite one."""
+    """Return a value as float. Raises UserError for one that is not a finite number."""
     try:
-        found = float(value)
+        number = float(value)
     except (TypeError, ValueError):
-        found = math.nan
-    if not math.isfinite(found):
+        number = math.nan
+    if not math.isfinite(number):
         raise LawError(f"{name} = {value!r:.60}: must be a finite number, in {unit}")
-    return found
+    return number
 
 
 def mean_speed(before: float, after: float) -> float:

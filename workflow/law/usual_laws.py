@@ -1,7 +1,8 @@
-"""Rate-and-state friction and LuGre, as laws that stand beside ours, and the reading of any law.
+"""Rate-and-state and LuGre laws for comparison, and the reader of all laws.
 
-Rate and state is the regularised form of J. R. Rice, N. Lapusta and K. Ranjith, J. Mech. Phys.
-Solids 49, 1865 (2001), with the states of workflow/reduce/rate_state.py, as phi = ln(v* theta/D_c):
+Rate-and-state friction is the regularised form of J. R. Rice, N. Lapusta and K. Ranjith, J. Mech.
+Phys. Solids 49, 1865 (2001), with the states of workflow/reduce/rate_state.py, as
+phi = ln(v* theta/D_c):
 
     mu = a asinh(v/(2 v*) exp((mu* + b phi)/a))
 
@@ -26,15 +27,15 @@ from ..given_motion import LawError, finite_numbers
 from ..system import read_whole
 from .load_law import LoadLaw
 from .memory_law import MemoryLaw
-from .reduced_law import ADDED, FORMAT, WORDS, Law, Validity, mean_speed
+from .reduced_law import FORMAT, OPTIONAL_FIELDS, TEXT_FIELDS, Law, Validity, mean_speed
 
-LEAST = 1e-300  # m/s, of a speed in a logarithm
-LARGEST = 700.0  # of an exponent
+MIN_LOG_SPEED = 1e-300  # m/s, lower bound of a speed in a logarithm
+MAX_EXPONENT = 700.0  # exp of more overflows
 
 
 @dataclass(frozen=True)
 class RateStateLaw(Law):
-    """Rate-and-state friction with one state; ``ageing`` after Dieterich, else slip after Ruina."""
+    """Rate-and-state friction with one state: Dieterich's law if ``ageing``, else Ruina's."""
 
     kind: ClassVar[str] = "rate-state"
     times: ClassVar[Mapping[str, int]] = {"velocity": -1}
@@ -46,14 +47,14 @@ class RateStateLaw(Law):
     ageing: bool
 
     def _init(self, velocity: float) -> np.ndarray:
-        """Return (v, phi) of steady sliding; at rest as after sliding at the slowest speed."""
-        least = self.validity.slowest if self.validity.slowest > 0.0 else 1e-6 * self.velocity
-        speed = max(abs(velocity), least)
+        """Return the state (v, phi) of steady sliding; at rest phi is that of the slowest speed."""
+        slowest = self.validity.slowest if self.validity.slowest > 0.0 else 1e-6 * self.velocity
+        speed = max(abs(velocity), slowest)
         return np.array([velocity, math.log(self.velocity / speed)])
 
     def _step(self, state: np.ndarray, v: float, dt: float) -> tuple[np.ndarray, float]:
-        """Return the state after a step, and mu; see ``Law.step``. Speeds count by their mean."""
-        speed, phi = max(mean_speed(state[0], v), LEAST), state[1]
+        """Return the state after a step at the mean speed, and mu; see ``Law.step``."""
+        speed, phi = max(mean_speed(state[0], v), MIN_LOG_SPEED), state[1]
         steady, x = math.log(self.velocity / speed), speed * dt / self.length
         if not self.ageing:
             phi = steady + (phi - steady) * math.exp(-x)
@@ -62,20 +63,19 @@ class RateStateLaw(Law):
         return np.array([v, phi]), self._mu(v, phi)
 
     def _mu(self, v: float, phi: float) -> float:
-        power = min((self.mu + self.b * phi) / self.a, LARGEST)
+        power = min((self.mu + self.b * phi) / self.a, MAX_EXPONENT)
         return self.a * math.asinh(0.5 * v / self.velocity * math.exp(power))
 
     def steady(self, v: ArrayLike) -> np.ndarray:
-        """Return mu_ss(v), that of the slowest speed and less with v below it."""
-        flat = [
-            self._mu(each, float(self._init(each)[1])) for each in np.ravel(finite_numbers("v", v))
-        ]
+        """Return mu_ss(v); below the slowest speed the state is that of the slowest speed."""
+        velocities = np.ravel(finite_numbers("v", v))
+        flat = [self._mu(velocity, float(self._init(velocity)[1])) for velocity in velocities]
         return np.reshape(flat, np.shape(v))
 
 
 @dataclass(frozen=True)
 class LuGreLaw(Law):
-    """LuGre: one bristle, a Stribeck curve, a damping and a viscous part."""
+    """LuGre law: one bristle, a Stribeck curve, damping and viscous friction."""
 
     kind: ClassVar[str] = "lugre"
     times: ClassVar[Mapping[str, int]] = {"damping": 1, "viscous": 1, "stribeck": -1}
@@ -87,15 +87,16 @@ class LuGreLaw(Law):
     stribeck: float  # v_s, m/s
 
     def _limit(self, v: ArrayLike) -> Any:
-        fall = np.exp(-np.minimum((np.asarray(v) / self.stribeck) ** 2, LARGEST))
+        """Return g(v), the steady deflection of the bristle in units of mu."""
+        fall = np.exp(-np.minimum((np.asarray(v) / self.stribeck) ** 2, MAX_EXPONENT))
         return self.coulomb + (self.static - self.coulomb) * fall
 
     def _init(self, velocity: float) -> np.ndarray:
-        """Return (v, s) of steady sliding; at rest the bristle is slack."""
+        """Return the state (v, s) of steady sliding; at rest the bristle is not deflected."""
         return np.array([velocity, np.sign(velocity) * float(self._limit(velocity))])
 
     def _step(self, state: np.ndarray, v: float, dt: float) -> tuple[np.ndarray, float]:
-        """Return the state after a step, and mu; see ``Law.step``. Velocities count by the mean."""
+        """Return the state after a step at the mean velocity, and mu; see ``Law.step``."""
         mean = 0.5 * (state[0] + v)
         limit = float(self._limit(mean))
         decay = math.exp(-self.stiffness * mean_speed(state[0], v) * dt / limit)
@@ -110,32 +111,43 @@ class LuGreLaw(Law):
         return np.sign(v) * self._limit(v) + self.viscous * v
 
 
-KINDS: dict[str, type[Law]] = {law.kind: law for law in (MemoryLaw, RateStateLaw, LuGreLaw)}
-READ: dict[str, type[Law | LoadLaw]] = {**KINDS, LoadLaw.kind: LoadLaw}
+LAWS_BY_KIND: dict[str, type[Law]] = {law.kind: law for law in (MemoryLaw, RateStateLaw, LuGreLaw)}
+READABLE_LAWS: dict[str, type[Law | LoadLaw]] = {**LAWS_BY_KIND, LoadLaw.kind: LoadLaw}
 
 
 def read_law(source: str | Path) -> Law | LoadLaw:
-    """Return the law of a JSON text, or of a file of it. Raises UserError for what is none."""
+    """Return the law of a JSON text, or of a file given as a Path.
+
+    Raises UserError for text that does not describe a law.
+    """
     text: str | bytes
     if isinstance(source, Path):
         place, text = str(source), read_whole(source)
     else:
-        place, text = "the law", source
+        place, text = "the text", source
     try:
-        found = json.loads(text)
-        kind: type[Law | LoadLaw] = READ[found["kind"]]
-        if found["format"] != FORMAT:
-            raise ValueError(f"its format is {found['format']}, not {FORMAT}")
-        told = asdict(Validity()) | {
-            each.name: found["validity"][each.name]
-            for each in fields(Validity)
-            if each.name not in ADDED or each.name in found["validity"]
+        content = json.loads(text)
+        law_class: type[Law | LoadLaw] = READABLE_LAWS[content["kind"]]
+        if content["format"] != FORMAT:
+            raise ValueError(f"its format is {content['format']}, not {FORMAT}")
+        names = [field.name for field in fields(law_class) if field.name != "validity"]
+        numbers = {
+            name: np.array(content[name], float)
+            if isinstance(content[name], list)
+            else content[name]
+            for name in names
         }
-        told["motions"] = tuple((str(name), float(rms)) for name, rms in told["motions"])
-        numbers = {k: float(each) for k, each in told.items() if k not in WORDS}
-        validity = Validity(**{**told, **numbers})
-        own = {each.name: found[each.name] for each in fields(kind) if each.name != "validity"}
-        values = {k: np.array(v, float) if isinstance(v, list) else v for k, v in own.items()}
-        return kind(**values, validity=validity)
+        return law_class(**numbers, validity=_validity(content["validity"]))
     except (LookupError, TypeError, ValueError) as error:
-        raise LawError(f"{place}: is no law of this program as JSON: {error}") from error
+        raise LawError(f"{place}: is not a law as JSON: {error}") from error
+
+
+def _validity(content: Mapping[str, Any]) -> Validity:
+    """Return the range and errors of a law from its JSON object."""
+    values = asdict(Validity()) | {
+        field.name: content[field.name]
+        for field in fields(Validity)
+        if field.name not in OPTIONAL_FIELDS or field.name in content
+    }
+    values["motions"] = tuple((str(name), float(rms)) for name, rms in values["motions"])
+    return Validity(**{k: v if k in TEXT_FIELDS else float(v) for k, v in values.items()})

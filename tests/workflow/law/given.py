@@ -1,4 +1,4 @@
-"""Laws of known numbers, and results that follow them, as a study would leave them."""
+"""Laws with known numbers, and synthetic results of a study that follow them."""
 
 from dataclasses import replace
 
@@ -12,7 +12,7 @@ SPEEDS = np.array([0.001, 0.01, 0.02, 0.05, 0.1])  # m/s
 
 
 def memory_law(states=2):
-    """Return a law of up to two states with an age of contacts."""
+    """Return a law with up to two states and an age of contacts."""
     return MemoryLaw(
         speed=SPEEDS,
         direct=0.02 * np.log1p(SPEEDS / 0.002),
@@ -24,12 +24,12 @@ def memory_law(states=2):
 
 
 def load_law(states=2):
-    """Return a table over three loads, whose numbers rise by a tenth from one to the next."""
+    """Return a table over three loads; its numbers increase by 10 % from load to load."""
     laws = []
     for factor in (0.9, 1.0, 1.1):
-        own = memory_law(states)
-        changed = {name: factor * getattr(own, name) for name in LOAD_TABLES}
-        laws.append(replace(own, **changed))
+        law = memory_law(states)
+        scaled = {name: factor * getattr(law, name) for name in LOAD_TABLES}
+        laws.append(replace(law, **scaled))
     return LoadLaw.of([1.0, 2.0, 8.0], laws)
 
 
@@ -39,7 +39,7 @@ SEGMENTS = [*((v, 0.003 / abs(v)) for v in STEPS), *RESTS, (0.02, 0.15)]  # velo
 
 
 def result(law, segments=SEGMENTS, samples=40, **attributes):
-    """Return what ``scene.run`` would of jumps from (velocity, duration) to the next."""
+    """Return a result as of ``scene.run``, for segments (velocity, duration) with jumps between."""
     rows, t, x = [], 0.0, 0.0
     state, mu = law.step(law.init(segments[0][0]), segments[0][0], 0.0)
     for k, (v, duration) in enumerate(segments):
@@ -55,7 +55,7 @@ def result(law, segments=SEGMENTS, samples=40, **attributes):
 def dataset(time, velocity, distance, mu, segment, force=2.0, **attributes):
     """Return a dataset of traces."""
     traces = {"time": time, "velocity": velocity, "distance": distance, "mu": mu}
-    found = {f"trace_{name}": ("event", np.asarray(own)) for name, own in traces.items()}
-    found["trace_segment"] = ("event", np.asarray(segment, np.int32))
+    variables = {f"trace_{name}": ("event", np.asarray(v)) for name, v in traces.items()}
+    variables["trace_segment"] = ("event", np.asarray(segment, np.int32))
     coords = {"normal_force": force}
-    return xr.Dataset(found, coords, {"title": "synthetic", **attributes})
+    return xr.Dataset(variables, coords, {"title": "synthetic", **attributes})

@@ -14,7 +14,7 @@ import pytest
 
 from elastomer_friction.workflow.ground import UserError
 from elastomer_friction.workflow.law import LuGreLaw, export, read
-from elastomer_friction.workflow.law.reduced_law import Validity, followed
+from elastomer_friction.workflow.law.reduced_law import Validity, friction_along
 from tests.workflow.law.given import load_law, memory_law
 
 LAW = memory_law().with_validity(
@@ -62,7 +62,7 @@ def assert_followed(library, law):
     """Assert that a library and the law give the same friction on the motion."""
     mu = np.empty_like(TIME)
     library.run(TIME.size, TIME, SWING, mu)
-    assert mu == pytest.approx(followed(law, TIME, SWING), rel=1e-12, abs=1e-12)
+    assert mu == pytest.approx(friction_along(law, TIME, SWING), rel=1e-12, abs=1e-12)
 
 
 @compiled
@@ -118,7 +118,7 @@ def test_range_errors_and_motions_are_comments_of_every_text():
         joined = text.replace(f"\n{mark}", " ")  # comments over several lines
         assert f"{mark}range: speeds of 0.01 ... 0.1 m/s" in text
         assert re.search(r"error on the worst of the motions held out: 0.003 rms \(0.6 %", joined)
-        assert "above 0.1 m/s the speed in its tables is clamped to that" in joined
+        assert "the tables clamp the speed to 0.1 m/s" in joined
         assert f"{mark}rms error 0.001 in slide * / 1" in text
         assert "_1_rubber" in text
 

@@ -1,4 +1,4 @@
-"""The law of exponential states: closed forms, symmetries, an independent integration."""
+"""The law with exponential states: closed forms, symmetries, an independent integration."""
 
 import json
 
@@ -18,7 +18,7 @@ SWING = 0.04 * (1.0 + 0.6 * np.sin(60.0 * np.pi * TIME)) * np.where(TIME > 0.2, 
 
 
 @pytest.mark.parametrize("v", [-0.3, -0.03, 0.0, 1e-4, 0.07])
-def test_steady_sliding_stays_and_is_the_table(v):
+def test_steady_sliding_persists_and_equals_the_table(v):
     state = LAW.init(v)
     for dt in (0.0, 1e-4, 10.0):
         state, mu = LAW.step(state, v, dt)
@@ -35,8 +35,8 @@ def test_steady_friction_is_odd_linear_in_region_one_and_constant_above():
     assert LAW.steady(0.5) == LAW.steady(SPEEDS[-1])
 
 
-def test_an_independent_integrator_gives_the_same():
-    """solve_ivp on the differential equations of the docstring, in smooth v(t) through zero."""
+def test_an_independent_integrator_agrees():
+    """solve_ivp integrates the differential equations for a smooth v(t) through zero."""
 
     def velocity(t):
         return 0.05 * np.cos(40.0 * t)
@@ -47,28 +47,30 @@ def test_an_independent_integrator_gives_the_same():
 
     def change(t, y):
         v = velocity(t)
-        goal = [np.interp(abs(v), SPEEDS, LAW.age), *(table(v, row) for row in LAW.target)]
-        return (abs(v) * LAW.rate_per_length + LAW.rate) * (np.array(goal) - y)
+        target = [np.interp(abs(v), SPEEDS, LAW.age), *(table(v, row) for row in LAW.target)]
+        return (abs(v) * LAW.rate_per_length + LAW.rate) * (np.array(target) - y)
 
     time = np.linspace(0.0, 0.2, 2001)
-    found = solve_ivp(
+    states = solve_ivp(
         change, (0.0, 0.2), LAW.init(0.05)[1:], t_eval=time, rtol=1e-9, atol=1e-11, max_step=1e-4
     ).y
     direct = np.array([table(velocity(t), LAW.direct) for t in time])
-    expected = found[0] * (direct + found[1:].sum(axis=0))
+    expected = states[0] * (direct + states[1:].sum(axis=0))
     errors = [np.abs(LAW.run(time[::n], velocity(time[::n])) - expected[::n]).max() for n in (1, 4)]
     assert errors[0] < 2e-4 * np.abs(expected).max()
     assert errors[1] < 10.0 * errors[0]  # of fourfold samples: v(t) is linear between them
 
 
-def test_a_factor_of_times_is_positive():
+def test_a_factor_of_times_must_be_positive():
     with pytest.raises(UserError, match=r"factor = 0.0: must be greater than zero"):
         LAW.shifted(0.0)
 
 
-def test_it_warns_above_its_range():
+def test_a_law_warns_above_its_range():
     law = LAW.with_validity(Validity(slowest=0.01, fastest=0.1))
-    with pytest.warns(BeyondLawWarning, match=r"0.2 m/s is above 0.1 m/s"):
+    with pytest.warns(
+        BeyondLawWarning, match=r"0.2 m/s is above the fastest fitted speed, 0.1 m/s"
+    ):
         law.run([0.0, 1.0], [0.2, 0.2])
 
 
@@ -84,24 +86,24 @@ def test_json_keeps_every_bit(tmp_path):
 
 
 @pytest.mark.parametrize(
-    ("change", "words"),
+    ("change", "message"),
     [
-        ({"kind": "magic"}, "is no law of this program as JSON: 'magic'"),
+        ({"kind": "magic"}, "is not a law as JSON: 'magic'"),
         ({"format": 2}, "its format is 2, not 1"),
-        ({"speed": [0.01]}, "two speeds or more, one value for each"),
-        ({"speed": [0.02, 0.01, 0.03, 0.04, 0.05]}, "speeds must increase"),
-        ({"rate": [-1.0, 1.0, 1.0]}, "no rate be below zero"),
+        ({"speed": [0.01]}, "two speeds or more, and one value per speed"),
+        ({"speed": [0.02, 0.01, 0.03, 0.04, 0.05]}, "speed must be positive and increasing"),
+        ({"rate": [-1.0, 1.0, 1.0]}, "rates must not be negative"),
     ],
 )
-def test_what_is_no_law_is_refused(change, words):
-    with pytest.raises(UserError, match=words):
+def test_invalid_json_is_refused(change, message):
+    with pytest.raises(UserError, match=message):
         read(json.dumps({**json.loads(LAW.to_json()), **change}))
-    with pytest.raises(UserError, match="is no law of this program as JSON"):
+    with pytest.raises(UserError, match="is not a law as JSON"):
         read("[")
 
 
 @pytest.mark.parametrize(
-    ("call", "given", "words"),
+    ("call", "arguments", "message"),
     [
         (LAW.run, ([0.0, 1.0], [0.1]), "one value per time"),
         (LAW.run, ([1.0, 0.0], [0.1, 0.1]), "time must increase"),
@@ -118,10 +120,10 @@ def test_what_is_no_law_is_refused(change, words):
         (LAW.steady, (np.nan,), "v must be finite"),
     ],
 )
-def test_motions_and_steps_that_are_none_are_refused(call, given, words):
-    with pytest.raises(UserError, match=words):
-        call(*given)
+def test_invalid_motions_and_steps_are_refused(call, arguments, message):
+    with pytest.raises(UserError, match=message):
+        call(*arguments)
 
 
-def test_no_motion_is_no_friction():
+def test_an_empty_motion_gives_no_friction():
     assert LAW.run([], []).shape == (0,)

@@ -1,4 +1,4 @@
-"""Rate-and-state friction and LuGre beside their closed forms, and what every law keeps."""
+"""Rate-and-state friction and LuGre agree with closed forms; properties of all laws."""
 
 import numpy as np
 import pytest
@@ -13,8 +13,8 @@ LUGRE = LuGreLaw(stiffness=2e4, damping=0.01, viscous=0.4, coulomb=0.5, static=0
 
 
 def rate_state(ageing):
-    known = Validity(slowest=1e-5, fastest=1.0)
-    return RateStateLaw(A, B, LENGTH, 0.6, V, ageing, validity=known)
+    validity = Validity(slowest=1e-5, fastest=1.0)
+    return RateStateLaw(A, B, LENGTH, 0.6, V, ageing, validity=validity)
 
 
 LAWS = [rate_state(False), rate_state(True), LUGRE]
@@ -25,9 +25,9 @@ LAWS = [rate_state(False), rate_state(True), LUGRE]
 def test_a_step_is_that_of_the_published_law(ageing, name, ratio):
     law = rate_state(ageing)
     state, _ = law.step(law.init(V), ratio * V, 0.0)
-    way = LENGTH * np.geomspace(1e-3, 5.0, 9)
-    mu = [law.step(state, ratio * V, s / (ratio * V))[1] for s in way]
-    expected, _ = step_law(name, ratio)(np.array([[B, np.log(1.0 / LENGTH)]]), way)
+    distances = LENGTH * np.geomspace(1e-3, 5.0, 9)
+    mu = [law.step(state, ratio * V, s / (ratio * V))[1] for s in distances]
+    expected, _ = step_law(name, ratio)(np.array([[B, np.log(1.0 / LENGTH)]]), distances)
     assert np.array(mu) - law.steady(ratio * V) == pytest.approx(expected[0], rel=1e-6)
     assert law.steady(ratio * V) == pytest.approx(0.6 + (A - B) * np.log(ratio), rel=1e-6)
 
@@ -42,7 +42,7 @@ def test_contacts_age_at_rest_by_dieterichs_law_alone():
         assert at_rest == 0.0
 
 
-def test_lugre_is_a_spring_at_first_and_its_curve_in_the_end():
+def test_lugre_starts_as_a_spring_and_ends_on_its_curve():
     state = LUGRE.init(0.0)
     _, mu = LUGRE.step(state, 1e-9, 1.0)
     assert mu == pytest.approx(LUGRE.stiffness * 0.5e-9, rel=1e-3)  # v grew from rest

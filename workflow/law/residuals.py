@@ -1,0 +1,58 @@
+"""Residuals of laws on motions, and the distance and duration of motions."""
+
+import math
+from collections.abc import Sequence
+from typing import NamedTuple
+
+import numpy as np
+
+from .reduced_law import Law, friction_along, mean_speed
+from .transients import Transient
+
+Masks = Sequence[np.ndarray]  # of each motion, the rows that are compared, booleans
+
+
+class Extent(NamedTuple):
+    """Totals of several motions."""
+
+    distance: float  # m
+    time: float  # s
+    segments: int
+
+
+def known_friction(motions: Sequence[Transient]) -> list[np.ndarray]:
+    """Return the masks of the rows with known friction."""
+    return [np.isfinite(motion.mu) for motion in motions]
+
+
+def masked_friction(motions: Sequence[Transient], masks: Masks) -> list[np.ndarray]:
+    """Return the friction of the model in the masked rows of each motion."""
+    return [motion.mu[mask] for motion, mask in zip(motions, masks, strict=True)]
+
+
+def row_residuals(law: Law, motion: Transient) -> np.ndarray:
+    """Return mu of the law minus mu of the model at every row of a motion."""
+    return friction_along(law, motion.time, motion.velocity) - motion.mu
+
+
+def masked_residuals(law: Law, motions: Sequence[Transient], masks: Masks) -> list[np.ndarray]:
+    """Return the residuals in the masked rows of each motion."""
+    return [row_residuals(law, m)[mask] for m, mask in zip(motions, masks, strict=True)]
+
+
+def root_mean_square(parts: Sequence[np.ndarray]) -> float:
+    """Return the root mean square of all numbers, NaN if there are none."""
+    values = np.concatenate(parts)
+    return float(np.sqrt(np.mean(values**2))) if values.size else math.nan
+
+
+def distances(motion: Transient) -> np.ndarray:
+    """Return the distances slid between neighbouring rows of a motion, m."""
+    return np.diff(motion.time) * list(map(mean_speed, motion.velocity[:-1], motion.velocity[1:]))
+
+
+def extent_of(motions: Sequence[Transient]) -> Extent:
+    """Return the total distance, duration and number of segments of motions."""
+    distance = sum(float(distances(m).sum()) for m in motions)
+    time = sum(float(m.time[-1] - m.time[0]) for m in motions)
+    return Extent(distance, time, sum(len(list(m.parts())) for m in motions))
