@@ -1,6 +1,11 @@
-"""From block means to estimates: jackknife, fits, and whether an accuracy is met.
+"""Reduction of block means to estimates: jackknife, fits, and the accuracy reached.
 
-Plain arrays in and out; runs on the workers.
+The functions take and return plain arrays and run on the workers.
+
+Two error theories are in use. Computed results have independent blocks of equal size, so that the
+jackknife over blocks (jackknife.py) gives the error of every derived quantity, without assumptions
+on the correlation between samples. A measured record is a single realization without blocks;
+its fits (workflow/laboratory/estimate.py) estimate the correlation from the residuals instead.
 """
 
 from typing import TYPE_CHECKING
@@ -14,7 +19,7 @@ if TYPE_CHECKING:
         MISSED,
         Attained,
         attained,
-        with_found_bias,
+        with_measured_bias,
     )
     from .blocks import Blocks, Estimates, blocks_of
     from .complete import completed, exponents_of
@@ -34,12 +39,12 @@ if TYPE_CHECKING:
     from .models import EXPONENTIAL, MODEL_MEANINGS, STRETCHED, TWO_EXPONENTIALS
     from .rate_state import LAWS, state_change, step_law
     from .resolution import (
-        ENOUGH,
-        NARROW,
-        OFF,
+        LARGE_BIAS,
+        NARROW_CONTACTS,
         RESOLUTION_COMMENT,
         RESOLUTION_MEANINGS,
         RESOLVED,
+        RESOLVED_SAMPLES,
         UNRESOLVED,
     )
 

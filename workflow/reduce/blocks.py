@@ -1,4 +1,4 @@
-"""What of the store is reduced: block means of some tasks, and what they belong to."""
+"""Block means of tasks and the settings needed to reduce them."""
 
 from collections.abc import Sequence
 from typing import Any, NamedTuple
@@ -23,27 +23,27 @@ Estimates = dict[str, np.ndarray]
 
 
 class Blocks(NamedTuple):
-    """Block means of some tasks, dimensionless, and what is needed to reduce them."""
+    """Dimensionless block means of tasks, and the settings needed to reduce them."""
 
     scalars: np.ndarray  # shape (tasks, blocks, len(SCALARS))
     values: dict[str, np.ndarray]  # parts of a row (layout.py), each (tasks, blocks, *its shape)
     time: np.ndarray  # of the curves, shape (tasks, samples - 1), in tau; NaN beyond the last
     rms_slope: np.ndarray  # shape (tasks,), in h/dx
     quantities: tuple[str, ...]
-    jumps: bool = True  # whether friction jumps with the velocity: whether there is a dashpot
+    jumps: bool = True  # friction jumps with the velocity: the material has a dashpot
     speeds: np.ndarray = np.empty((0, 2))  # before and after the velocity step, dx/tau, (tasks, 2)
     programmes: tuple[Programme, ...] = ()  # of the tasks
-    legs: np.ndarray = np.empty((0, 0))  # of the samples of traces, NaN beyond, (tasks, events)
-    negligible: float = 0.0  # share of the jump
+    legs: np.ndarray = np.empty((0, 0))  # of the trace samples, NaN after the last, (tasks, events)
+    negligible: float = 0.0  # relaxation below this share of the jump is negligible
 
 
 def columns(fits: Sequence[Any]) -> Any:
-    """Return named tuples as one, each of whose fields is the array of it over all of them."""
+    """Return one named tuple whose fields are arrays over the given named tuples."""
     return type(fits[0])(*map(np.array, zip(*fits, strict=True)))
 
 
 def enter(estimates: Estimates, name: str, values: np.ndarray) -> None:
-    """Enter an estimate and its standard error from replicates along axis 1."""
+    """Store an estimate and its standard error, from replicates along axis 1."""
     estimates[name] = values[:, 0]
     estimates[f"{name}_error"] = standard_error(values, 1)
 
@@ -51,13 +51,13 @@ def enter(estimates: Estimates, name: str, values: np.ndarray) -> None:
 def blocks_of(
     plan: Plan, variant: Variant, tasks: list[Task], scalars: np.ndarray, rows: np.ndarray
 ) -> Blocks:
-    """Return some tasks of a variant as they are reduced.
+    """Return the block means of tasks of a variant, ready to be reduced.
 
-    scalars : shape (tasks, blocks, len(SCALARS)). rows : (tasks, blocks, width), as laid out by
-    simulate/layout.py. What differs in length between tasks is filled up with NaN.
+    scalars : shape (tasks, blocks, len(SCALARS)). rows : (tasks, blocks, width), in the layout of
+    simulate/layout.py. Arrays that differ in length between tasks are padded with NaN.
     """
     how = plan.quantities, variant.numerics.scheme, variant.recording
-    parts = [unpack(own, row_layout(t, *how)) for own, t in zip(rows, tasks, strict=True)]
+    parts = [unpack(row, row_layout(t, *how)) for row, t in zip(rows, tasks, strict=True)]
     traces = {name for name in parts[0] if name in (*PULLED_TRACES, *ENERGIES)}
     values = {
         name: np.stack([_filled(p[name], variant.events if name in traces else 0) for p in parts])
@@ -80,19 +80,19 @@ def blocks_of(
 
 
 def _filled(values: np.ndarray, length: int) -> np.ndarray:
-    """Return values with NaN after the last along the last axis, up to a length."""
+    """Return values padded with NaN to a length along the last axis."""
     ends = [(0, 0)] * (values.ndim - 1) + [(0, max(length - values.shape[-1], 0))]
     return np.pad(values, ends, constant_values=np.nan) if ends[-1][1] else values
 
 
 def _legs(variant: Variant, tasks: list[Task]) -> np.ndarray:
-    """Return the numbers of the legs in which traces are kept, shape (tasks, events)."""
+    """Return the numbers of the legs of the trace samples, shape (tasks, events)."""
     legs = np.full((len(tasks), variant.events), np.nan)
     for row, task in enumerate(tasks) if variant.events else ():
-        what = task.problem, task.steps_per_spacing
-        kept = trace_steps(*what, variant.recording)
-        steps = programme_steps(*what, variant.recording.origin)
-        legs[row, : kept.size] = steps.leg[np.maximum(kept - 1, 0)]
+        setting = task.problem, task.steps_per_spacing
+        sampled = trace_steps(*setting, variant.recording)
+        steps = programme_steps(*setting, variant.recording.origin)
+        legs[row, : sampled.size] = steps.leg[np.maximum(sampled - 1, 0)]
     return legs
 
 
@@ -102,6 +102,8 @@ def _times(plan: Plan, variant: Variant, tasks: list[Task]) -> np.ndarray:
     time = np.full((len(tasks), samples - 1), np.nan)
     for row, task in enumerate(tasks) if plan.quantities.relaxation else ():
         steps_per_tau = abs(task.problem.speed * task.problem.ratio) * task.steps_per_spacing
-        kept = curve_steps(task.march_steps, samples, task.problem.spectrum)
-        time[row, : kept.size] = curve_times(kept, steps_per_tau, scheme, task.problem.spectrum)
+        sampled = curve_steps(task.march_steps, samples, task.problem.spectrum)
+        time[row, : sampled.size] = curve_times(
+            sampled, steps_per_tau, scheme, task.problem.spectrum
+        )
     return time

@@ -1,4 +1,4 @@
-"""What a result says of all tasks beside their estimates, and the exponents over them."""
+"""Completion of the estimates of a variant: resolution, model ratios, exponents of eq. 13."""
 
 from functools import lru_cache, partial
 from typing import NamedTuple
@@ -28,9 +28,9 @@ def completed(
 ) -> Estimates:
     """Return name -> array over all tasks of a variant.
 
-    estimates : of the tasks at the rows ``sound``; the others are marked, NaN or -1. counts :
-    realizations of each task, shape (tasks,). When and where traces are kept has an error only
-    where it differs from line to line.
+    estimates : of the tasks at the rows ``sound``; other rows become NaN or -1. counts :
+    realizations of each task, shape (tasks,). Errors of the times and positions of trace samples
+    are kept only if they differ between lines.
     """
     tasks = variant.tasks
     names = accuracy_estimates(plan.study.scene.quantities)
@@ -39,11 +39,13 @@ def completed(
     if "trace_samples_per_contact" in estimates:
         estimates |= trace_resolution(done, estimates, variant.numerics, variant.recording.origin)
     errors = {f"{name}_error" for name in MOTION_TRACES}
-    same = {name for name in errors if not np.any(estimates.get(name, 0.0) > 0.0)}
-    spread = {n: _spread(v, sound, len(tasks)) for n, v in estimates.items() if n not in same}
-    spread |= _of_model(tasks, variant.lines.normalisation) if "mu_1" in names else {}
+    without_error = {name for name in errors if not np.any(estimates.get(name, 0.0) > 0.0)}
+    spread = {
+        n: _spread(v, sound, len(tasks)) for n, v in estimates.items() if n not in without_error
+    }
+    spread |= _model_ratios(tasks, variant.lines.normalisation) if "mu_1" in names else {}
     if "persson" in plan.study.scene.quantities:
-        spread |= _of_persson(tasks, variant.lines)
+        spread |= _persson_estimates(tasks, variant.lines)
     slopes = [line_slope(task.problem, variant.lines.normalisation) for task in tasks]
     return spread | {
         "realizations": counts,
@@ -53,42 +55,42 @@ def completed(
     }
 
 
-def _of_model(tasks: list[Task], normalisation: str) -> Estimates:
-    """Return what the foundation's mu_1 is of a half-space's, where that is known of any task."""
-    found = np.array([model_ratio(task.problem, normalisation) for task in tasks])
-    if np.isnan(found).all():
+def _model_ratios(tasks: list[Task], normalisation: str) -> Estimates:
+    """Return the ratio of mu_1 on a foundation to a half-space, if known for any task."""
+    ratios = np.array([model_ratio(task.problem, normalisation) for task in tasks])
+    if np.isnan(ratios).all():
         return {}
-    return {"model_ratio": found[:, 0], "model_ratio_error": found[:, 1]}
+    return {"model_ratio": ratios[:, 0], "model_ratio_error": ratios[:, 1]}
 
 
-def _of_persson(tasks: list[Task], lines: Surface) -> Estimates:
-    """Return friction and contact area at v1 by Persson's theory, of the spectrum of the study."""
-    found = np.empty((len(tasks), 2))
+def _persson_estimates(tasks: list[Task], lines: Surface) -> Estimates:
+    """Return friction and contact area at v1 by Persson's theory for the spectrum of the study."""
+    theory = np.empty((len(tasks), 2))
     waves_of = lru_cache(maxsize=100)(partial(_waves, lines))
     for row, task in enumerate(tasks):
         problem = task.problem
         waves = waves_of(*problem[:2], problem.surface)
-        found[row] = persson_theory(
+        theory[row] = persson_theory(
             waves, problem.spectrum, nominal_pressure(problem), problem.ends[0]
         )
-    return {"mu_persson": found[:, 0], "area_persson": found[:, 1]}
+    return {"mu_persson": theory[:, 0], "area_persson": theory[:, 1]}
 
 
 def _waves(lines: Surface, hurst: float, elements: int, shape: LineShape) -> Waves:
-    own, modes = lines.spectrum, (shape.rolloff, shape.cutoff)
-    if own is not None and lines.profile is not None:
-        own = own / lines.profile.roughness
+    spectrum, modes = lines.spectrum, (shape.rolloff, shape.cutoff)
+    if spectrum is not None and lines.profile is not None:
+        spectrum = spectrum / lines.profile.roughness
     if lines.body == HALF_SPACE:
-        if own is None:
-            own = ring_amplitudes(hurst, elements, *modes, lines.normalisation)
-        return waves_of_map(own, elements)
-    if own is None:
-        own = amplitudes(hurst, elements, lines.normalisation, *modes)
-    return waves_of_line(own, elements)
+        if spectrum is None:
+            spectrum = ring_amplitudes(hurst, elements, *modes, lines.normalisation)
+        return waves_of_map(spectrum, elements)
+    if spectrum is None:
+        spectrum = amplitudes(hurst, elements, lines.normalisation, *modes)
+    return waves_of_line(spectrum, elements)
 
 
 def exponents_of(plan: Plan, variant: Variant, estimates: Estimates) -> Estimates:
-    """Take the replicates of b out of the estimates, return the exponents of eq. 13 from them."""
+    """Remove the replicates of b from the estimates; return the exponents of eq. 13 from them."""
     rates = estimates.pop("rate_replicates", None)
     if rates is None:
         return {}
@@ -113,8 +115,10 @@ class PowerLaw(NamedTuple):
     alpha_free: np.ndarray  # b = c x^alpha, shape (replicates,)
     alpha_prefactor: np.ndarray  # c, shape (replicates,)
     alpha_scatter: float  # rms of log10(b / x^alpha)
-    alpha_bias: float  # how far a bias of b may move alpha: all points off in one direction
-    alpha_free_bias: float  # and alpha_free: fast and slow ones in opposite directions
+    alpha_bias: float  # of alpha if b is biased in one direction at all points
+    alpha_free_bias: (
+        float  # of alpha_free if fast and slow points are biased in opposite directions
+    )
     alpha_points: int
 
 
@@ -122,7 +126,7 @@ def fit_power_law(x: np.ndarray, rate: np.ndarray, bias: np.ndarray) -> PowerLaw
     """Fit log b = alpha log x (eq. 13) over the given points, all with x > 1.
 
     x : shape (points,). rate : b, shape (points, replicates). bias : relative bound of the bias
-    of b, shape (points,). NaN where fewer than 3 points.
+    of b, shape (points,). NaN for fewer than 3 points.
     """
     count, size = rate.shape
     if count < 3 or np.ptp(x) == 0.0:
@@ -156,11 +160,11 @@ def fit_exponents(
     bias = points["relaxation_rate_bias"]
     left = [np.sum(fitted & ~resolved & (hurst == value)) for value in axis]
     laws = columns([fit_power_law(x[rows], rates[rows], bias[rows]) for rows in chosen])
-    found: Estimates = {}
+    exponents: Estimates = {}
     for name in ("alpha", "alpha_free", "alpha_prefactor"):
-        enter(found, name, getattr(laws, name))
+        enter(exponents, name, getattr(laws, name))
     for name in ("alpha_scatter", "alpha_bias", "alpha_free_bias"):
-        found[name] = getattr(laws, name)
-    found["alpha_unresolved"] = np.array(left, dtype=np.int32)
-    found["alpha_points"] = laws.alpha_points.astype(np.int32)
-    return found
+        exponents[name] = getattr(laws, name)
+    exponents["alpha_unresolved"] = np.array(left, dtype=np.int32)
+    exponents["alpha_points"] = laws.alpha_points.astype(np.int32)
+    return exponents

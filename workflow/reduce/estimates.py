@@ -11,22 +11,22 @@ from .jackknife import errors_needed, padded, replicates
 from .models import COEFFICIENTS, GAINS, Comparison, compare_models
 from .traces import reduce_programmes, reduce_steps
 
-WHOLE_ERROR = 2.0  # times what halved steps change
+HALVING_ERROR = 2.0  # bound of the error, relative to the change by halved steps
 
 
 def reduce_blocks(blocks: Blocks) -> Estimates:
-    """Return name -> array over tasks (first axis); NAME_error beside each estimate.
+    """Return name -> array over tasks (first axis), with NAME_error for each estimate.
 
-    ``rate_replicates`` carries the jackknife on to the fit of eq. 13, for which all points have as
-    many groups: shape (tasks, JACKKNIFE_GROUPS + 1).
+    ``rate_replicates`` holds the jackknife replicates for the fit of eq. 13, padded to the same
+    number of groups for all tasks: shape (tasks, JACKKNIFE_GROUPS + 1).
     """
-    asked = blocks.quantities
+    requested = blocks.quantities
     values = dict(zip(SCALARS, np.moveaxis(replicates(blocks.scalars, 1), 2, 0), strict=True))
     estimates: Estimates = {}
     freedom = np.full(len(blocks.scalars), blocks.scalars.shape[1] - 1, np.int32)
     estimates["degrees_of_freedom"] = freedom
     enter(estimates, "samples_per_contact", values["samples_per_contact"])
-    for quantity in asked:
+    for quantity in requested:
         for name in QUANTITIES[quantity].means:
             enter(estimates, name, values[name])
     if "curve" in blocks.values:
@@ -34,7 +34,7 @@ def reduce_blocks(blocks: Blocks) -> Estimates:
         curves = np.concatenate([start[..., None], replicates(blocks.values["curve"], 1)], axis=2)
         zero = np.zeros((len(blocks.time), 1))
         time = np.concatenate([zero, blocks.time], axis=1)
-        if "relaxation" in asked:
+        if "relaxation" in requested:
             enter(estimates, "mu", curves)
             estimates["time"] = time
             deviation = curves - values["mu_2"][..., None]
@@ -42,7 +42,7 @@ def reduce_blocks(blocks: Blocks) -> Estimates:
             _relaxations(estimates, blocks, deviation[:, :, 1:])
         reduce_steps(estimates, blocks, time, curves, values)
     reduce_programmes(estimates, blocks)
-    if "steady" in asked and "cycle_mean" in asked:
+    if "steady" in requested and "cycle_mean" in requested:
         mean = replicates(blocks.values["mu_cycle_mean"], 1)
         enter(estimates, "mu_cycle_share", mean / values["mu_1"])
     if "halved_steps" in blocks.values:
@@ -51,75 +51,80 @@ def reduce_blocks(blocks: Blocks) -> Estimates:
 
 
 def _halved(estimates: Estimates, blocks: Blocks) -> None:
-    """Enter the biases of estimates from what halved steps changed on a few lines.
+    """Store the biases of estimates, from their change by halved steps on a few lines.
 
-    The whole error is a third more than the change where it falls with the square of the step,
-    and as much again where it falls with the step itself, which is what is stated.
+    The error is 4/3 of the change if it is of second order in the step, and twice the change if it
+    is of first order. The larger factor is used.
     """
     sums = blocks.values["halved_steps"].mean(axis=1)
     with np.errstate(all="ignore"):
         change = dict(zip(HALVED_STEP_SCALARS, (sums[:, 1:] / sums[:, :1]).T, strict=True))
         for name in ("mu_1", "jump"):
             if name in estimates:
-                bias = WHOLE_ERROR * np.abs(change[name] / estimates[name])
+                bias = HALVING_ERROR * np.abs(change[name] / estimates[name])
                 estimates[f"{name}_bias"] = bias
         if "relaxation" in blocks.quantities:
             curves = blocks.values["halved_steps_curve"].mean(axis=1) / sums[:, :1]
             after = curves - change["mu_2"][:, None]
-            estimates["relaxation_rate_bias"] = WHOLE_ERROR * np.array(
-                [_rate_changes(estimates, blocks, task, own) for task, own in enumerate(after)]
+            estimates["relaxation_rate_bias"] = HALVING_ERROR * np.array(
+                [_rate_change(estimates, blocks, task, one) for task, one in enumerate(after)]
             )
 
 
-def _rate_changes(estimates: Estimates, blocks: Blocks, task: int, change: np.ndarray) -> float:
-    """Return by which share b of a mean curve changes with a change of it; NaN without b."""
+def _rate_change(estimates: Estimates, blocks: Blocks, task: int, change: np.ndarray) -> float:
+    """Return the relative change of b with a change of the mean curve; NaN without b."""
     if estimates["fit_status"][task] != FITTED:
         return np.nan
     time, deviation = blocks.time[task], estimates["deviation"][task, 1:]
-    kept = _relaxing(blocks, task, deviation)
+    relaxing = _relaxing(blocks, task, deviation)
     before, after = (
-        fit_exponential(time[kept], curve[kept])[1] for curve in (deviation, deviation + change)
+        fit_exponential(time[relaxing], curve[relaxing])[1]
+        for curve in (deviation, deviation + change)
     )
     return float(abs(after / before - 1.0))
 
 
 def _relaxing(blocks: Blocks, task: int, deviation: np.ndarray) -> np.ndarray:
-    """Return of which samples a task relaxes; deviation : mu - mu_2 of its mean curve."""
-    kept = np.isfinite(blocks.time[task])
-    if not blocks.jumps:  # then friction rises before it relaxes
-        kept &= np.arange(kept.size) >= np.nanargmax(np.abs(deviation))
-    return kept
+    """Return the mask of the samples of the relaxation; deviation : mu - mu_2 of the mean curve."""
+    relaxing = np.isfinite(blocks.time[task])
+    if not blocks.jumps:  # without a jump friction rises before it relaxes
+        relaxing &= np.arange(relaxing.size) >= np.nanargmax(np.abs(deviation))
+    return relaxing
 
 
 def _relaxations(estimates: Estimates, blocks: Blocks, deviation: np.ndarray) -> None:
+    """Store the fits of eq. 6, and their comparison with other models if requested.
+
+    deviation : mu - mu_2, shape (tasks, replicates, samples).
+    """
     final = blocks.scalars[:, :, SCALARS.index("mu_2"), None]
     fits: list[RelaxationFit] = []
-    compared: list[Comparison] = []
+    comparisons: list[Comparison] = []
     for task in range(len(blocks.time)):
-        kept = _relaxing(blocks, task, deviation[task][0])
-        time, curves = blocks.time[task][kept], deviation[task][:, kept]
+        relaxing = _relaxing(blocks, task, deviation[task][0])
+        time, curves = blocks.time[task][relaxing], deviation[task][:, relaxing]
         fits.append(fit_relaxation(time, curves, blocks.rms_slope[task]))
         if "models" in blocks.quantities:
-            each = (blocks.values["curve"][task] - final[task])[:, kept]
-            compared.append(compare_models(time, curves, each, fits[-1].rate[0]))
+            block_curves = (blocks.values["curve"][task] - final[task])[:, relaxing]
+            comparisons.append(compare_models(time, curves, block_curves, fits[-1].rate[0]))
     status, rate, amplitude, rate_free, window, quality = columns(fits)
     enter(estimates, "relaxation_rate", rate)
     enter(estimates, "amplitude", amplitude)
     enter(estimates, "relaxation_rate_free", rate_free)
-    # Negligible is what surely relaxes less than that share of the jump; a bound of zero leaves
-    # every fit as it is, and so does a curve that holds no numbers.
+    # A relaxation is negligible if its upper bound is below the given share of the jump. A share of
+    # zero leaves every fit unchanged, and so does a curve of NaN.
     groups = max(blocks.scalars.shape[1], 2)
-    error = np.nan_to_num(estimates["deviation_error"][:, 0])  # of one block nothing is known
+    error = np.nan_to_num(estimates["deviation_error"][:, 0])  # unknown for one block
     most = np.abs(estimates["deviation"][:, 0]) + errors_needed(groups, 2.0, 0.05) * error
     jump = np.abs(np.mean(blocks.scalars[:, :, SCALARS.index("jump")], axis=1))
     status = np.where(most < blocks.negligible * jump, NEGLIGIBLE, status)
     estimates["fit_status"] = status.astype(np.int8)
     estimates |= {"fit_window": window, "fit_quality": quality}
     estimates["rate_replicates"] = padded(rate, JACKKNIFE_GROUPS)
-    if compared:
-        found = columns(compared)
-        estimates["best_model"] = found.best.astype(np.int8)
+    if comparisons:
+        compared = columns(comparisons)
+        estimates["best_model"] = compared.best.astype(np.int8)
         for name in COEFFICIENTS:
-            enter(estimates, name, getattr(found, name))
+            enter(estimates, name, getattr(compared, name))
         for name in GAINS:
-            estimates[name], estimates[f"{name}_error"] = getattr(found, name).T
+            estimates[name], estimates[f"{name}_error"] = getattr(compared, name).T

@@ -21,11 +21,11 @@ STATUS_COMMENT = (
     "accuracy of b was not sought"
 )
 
-WINDOW_END = 0.05  # the window ends where the deviation has fallen to this share
-WINDOW_LEAST = 3  # samples
-ROUNDING = 1e-14  # deviations below this share of the rms slope are rounding noise
-LEAST_QUALITY = 0.8
-LARGEST_NOISE = 3.0  # times the variances of the samples: what noise can leave as residual
+WINDOW_END = 0.05  # the window ends where the deviation has decreased to this share
+MIN_WINDOW_SAMPLES = 3
+DEVIATION_ROUNDING = 1e-14  # relative to the rms slope: smaller deviations are rounding
+MIN_QUALITY = 0.8
+MAX_NOISE_RESIDUAL = 3.0  # residual that noise may leave, in variances of the samples
 
 
 class RelaxationFit(NamedTuple):
@@ -44,31 +44,31 @@ def fit_relaxation(time: np.ndarray, deviation: np.ndarray, slope: float) -> Rel
 
     time : shape (samples,), from the first step after the jump, in tau.
     deviation : mu - mu_2, shape (replicates, samples), row 0 the mean curve.
-    slope : rms slope in the same units, against which rounding is judged.
+    slope : rms slope in the same units, the scale of rounding.
     """
     size = len(deviation)
     if not np.isfinite(deviation).all():
         return _unfitted(NOT_FINITE, size)
     first = deviation[:, 0]
-    if not significant(first) or abs(first[0]) <= ROUNDING * slope:
+    if not significant(first) or abs(first[0]) <= DEVIATION_ROUNDING * slope:
         return _unfitted(NO_RELAXATION, size)
     end = fit_window(deviation[0])
     time, deviation = time[:end], deviation[:, :end]
-    if np.abs(deviation[0, 1:]).max(initial=0.0) <= ROUNDING * slope:
-        return _unfitted(UNDETERMINED, size)  # gone within a step: b would be fitted to rounding
+    if np.abs(deviation[0, 1:]).max(initial=0.0) <= DEVIATION_ROUNDING * slope:
+        return _unfitted(UNDETERMINED, size)  # decayed within one step: the rest is rounding
     start = _start(time, deviation[0])
     if start is None:
         return _unfitted(NOT_EXPONENTIAL, size)
     known = _fit_all(time, deviation, start)
     quality = _quality(time, deviation[0], known[0])
-    if not quality >= LEAST_QUALITY:  # NaN where the mean curve has no fit
+    if not quality >= MIN_QUALITY:  # NaN where the mean curve has no fit
         residual = (1.0 - quality) * np.sum(deviation[0] ** 2)
-        noise = LARGEST_NOISE * np.sum(standard_error(deviation, 0) ** 2)
+        noise = MAX_NOISE_RESIDUAL * np.sum(standard_error(deviation, 0) ** 2)
         return _unfitted(UNDETERMINED if residual <= noise else NOT_EXPONENTIAL, size)
     if not significant(known[:, 1]):
         return _unfitted(UNDETERMINED, size)
     free = np.full(size, np.nan)
-    if end > WINDOW_LEAST:
+    if end > MIN_WINDOW_SAMPLES:
         free = _fit_all(time, deviation, known[:, 1], offset=True)[:, 1]
         if not significant(free):
             free[:] = np.nan
@@ -76,10 +76,10 @@ def fit_relaxation(time: np.ndarray, deviation: np.ndarray, slope: float) -> Rel
 
 
 def fit_exponential(time: np.ndarray, deviation: np.ndarray) -> np.ndarray:
-    """Return (amplitude, rate) of eq. 6 fitted to one curve, significant or not.
+    """Return (amplitude, rate) of eq. 6 fitted to one curve, without a test of significance.
 
-    time, deviation : as for ``fit_relaxation``, of shape (samples,). NaN where no exponential
-    fits.
+    time, deviation : as for ``fit_relaxation``, of shape (samples,). NaN if no
+    exponential fits.
     """
     nothing = np.full(2, np.nan)
     end = fit_window(deviation)
@@ -87,19 +87,19 @@ def fit_exponential(time: np.ndarray, deviation: np.ndarray) -> np.ndarray:
     start = _start(time, deviation)
     if start is None:
         return nothing
-    (found,) = _fit_all(time, deviation[None], start)
-    return found if _quality(time, deviation, found) >= LEAST_QUALITY else nothing
+    (fit,) = _fit_all(time, deviation[None], start)
+    return fit if _quality(time, deviation, fit) >= MIN_QUALITY else nothing
 
 
 def fit_window(deviation: np.ndarray) -> int:
-    """Return the number of samples until the deviation first falls to 5 % of its first value."""
+    """Return the number of samples until the deviation has decreased to 5 % of its first value."""
     low = np.flatnonzero(np.abs(deviation) < WINDOW_END * abs(deviation[0]))
     end = low[0] + 1 if low.size else deviation.size
-    return int(min(max(end, WINDOW_LEAST), deviation.size))
+    return int(min(max(end, MIN_WINDOW_SAMPLES), deviation.size))
 
 
 def _quality(time: np.ndarray, deviation: np.ndarray, fit: np.ndarray) -> float:
-    """Return 1 - residual sum of squares / sum of squares, NaN where there is no fit."""
+    """Return 1 - residual sum of squares / sum of squares, NaN without a fit."""
     residual = np.sum((deviation - fit[0] * np.exp(-fit[1] * time)) ** 2)
     return float(1.0 - residual / np.sum(deviation**2))
 
@@ -117,20 +117,19 @@ def _start(time: np.ndarray, deviation: np.ndarray) -> np.ndarray | None:
 def _fit_all(
     time: np.ndarray, curves: np.ndarray, rates: np.ndarray, offset: bool = False
 ) -> np.ndarray:
-    """Fit every row of ``curves``; rows (amplitude, rate), NaN where it fails.
+    """Return rows (amplitude, rate) of the fit of every row of ``curves``, NaN if it fails.
 
-    rates : where the search begins. offset : whether an offset is fitted too.
-    Samples weigh as much as the time that they stand for, from the jump on to halfway to the next:
-    the sum is that of the curve in between, whatever the steps, and does not lean on the first
-    sample half a step after the jump.
+    rates : initial guesses. offset : also fit an offset. The weight of a sample is its share of the
+    time, between the midpoints to its neighbours and from the jump on. The weighted sum then
+    approximates an integral over time for any steps.
     """
     scale, span = curves[0, 0], time[-1]
     halfway = 0.5 * (time[1:] + time[:-1])
     durations = np.diff(np.concatenate([[0.0], halfway, [2.0 * span - halfway[-1]]]))
-    found = fit_decays(time, curves / scale, durations, rates, offset)
-    amplitude, phase = scale * found[:, 0], found[:, 1] * span
+    fits = fit_decays(time, curves / scale, durations, rates, offset)
+    amplitude, phase = scale * fits[:, 0], fits[:, 1] * span
     inside = (phase > 1e-3) & (phase < 1e4)
-    return np.where(inside[:, None], np.column_stack([amplitude, found[:, 1]]), np.nan)
+    return np.where(inside[:, None], np.column_stack([amplitude, fits[:, 1]]), np.nan)
 
 
 def _unfitted(status: int, size: int) -> RelaxationFit:

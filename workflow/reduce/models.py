@@ -1,9 +1,9 @@
-"""Beyond eq. 6: a stretched exponential and two exponentials, compared on data left out.
+"""Models beyond eq. 6, compared by cross-validation: stretched and two exponentials.
 
-The samples of a curve are anything but independent, so criteria that count them (AIC, BIC) do
-not apply. Instead each model is fitted to the mean of all blocks but one and must predict the
-block left out; the mean squared error, averaged over blocks, is its score (M. Stone, J. R.
-Stat. Soc. B 36, 111 (1974)). All fits take mu_2 as known and use the whole recorded curve.
+The samples of a curve are correlated, so that criteria that count samples (AIC, BIC) do not apply.
+Instead each model is fitted to the mean of all blocks but one and predicts the block left out. Its
+score is the mean squared error, averaged over blocks (M. Stone, J. R. Stat. Soc. B 36, 111 (1974)).
+All fits use the known mu_2 and the whole recorded curve.
 """
 
 from collections.abc import Callable
@@ -16,14 +16,14 @@ from .least_squares import Model, fit_curves
 
 EXPONENTIAL, STRETCHED, TWO_EXPONENTIALS, UNDECIDED = 1, 2, 3, 0
 MODEL_MEANINGS = "undecided exponential stretched two_exponentials"
-DECISIVE = 2.0  # standard errors by which a model must beat eq. 6
-ROUNDING = 1e-9  # gains below it are rounding
+DECISIVE_ERRORS = 2.0  # standard errors by which a model must be better than eq. 6
+GAIN_TOLERANCE = 1e-9  # gains below it are rounding
 
-# What the samples can determine at all, whatever a fit says.
-SLOWEST = 1e-3  # rate times the whole time: below, the curve is a constant
-FASTEST = 30.0  # (rate times time of the second sample)^beta: above, rounding alone is left there
-FALL = 58.0  # exp(-s) falls from 95 % to 5 % while s grows by this factor
-LEAST_CHANGE = 0.1  # of log (b t)^beta over the samples: below, the curve is a constant
+# Limits of the coefficients that samples can determine.
+MIN_RELATIVE_RATE = 1e-3  # rate times the whole time: below, the curve is a constant
+MAX_SECOND_PHASE = 30.0  # (rate times time of the second sample)^beta: above, the curve is rounding
+DECAY_FACTOR = 58.0  # exp(-s) decreases from 95 % to 5 % while s grows by this factor
+MIN_LOG_PHASE_CHANGE = 0.1  # of log (b t)^beta over the samples: below, the curve is a constant
 
 
 def one_exponential(p: np.ndarray, t: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
@@ -60,10 +60,10 @@ MODELS: dict[int, tuple[Model, Callable[[float], np.ndarray]]] = {
 
 
 class Comparison(NamedTuple):
-    """Coefficients over jackknife replicates (0: all blocks), and which model describes best.
+    """Coefficients over jackknife replicates (0: all blocks), and the best model.
 
-    Coefficients of a model that does not beat eq. 6 decisively, or that the blocks do not
-    determine, mean nothing and are NaN.
+    Coefficients are NaN if their model is not decisively better than eq. 6, or if the blocks do not
+    determine them.
     """
 
     best: int
@@ -83,11 +83,12 @@ COEFFICIENTS = tuple(name for name in Comparison._fields if name not in ("best",
 def compare_models(
     time: np.ndarray, deviation: np.ndarray, blocks: np.ndarray, rate: float
 ) -> Comparison:
-    """Fit and compare the three models.
+    """Return the comparison of the three models.
 
     time : shape (samples,), in tau. deviation : mu - mu_2 of the mean and of the replicates that
     leave one block out, shape (blocks + 1, samples). blocks : mu - mu_2 of each block, shape
-    (blocks, samples). rate : b of eq. 6, to start from; NaN gives UNDECIDED and NaN throughout.
+    (blocks, samples). rate : b of eq. 6, the initial guess; NaN gives UNDECIDED and NaN in all
+    coefficients.
     """
     if not np.isfinite(rate):
         nothing = np.full(len(deviation), np.nan)
@@ -95,7 +96,7 @@ def compare_models(
         unknown |= dict.fromkeys(GAINS, (np.nan, np.nan))
         return Comparison(UNDECIDED, **unknown)
     scale, span = deviation[0, 0], time[-1]
-    with np.errstate(all="ignore"):  # far from eq. 6 a fit may run away; it is not decisive then
+    with np.errstate(all="ignore"):  # a fit may diverge, and is not decisive then
         fits, gains = _fits_and_gains(time / span, deviation / scale, blocks / scale, rate * span)
         b, beta = np.exp(fits[STRETCHED][:, 1:]).T
         pair = fits[TWO_EXPONENTIALS]
@@ -109,8 +110,8 @@ def compare_models(
     better = {}
     for code, values in known.items():
         gain, error = gains[code]
-        needed = errors_needed(len(blocks), DECISIVE, 0.05)  # or it predicts better by chance
-        if gain > max(needed * error, ROUNDING) and all(map(significant, values)):
+        needed = errors_needed(len(blocks), DECISIVE_ERRORS, 0.05)  # 5 % false positives
+        if gain > max(needed * error, GAIN_TOLERANCE) and all(map(significant, values)):
             better[code] = gain
         else:
             for array in values:
@@ -130,24 +131,29 @@ def compare_models(
 def determined(
     time: np.ndarray, rate: np.ndarray, exponent: np.ndarray | float = 1.0
 ) -> np.ndarray:
-    """Return where samples at these times can determine the coefficients of exp(-(b t)^beta).
+    """Return where samples at given times can determine the coefficients of exp(-(b t)^beta).
 
-    A fit may run away to coefficients at which the curve no longer depends on them: a fall between
-    two samples or before the first, a curve that is a constant. Such coefficients mean nothing,
-    even where every replicate agrees on them. Shape and units: rate per unit of time.
+    A fit may diverge to coefficients on which the curve no longer depends: a decay between two
+    samples or before the first, or a constant. Such coefficients are meaningless even if all
+    replicates agree on them. rate : per unit of ``time``, any shape.
     """
-    with np.errstate(all="ignore"):  # whatever a fit ran away to
-        fall = FALL ** (1.0 / np.asarray(exponent))  # factor of time in which 95 % become 5 %
+    with np.errstate(all="ignore"):  # a fit may have diverged
+        decay = DECAY_FACTOR ** (1.0 / np.asarray(exponent))  # factor of time from 95 % to 5 %
         change = exponent * np.log(time[-1] / time[0])
-        left = (rate * time[1]) ** exponent < FASTEST
-        seen = fall > 1.0 + rate * (time[1] - time[0])  # not between two samples
-        return (rate * time[-1] > SLOWEST) & left & seen & (change > LEAST_CHANGE)
+        sampled = (rate * time[1]) ** exponent < MAX_SECOND_PHASE
+        resolved = decay > 1.0 + rate * (time[1] - time[0])  # not between two samples
+        return (
+            (rate * time[-1] > MIN_RELATIVE_RATE)
+            & sampled
+            & resolved
+            & (change > MIN_LOG_PHASE_CHANGE)
+        )
 
 
 def _fits_and_gains(
     t: np.ndarray, curves: np.ndarray, blocks: np.ndarray, rate: float
 ) -> tuple[dict[int, np.ndarray], dict[int, tuple[float, float]]]:
-    """Return per model the fits to all curves, and what it gains on eq. 6 on blocks left out."""
+    """Return per model the fits to all curves, and its gain over eq. 6 on blocks left out."""
     fits, scores = {}, {}
     for code, (model, start) in MODELS.items():
         mean = fit_curves(model, t, curves[:1], start(rate))
@@ -156,7 +162,7 @@ def _fits_and_gains(
         scores[code] = np.mean((blocks - predicted) ** 2, axis=1)
     gains, reference = {}, scores[EXPONENTIAL]
     for code, score in scores.items():  # 1 - score/reference over the blocks, and its error
-        less = reference - score
-        error = less.std(ddof=1) / np.sqrt(less.size)
-        gains[code] = float(less.mean() / reference.mean()), float(error / reference.mean())
+        gain = reference - score
+        error = gain.std(ddof=1) / np.sqrt(gain.size)
+        gains[code] = float(gain.mean() / reference.mean()), float(error / reference.mean())
     return fits, gains

@@ -1,14 +1,14 @@
-"""Rate-and-state friction: a, b and D_c of a velocity step, by Ruina's and by Dieterich's law.
+"""Rate-and-state friction: a, b and D_c of a velocity step, for Ruina's and Dieterich's laws.
 
 mu = mu* + a ln(v/v*) + b ln(v* theta/D_c), with the state theta after Ruina (slip law),
 d theta/dt = -(v theta/D_c) ln(v theta/D_c), or after Dieterich (ageing law), d theta/dt =
-1 - v theta/D_c. From steady sliding at v1 a step to v2 = r v1 at once gives over the distance s
+1 - v theta/D_c. A jump from steady sliding at v1 to v2 = r v1 gives over the distance s
 
     mu - mu_2 = b ln(r) exp(-s/D_c)                     (Ruina)
     mu - mu_2 = b ln(1 + (r - 1) exp(-s/D_c))           (Dieterich)
 
-and mu_2 - mu_1 = (a - b) ln r. So b and D_c are fitted to the decay with mu_2 known, and a
-follows. Source: C. Marone, Annu. Rev. Earth Planet. Sci. 26, 643 (1998),
+and mu_2 - mu_1 = (a - b) ln r. With mu_2 known, b and D_c are fitted to the
+decay, and a follows. Source: C. Marone, Annu. Rev. Earth Planet. Sci. 26, 643 (1998),
 doi:10.1146/annurev.earth.26.1.643; A. Ruina, J. Geophys. Res. 88, 10359 (1983).
 """
 
@@ -23,43 +23,43 @@ from .jackknife import significant
 from .least_squares import fit_curves
 
 LAWS = ("ruina", "dieterich")
-LEAST_SAMPLES = 4
-WORST = 0.5  # residual over b ln r: beyond it the law says nothing
+MIN_STATE_SAMPLES = 4
+MAX_STATE_RESIDUAL = 0.5  # over b ln r: above, the law does not describe the curve
 
 
 class RateState(NamedTuple):
-    """One law of one step; arrays hold the estimate, then its jackknife replicates."""
+    """Fit of one law to one step; arrays hold the estimate, then its jackknife replicates."""
 
     a: np.ndarray  # in units of mu, shape (replicates,)
     b: np.ndarray
     dc: np.ndarray  # in units of the distance
     residual: float  # rms of the residual over |b ln r|, of the mean curve
-    status: int  # as of the fit of eq. 6 (fits.py); NO_STATE: b does not differ from zero
+    status: int  # see STATUS_COMMENT in fits.py; NO_STATE: b does not differ from zero
 
 
 def fit_rate_state(
     distance: np.ndarray, deviation: np.ndarray, change: np.ndarray, ratio: float, law: str
 ) -> RateState:
-    """Fit one law to the friction after a step of the velocity by a ratio r > 0.
+    """Return the fit of one law to the friction after a velocity step by a ratio r > 0.
 
     distance : slid since the step, increasing from the first sample, shape (samples,). deviation :
     mu - mu_2, shape (replicates, samples), row 0 the mean curve. change : mu_2 - mu_1 of the same
-    replicates. The window starts where the deviation is largest in the direction of the step and
-    ends where it has fallen to 5 % of that.
+    replicates. The window starts at the largest deviation in the direction of the step and ends
+    where the deviation has decreased to 5 % of it.
     """
     size = len(deviation)
     if not (np.isfinite(deviation).all() and np.isfinite(change).all()):
         return _nothing(size, NOT_FINITE)
     if not ratio > 0.0 or ratio == 1.0:
         return _nothing(size, NO_STATE)
-    # After a step up friction deviates upwards, but where the state is reversed, b < 0.
+    # After a step up the deviation is positive, except for b < 0.
     sign = 1.0 if ratio > 1.0 else -1.0
     if np.max(sign * deviation[0]) < np.max(-sign * deviation[0]):
         sign = -sign
     first = int(np.argmax(sign * deviation[0]))
     window = slice(first, first + fit_window(deviation[0, first:]))
     s, curves = distance[window], deviation[:, window]
-    if s.size < LEAST_SAMPLES:
+    if s.size < MIN_STATE_SAMPLES:
         return _nothing(size, UNDETERMINED)
     scale, span = sign * max(abs(curves[0, 0]), 1e-300), s[-1]
     model, start = step_law(law, ratio), _start(s / span, curves[0] / scale, ratio, law)
@@ -77,18 +77,17 @@ def fit_rate_state(
     status = NO_STATE
     if significant(b):
         status = NOT_EXPONENTIAL
-        if relative < WORST:
+        if relative < MAX_STATE_RESIDUAL:
             status = FITTED if significant(dc) else UNDETERMINED
-    known = dc if status == FITTED else np.full(size, np.nan)
-    return RateState(a, b, known, relative, status)
+    fitted_dc = dc if status == FITTED else np.full(size, np.nan)
+    return RateState(a, b, fitted_dc, relative, status)
 
 
 def step_law(law: str, ratio: float) -> Callable:
-    """Return mu - mu_2 after a step by v2/v1 = ratio, a Model for ``fit_curves``.
+    """Return the Model (see ``fit_curves``) of mu - mu_2 after a step by v2/v1 = ratio.
 
-    Its parameters are b and the logarithm of 1/D_c, in the unit of the distances that it is given:
-    b over the scale and span/D_c above. Over times instead of distances the second one is the
-    logarithm of v2/D_c, and Ruina's law is eq. 6.
+    Its parameters are b and ln(1/D_c), in the unit of the given distances. Over times instead of
+    distances the second parameter is ln(v2/D_c), and Ruina's law is eq. 6.
     """
 
     def model(p: np.ndarray, s: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
@@ -110,11 +109,11 @@ def state_change(law: str, phi: float, log_v: float) -> float:
 
 
 def _start(s: np.ndarray, curve: np.ndarray, ratio: float, law: str) -> np.ndarray:
-    """Return a first guess through the first sample and where the deviation is 1/e of it."""
+    """Return the initial guess from the first sample and the first one below 1/e of it."""
     low = np.flatnonzero(curve < curve[0] / math.e)
     k = int(low[0]) if low.size else s.size - 1
     rate, step = 1.0 / max(s[k] - s[0], 1e-12), math.log(ratio)
-    if law == "dieterich":  # where ln(1 + (r - 1) exp(-s/D_c)) is 1/e of ln r
+    if law == "dieterich":  # ln(1 + (r - 1) exp(-s/D_c)) = ln(r)/e
         rate *= math.log(math.expm1(step) / math.expm1(step / math.e))
     size = step * math.exp(-min(rate * s[0], 30.0))
     return np.array([curve[0] / size, math.log(rate)])

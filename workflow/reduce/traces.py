@@ -1,8 +1,8 @@
-"""What a programme of motion tells: traces, energies, peaks, healing, loops, rate and state.
+"""Estimates of a programme of motion: traces, energies, peaks, healing, loops, rate and state.
 
-Without a dashpot friction does not jump with the velocity. What an experiment calls its direct
-effect is then the peak, and the time at which it is reached. Of a loop, mu' and mu'' are the parts
-of mu(t) = ... + mu' sin(2 pi f t) + mu'' cos(2 pi f t) in phase with the superposed displacement
+Without a dashpot friction does not jump with the velocity. The peak and its time then correspond
+to the direct effect of an experiment. In a loop, mu' and mu'' are the amplitudes of
+mu(t) = ... + mu' sin(2 pi f t) + mu'' cos(2 pi f t), in phase with the superposed displacement
 A sin(2 pi f t) and with its velocity.
 """
 
@@ -20,9 +20,11 @@ from .blocks import Blocks, Estimates, columns, enter
 from .jackknife import replicates, standard_error
 from .rate_state import LAWS, RateState, fit_rate_state
 
-ALONG = (*PULLED_TRACES, *ENERGIES)  # the way of a programme
-CHANGING = ("trace_mu", "trace_indentation")
-ALONE = ("snapshot_", "state_")  # of one realization: no error
+PROGRAMME_TRACES = (*PULLED_TRACES, *ENERGIES)
+CHANGE_TRACES = ("trace_mu", "trace_indentation")  # whose changes within a leg are estimates too
+SINGLE_REALIZATION = ("snapshot_", "state_")  # prefixes of values without an error
+
+Means = dict[str, np.ndarray]  # replicates of traces, shape (tasks, replicates, events)
 
 
 def reduce_steps(
@@ -32,19 +34,20 @@ def reduce_steps(
     curves: np.ndarray,
     values: dict[str, np.ndarray],
 ) -> None:
-    """Enter what follows from the friction after the velocity step: its peak, rate and state.
+    """Store estimates of the friction after the velocity step: peak, initial rate, rate and state.
 
     time : since the step, in tau, shape (tasks, samples). curves : mu, shape (tasks, replicates,
     samples). values : replicates of the scalars, each of shape (tasks, replicates).
     """
     if "peak" in blocks.quantities:
-        found = []
-        for at, own, (before, after) in zip(time, curves, blocks.speeds, strict=True):
-            kept = np.isfinite(at)
-            found.append(extremum(at[kept], own[:, kept], 1.0 if after > before else -1.0))
-        peaks, times = np.moveaxis(np.array(found), 1, 0)
+        extrema = []
+        for times, mu, (before, after) in zip(time, curves, blocks.speeds, strict=True):
+            sampled = np.isfinite(times)
+            sign = 1.0 if after > before else -1.0
+            extrema.append(extremum(times[sampled], mu[:, sampled], sign))
+        peaks, peak_times = np.moveaxis(np.array(extrema), 1, 0)
         enter(estimates, "peak", peaks - values["mu_1"])
-        enter(estimates, "peak_time", times)
+        enter(estimates, "peak_time", peak_times)
         if "initial_rate" in blocks.values:
             enter(estimates, "initial_rate", replicates(blocks.values["initial_rate"], 1))
     if "rate_state" in blocks.quantities:
@@ -55,7 +58,7 @@ def reduce_steps(
 
 
 def _a_minus_b(speeds: np.ndarray, change: np.ndarray) -> np.ndarray:
-    """Return (mu_2 - mu_1)/ln(v2/v1), NaN where the velocity does not step or turns round.
+    """Return (mu_2 - mu_1)/ln(v2/v1), NaN without a step and for a reversal.
 
     speeds : before and after, shape (tasks, 2). change : mu_2 - mu_1, shape (tasks, replicates).
     """
@@ -72,81 +75,116 @@ def _rate_state(
     deviation: np.ndarray,
     change: np.ndarray,
 ) -> None:
-    """Enter a, b and D_c (in dx) of both laws; arrays of shape (tasks, laws)."""
+    """Store a, b and D_c (in dx) of both laws; arrays of shape (tasks, laws)."""
     fits: list[list[RateState]] = []
     for task, (before, after) in enumerate(blocks.speeds):
-        kept = np.isfinite(time[task])
-        distance, curves = abs(after) * time[task][kept], deviation[task][:, kept]
+        sampled = np.isfinite(time[task])
+        distance, curves = abs(after) * time[task][sampled], deviation[task][:, sampled]
         ratio, sign = after / before, np.sign(before)
         data = distance, sign * curves, sign * change[task], ratio
         fits.append([fit_rate_state(*data, law) for law in LAWS])
-    found = columns([columns(own) for own in fits])  # over (tasks, laws)
+    laws = columns([columns(of_task) for of_task in fits])  # over (tasks, laws)
     for name in ("a", "b", "dc"):
-        enter(estimates, f"rate_state_{name}", np.moveaxis(getattr(found, name), 2, 1))
-    estimates["rate_state_residual"] = found.residual
-    estimates["rate_state_status"] = found.status.astype(np.int8)
+        enter(estimates, f"rate_state_{name}", np.moveaxis(getattr(laws, name), 2, 1))
+    estimates["rate_state_residual"] = laws.residual
+    estimates["rate_state_status"] = laws.status.astype(np.int8)
 
 
 def reduce_programmes(estimates: Estimates, blocks: Blocks) -> None:
-    """Enter what a programme was asked for."""
-    asked, values, legs = blocks.quantities, blocks.values, blocks.legs
-    means = {name: replicates(own, 1) for name, own in values.items() if name in ALONG}
+    """Store the requested estimates of a programme."""
+    values = blocks.values
+    means = {name: replicates(v, 1) for name, v in values.items() if name in PROGRAMME_TRACES}
     means |= {name: _motion(values[name]) for name in MOTION_TRACES if name in values}
-    if "trace" in asked or "energy" in asked:
-        for name in MOTION_TRACES:
-            estimates[name] = means[name][:, 0]
-            estimates[f"{name}_error"] = standard_error(means[name] - means[name][:, :1], 1)
-        estimates["trace_segment"] = np.where(np.isnan(legs), -1, legs).astype(np.int32)
-    for name in PULLED_TRACES if "trace" in asked else ():
-        if name not in MOTION_TRACES and name in means:
-            enter(estimates, name, means[name])
-        if name in CHANGING:
-            enter(estimates, f"{name}_change", _changes(means[name], legs))
-    if "energy" in asked:
-        for name in ENERGIES:
-            enter(estimates, name, means[name])
-        enter(estimates, "balance_residual", _residual(means))
-    if "healing" in asked:
-        way, mu = means["trace_distance"], means["trace_mu"]
-        _each(estimates, blocks, healing, legs[:, None], way, mu)
-    if "loop" in asked:
-        names = ("trace_time", "trace_mu", "trace_friction_force")
-        _each(estimates, blocks, loop, *map(means.__getitem__, names))
+    for quantities, reduce_quantity in QUANTITY_REDUCERS:
+        if any(quantity in blocks.quantities for quantity in quantities):
+            reduce_quantity(estimates, blocks, means)
     for name in (*SLIPS, "mu_cycle_mean", "contact_length"):
         if name in values:
             enter(estimates, name, replicates(values[name], 1))
-    if "slip_events" in asked:
-        times, kinds = (values[name].mean(axis=1) for name in SLIP_EVENTS)
-        many = int(np.isfinite(times).sum(axis=1).max())
-        estimates["slip_event_time"] = times[:, :many]
-        estimates["slip_event_kind"] = np.nan_to_num(kinds[:, :many], nan=-1.0).astype(np.int8)
-    estimates |= {name: own.mean(axis=1) for name, own in values.items() if name.startswith(ALONE)}
+    single = [name for name in values if name.startswith(SINGLE_REALIZATION)]
+    estimates |= {name: values[name].mean(axis=1) for name in single}
+
+
+def _store_motion(estimates: Estimates, blocks: Blocks, means: Means) -> None:
+    """Store the times and positions of the trace samples, and their segments."""
+    for name in MOTION_TRACES:
+        estimates[name] = means[name][:, 0]
+        estimates[f"{name}_error"] = standard_error(means[name] - means[name][:, :1], 1)
+    legs = blocks.legs
+    estimates["trace_segment"] = np.where(np.isnan(legs), -1, legs).astype(np.int32)
+
+
+def _store_traces(estimates: Estimates, blocks: Blocks, means: Means) -> None:
+    """Store the traces, and the changes of friction and indentation."""
+    for name in PULLED_TRACES:
+        if name not in MOTION_TRACES and name in means:
+            enter(estimates, name, means[name])
+        if name in CHANGE_TRACES:
+            enter(estimates, f"{name}_change", _changes(means[name], blocks.legs))
+
+
+def _store_energies(estimates: Estimates, _: Blocks, means: Means) -> None:
+    """Store the energies and the residual of their balance."""
+    for name in ENERGIES:
+        enter(estimates, name, means[name])
+    enter(estimates, "balance_residual", _balance_residual(means))
+
+
+def _store_healing(estimates: Estimates, blocks: Blocks, means: Means) -> None:
+    """Store the static peak after the last hold."""
+    distance, mu = means["trace_distance"], means["trace_mu"]
+    _store_by_task(estimates, blocks, healing, blocks.legs[:, None], distance, mu)
+
+
+def _store_loop(estimates: Estimates, blocks: Blocks, means: Means) -> None:
+    """Store the loop of the last oscillation."""
+    names = ("trace_time", "trace_mu", "trace_friction_force")
+    _store_by_task(estimates, blocks, loop, *map(means.__getitem__, names))
+
+
+def _store_slip_events(estimates: Estimates, blocks: Blocks, _: Means) -> None:
+    """Store the times and kinds of slip events, up to the last event of any task."""
+    times, kinds = (blocks.values[name].mean(axis=1) for name in SLIP_EVENTS)
+    count = int(np.isfinite(times).sum(axis=1).max())
+    estimates["slip_event_time"] = times[:, :count]
+    estimates["slip_event_kind"] = np.nan_to_num(kinds[:, :count], nan=-1.0).astype(np.int8)
+
+
+# Quantities of a programme, any of which requires the estimates of the function.
+QUANTITY_REDUCERS: tuple[tuple[tuple[str, ...], Callable[..., None]], ...] = (
+    (("trace", "energy"), _store_motion),
+    (("trace",), _store_traces),
+    (("energy",), _store_energies),
+    (("healing",), _store_healing),
+    (("loop",), _store_loop),
+    (("slip_events",), _store_slip_events),
+)
 
 
 def _motion(values: np.ndarray) -> np.ndarray:
-    """Return the replicates of when or where traces are kept, shape (tasks, replicates, events).
+    """Return the replicates of times or positions of samples, shape (tasks, replicates, events).
 
-    values : shape (tasks, blocks, events). What is equal in all blocks stays as it is, to the bit.
+    values : shape (tasks, blocks, events). Values equal in all blocks are returned to the bit.
     """
     first = values[:, :1]
     return first + replicates(values - first, 1)
 
 
 def _changes(traces: np.ndarray, legs: np.ndarray) -> np.ndarray:
-    """Return what each trace has changed by since the last sample before the leg of a sample.
+    """Return the change of traces since the last sample before the current leg.
 
-    traces : shape (tasks, replicates, events). legs : of the events, ascending, NaN beyond the
+    traces : shape (tasks, replicates, events). legs : of the events, ascending, NaN after the
     last one, shape (tasks, events). Lines scatter together, so that the error of a change is much
-    less than that of its two ends.
+    smaller than those of its two ends.
     """
     before = [np.maximum(np.searchsorted(leg, leg) - 1, 0) for leg in legs]
     return traces - np.take_along_axis(traces, np.array(before)[:, None], axis=2)
 
 
-def _residual(means: dict[str, np.ndarray]) -> np.ndarray:
-    """Return what the work lacks of stored, dissipated and closing energy, over what is dissipated.
+def _balance_residual(means: Means) -> np.ndarray:
+    """Return (work - stored - dissipated - closing energy)/dissipated at the last sample of traces.
 
-    Shape (tasks, replicates): at the last kept sample of each trace.
+    Shape (tasks, replicates).
     """
     stored, dissipated, work, closing = (_last(means[name]) for name in ENERGIES)
     with np.errstate(all="ignore"):
@@ -161,20 +199,20 @@ def _last(traces: np.ndarray) -> np.ndarray:
     return np.take_along_axis(traces, ends[:, None, None], axis=2)[:, :, 0]
 
 
-def _each(
-    estimates: Estimates, blocks: Blocks, find: Callable[..., Any], *traces: np.ndarray
+def _store_by_task(
+    estimates: Estimates, blocks: Blocks, estimator: Callable[..., Any], *traces: np.ndarray
 ) -> None:
-    """Enter the fields of what ``find`` says of every task, from replicates of its traces."""
-    found = []
+    """Store the estimates of ``estimator`` for every task, from replicates of its traces."""
+    results = []
     for task, programme in enumerate(blocks.programmes):
-        kept = np.isfinite(blocks.legs[task])
-        found.append(find(programme, *(trace[task][:, kept] for trace in traces)))
-    for name, values in columns(found)._asdict().items():
+        sampled = np.isfinite(blocks.legs[task])
+        results.append(estimator(programme, *(trace[task][:, sampled] for trace in traces)))
+    for name, values in columns(results)._asdict().items():
         enter(estimates, name, values)
 
 
 class Healing(NamedTuple):
-    """Of the mean trace, then of its jackknife replicates; each of shape (replicates,)."""
+    """Friction around the last hold, for the mean trace and its replicates, shape (replicates,)."""
 
     static_peak: np.ndarray  # mu
     healing: np.ndarray  # mu: the static peak over the friction before the hold
@@ -183,28 +221,28 @@ class Healing(NamedTuple):
 
 
 def last_hold(programme: Programme) -> tuple[int, float] | None:
-    """Return the number of the last hold that is followed by a slide, and the speed of that."""
-    found = [
+    """Return the number of the last hold before a slide, and the speed of the slide."""
+    holds = [
         (k, after.speed)
         for k, (before, after) in enumerate(pairwise(programme))
         if isinstance(before, Hold) and isinstance(after, Slide)
     ]
-    return found[-1] if found else None
+    return holds[-1] if holds else None
 
 
 def healing(
     programme: Programme, legs: np.ndarray, distance: np.ndarray, mu: np.ndarray
 ) -> Healing:
-    """Return what the last hold of a programme did; NaN where there is none.
+    """Return the friction around the last hold of a programme, NaN without a hold.
 
-    legs : of the kept samples, shape (1, samples). distance (dx), mu : shape (replicates, samples),
+    legs : of the samples, shape (1, samples). distance (dx), mu : shape (replicates, samples),
     the mean trace first.
     """
-    found = last_hold(programme)
+    hold = last_hold(programme)
     nothing = np.full(len(mu), np.nan)
-    if found is None:
+    if hold is None:
         return Healing(nothing, nothing, nothing, nothing)
-    k, speed = found
+    k, speed = hold
     held, slid = legs[0] == k, legs[0] == k + 1
     before = np.flatnonzero(legs[0] < k)  # the last of them ends the slide before the hold
     if not (held.any() and slid.any() and before.size):
@@ -216,7 +254,7 @@ def healing(
 
 
 class Loop(NamedTuple):
-    """Of the last cycle: of the mean trace, then of its replicates; each shape (replicates,)."""
+    """Loop of the last cycle, for the mean trace and its replicates, shape (replicates,)."""
 
     loop_work: np.ndarray  # in 4 G L h^2
     mu_in_phase: np.ndarray
@@ -224,16 +262,16 @@ class Loop(NamedTuple):
 
 
 def loop(programme: Programme, times: np.ndarray, mu: np.ndarray, force: np.ndarray) -> Loop:
-    """Return the loop of the last cycle of the last oscillation; NaN where there is none.
+    """Return the loop of the last cycle of the last oscillation, NaN without an oscillation.
 
     times (tau), mu, force (4 G L h^2/dx) : shape (replicates, samples), the mean trace first.
-    Integrals over the cycle are by trapezoids over the mean times.
+    Integrals over the cycle use the trapezoidal rule over the mean times.
     """
-    swung = [(k, leg) for k, leg in enumerate(programme) if isinstance(leg, Oscillation)]
+    oscillations = [(k, leg) for k, leg in enumerate(programme) if isinstance(leg, Oscillation)]
     nothing = np.full(len(mu), np.nan)
-    if not swung:
+    if not oscillations:
         return Loop(nothing, nothing, nothing)
-    k, leg = swung[-1]
+    k, leg = oscillations[-1]
     begin = sum(leg_duration(before) for before in programme[:k])
     end, period = begin + leg_duration(leg), 1.0 / leg.frequency
     time = times[0]
@@ -254,26 +292,27 @@ def loop(programme: Programme, times: np.ndarray, mu: np.ndarray, force: np.ndar
 
 
 def _trapezoids(time: np.ndarray, period: float) -> np.ndarray:
-    """Return the weights of samples of one period of a periodic function, shape (samples,)."""
+    """Return the trapezoidal weights of the samples of one period, shape (samples,)."""
     gaps = np.diff(time, append=time[0] + period)
     return 0.5 * (gaps + np.roll(gaps, 1))
 
 
 def extremum(place: np.ndarray, curves: np.ndarray, sign: float) -> tuple[np.ndarray, np.ndarray]:
-    """Return (value, place) of the largest ``sign`` times value of each curve, shape (replicates,).
+    """Return value and place of the maximum of ``sign`` times each curve, shape (replicates,).
 
     place : times or distances, increasing, shape (samples,). curves : shape (replicates, samples).
-    Between samples by the parabola through the largest and its neighbours; at either end the
-    sample itself. NaN where a curve holds NaN.
+    The maximum is that of the parabola through the largest sample and its neighbours, or
+    the sample itself at an end. NaN for a curve with NaN.
     """
-    found = np.full((2, len(curves)), np.nan)
+    extrema = np.full((2, len(curves)), np.nan)
     for row, curve in enumerate(curves):
         if np.isfinite(curve).all():
-            found[:, row] = _highest(place, sign * curve)
-    return sign * found[0], found[1]
+            extrema[:, row] = _highest(place, sign * curve)
+    return sign * extrema[0], extrema[1]
 
 
 def _highest(x: np.ndarray, y: np.ndarray) -> tuple[float, float]:
+    """Return value and place of the maximum of samples."""
     k = int(np.argmax(y))
     if not 0 < k < y.size - 1:
         return float(y[k]), float(x[k])

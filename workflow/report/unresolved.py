@@ -6,7 +6,7 @@ from collections.abc import Mapping
 import numpy as np
 import xarray as xr
 
-from ..reduce import ENOUGH, NARROW, OFF, RESOLVED, UNRESOLVED
+from ..reduce import LARGE_BIAS, NARROW_CONTACTS, RESOLVED, RESOLVED_SAMPLES, UNRESOLVED
 
 POINT_STATUS, TRACE_STATUS = "resolution_status", "trace_resolution_status"
 
@@ -26,11 +26,15 @@ def why_hollow(points: xr.Dataset) -> str:
     """Return why points are not resolved, as text: narrow contacts, or a large error."""
     hollow = not_resolved(points)
     known = "samples_per_contact" in points
-    wide = hollow & (points.samples_per_contact.values >= ENOUGH) if known else np.zeros(1, bool)
+    wide = (
+        hollow & (points.samples_per_contact.values >= RESOLVED_SAMPLES)
+        if known
+        else np.zeros(1, bool)
+    )
     count = np.count_nonzero(wide)
     if not count:
-        return NARROW
-    return f"{NARROW} or {OFF}" if np.count_nonzero(hollow) > count else OFF
+        return NARROW_CONTACTS
+    return f"{NARROW_CONTACTS} or {LARGE_BIAS}" if np.count_nonzero(hollow) > count else LARGE_BIAS
 
 
 def without_unresolved(dataset: xr.Dataset) -> tuple[xr.Dataset, int]:

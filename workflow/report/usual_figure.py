@@ -16,7 +16,7 @@ from matplotlib import pyplot as plt
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from ..reduce import NARROW, OFF
+from ..reduce import LARGE_BIAS, NARROW_CONTACTS
 from ..result import Groups
 from ..study import COMMON_AXES
 from .in_words import axes_in, mathematical, model_in_words, unit_in_words, value_label, with_unit
@@ -82,7 +82,9 @@ def draw(groups: Groups) -> Figure:
     notes = [
         _drawn(len(varied) > 1 and data.sizes[varied[1]], MAX_COLOURS, "values of the second"),
         _drawn(len(places), MAX_ROWS, "places on the other axes"),
-        f"Dotted curves ({dotted}) are not resolved: {NARROW} or {OFF}." if dotted else "",
+        f"Dotted curves ({dotted}) are not resolved: {NARROW_CONTACTS} or {LARGE_BIAS}."
+        if dotted
+        else "",
         f"{model}." if (model := model_in_words(data).replace("mu_1", "µ₁")) else "",
         "" if shown else _single_point_text(data),
     ]

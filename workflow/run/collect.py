@@ -116,7 +116,7 @@ class Collector:
         tasks = [variant.tasks[row] for row in rows]
         estimates = self.fitted[variant.label].at(rows)
         expected = [variant.goals[task.key] for task in tasks]
-        goals = reduce.with_found_bias(expected, tasks, estimates, variant.numerics)
+        goals = reduce.with_measured_bias(expected, tasks, estimates, variant.numerics)
         ratios = np.array([task.problem.ratio for task in tasks])
         per_block = self.plan.study.realizations_per_block
         realizations = per_block * self.fitted[variant.label].blocks[rows]

@@ -6,7 +6,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from scipy.optimize import curve_fit
 
-from elastomer_friction.workflow.reduce.decays import RANGE, fit_decays
+from elastomer_friction.workflow.reduce.decays import RATE_RANGE, fit_decays
 from elastomer_friction.workflow.reduce.least_squares import fit_curves
 from elastomer_friction.workflow.reduce.models import one_exponential, stretched
 from tests.support.sweeps import examples
@@ -122,7 +122,7 @@ def test_what_no_decay_describes_ends_without_a_word():
         found = fit_decays(TIME, curves, EVEN, rates, offset)
         known = found[np.isfinite(found).all(axis=1)]
         span = known[:, 1] * TIME[-1]
-        assert ((span >= 0.999 * RANGE[0]) & (span <= 1.001 * RANGE[1])).all()
+        assert ((span >= 0.999 * RATE_RANGE[0]) & (span <= 1.001 * RATE_RANGE[1])).all()
         assert np.isnan(found[4]).all()
     flat, steep = (fit_decays(TIME, curves[i : i + 1], EVEN, rates[:1])[0, 1] for i in (0, 2))
     assert flat < 0.01 / TIME[-1]
