@@ -150,4 +150,5 @@ def _validity(content: Mapping[str, Any]) -> Validity:
         if field.name not in OPTIONAL_FIELDS or field.name in content
     }
     values["motions"] = tuple((str(name), float(rms)) for name, rms in values["motions"])
-    return Validity(**{k: v if k in TEXT_FIELDS else float(v) for k, v in values.items()})
+    typed: dict[str, Any] = {k: v if k in TEXT_FIELDS else float(v) for k, v in values.items()}
+    return Validity(**typed)

@@ -145,7 +145,7 @@ def still(velocity, count=40):
         (
             [result(memory_law()), result(memory_law(), force=3.0)],
             {},
-            r"normal_force of \[2.0, 3.0\]: a law over the load is .* of 3 loads or more",
+            r"normal_force of \[2.0, 3.0\]: a law over the load requires .* 3 loads or more",
         ),
     ],
 )
