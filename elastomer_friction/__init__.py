@@ -1,15 +1,15 @@
-"""Kinetics of the friction coefficient of elastomers: what is asked of it from Python.
+"""Kinetics of the friction coefficient of elastomers: the Python interface.
 
-``scene.run`` computes one scene, ``open`` reads a result file, ``law.fit`` makes a reduced law of
-either, ``KineticLaw`` is the closed form of the paper (eqs. 12 to 16), and ``UserError`` is what
-all of them raise for input that is not right.
+``scene.run`` computes one scene, ``open`` reads a result file, ``law.fit`` fits a reduced law to
+either, ``KineticLaw`` is the closed form of the paper (eqs. 12 to 16), and all of them raise
+``UserError`` for invalid input.
 Source: Li, Dimaki, Popov, Psakhie, Popov (2014), doi:10.1038/srep05795.
 """
 
 import os
 
-# We write no file that has its name already, so HDF5 needs no locks of its own; where a file system
-# has none, it would refuse to write. HDF5 looks here once, when it is loaded.
+# Files are written under temporary names, so that HDF5 needs no locks; without locks of the file
+# system it would refuse to write. HDF5 reads this variable once, when it is loaded.
 os.environ.setdefault("HDF5_USE_FILE_LOCKING", "FALSE")
 
 from typing import TYPE_CHECKING

@@ -3,8 +3,8 @@
 At constant indentation the field of states moves with the line. One turn of an element round the
 period, from the deepest sample, is a piecewise linear map of its state there and of d. The state
 must return to its initial value, and the forces on the way must carry the load (eq. 4). Newton's
-method solves both, with exact tangents that follow the same law (tangents.py). Where the line lies
-above d no element touches, as none is ever pulled up, and the element takes many steps at once.
+method solves both, with exact tangents that follow the same law (tangents.py). Elements are never
+pulled up, so that a line above d is not touched and the element takes many steps at once there.
 The initial guess is the solution on every sixteenth sample, with steps sixteen times as long; its
 own guess comes from a coarser line again.
 Eq. 4 alone is solved in model/contact.py, and in model/steady.py for elements that remember only u.

@@ -41,7 +41,7 @@ def masked_residuals(law: Law, motions: Sequence[Transient], masks: Masks) -> li
 
 
 def root_mean_square(parts: Sequence[np.ndarray]) -> float:
-    """Return the root mean square of all numbers, NaN if there are none."""
+    """Return the root mean square of all numbers, or NaN for empty parts."""
     values = np.concatenate(parts)
     return float(np.sqrt(np.mean(values**2))) if values.size else math.nan
 

@@ -19,7 +19,7 @@ TRACES = ("trace_time", "trace_velocity", "trace_distance", "trace_segment", "tr
 
 
 class Transient(NamedTuple):
-    """One motion with velocities linear between its rows, some of which hold friction.
+    """A motion with velocities linear between its rows; friction is known at some rows.
 
     Two rows at the same time are a jump of the velocity. Arrays have the shape (rows,).
     """

@@ -150,7 +150,7 @@ def _store_slip_events(estimates: Estimates, blocks: Blocks, _: Means) -> None:
     estimates["slip_event_kind"] = np.nan_to_num(kinds[:, :count], nan=-1.0).astype(np.int8)
 
 
-# Quantities of a programme, any of which requires the estimates of the function.
+# Quantities of a programme, and the function that reduces their estimates.
 QUANTITY_REDUCERS: tuple[tuple[tuple[str, ...], Callable[..., None]], ...] = (
     (("trace", "energy"), _store_motion),
     (("trace",), _store_traces),

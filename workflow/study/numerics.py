@@ -32,7 +32,7 @@ class Numerics(NamedTuple):
 
     @property
     def refines(self) -> bool:
-        """Whether contact edges of steady sliding are located between the samples.
+        """Return whether contact edges of steady sliding are located between the samples.
 
         This is done only if "auto" chooses the steps. A given number of steps is used as it is,
         and the result marks unresolved contacts.

@@ -179,7 +179,7 @@ def key_of(message: str) -> str:
 def line_of(text: str, key: str, scale: str = "") -> int | None:
     """Return the number of the line of a key, or of the table in which it is missing.
 
-    scale : name of the selected scale, whose tables have priority. None if there is no such line.
+    scale : name of the selected scale, whose tables have priority. None if the key has no line.
     """
     lines, whole = text.splitlines(), tomllib.loads(text)
     parts = [part.strip('"') for part in re.split(r"[.\[\]]+", key) if part]

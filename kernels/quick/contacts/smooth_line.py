@@ -195,9 +195,8 @@ def _minimum(c, u, a, start, stop):
         else:
             high = t
         new = t - slope / bend
-        if (
-            abs(new - t) <= LAST_STEP * LAST_STEP
-        ):  # before the test of the bounds, one of which is t
+        # This test comes before that of the bounds, as t is one of the bounds.
+        if abs(new - t) <= LAST_STEP * LAST_STEP:
             return min(max(new, start), stop)
         t = new if low < new < high else 0.5 * (low + high)
     return t

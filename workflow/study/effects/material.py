@@ -80,7 +80,7 @@ class Material(NamedTuple):
 
     @property
     def jumps(self) -> bool:
-        """Whether forces jump with the velocity, as they do with a dashpot."""
+        """Return whether forces jump with the velocity, as they do with a dashpot."""
         return self.relaxation_time > 0.0
 
     @property

@@ -138,26 +138,26 @@ class Scene(NamedTuple):
 
     @property
     def heals(self) -> bool:
-        """Whether a hold follows a slide and precedes another slide."""
+        """Return whether a hold follows a slide and precedes another slide."""
         kinds = [type(segment) for segment in self.segments]
         healing = [SlideSegment, HoldSegment, SlideSegment]
         return any(kinds[i : i + 3] == healing for i in range(len(kinds)))
 
     @property
     def starts_after_sliding(self) -> bool:
-        """Whether it begins at rest after steady sliding at the velocity of the grid."""
+        """Return whether it begins at rest after steady sliding at the velocity of the grid."""
         first = self.programme[0] if self.programme else None
         return self.start == STEADY and isinstance(first, HoldSegment)
 
     @property
     def uses_velocity(self) -> bool:
-        """Whether the velocity of the grid is used."""
+        """Return whether the velocity of the grid is used."""
         relative = any(v.relative for segment in self.programme for v in velocities_of(segment))
         return not self.programme or relative or self.starts_after_sliding
 
     @property
     def uses_indentation(self) -> bool:
-        """Whether the grid prescribes the indentation."""
+        """Return whether the grid prescribes the indentation."""
         return self.control == INDENTATION and self.indentation_history is None
 
     @property

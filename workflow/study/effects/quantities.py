@@ -59,7 +59,7 @@ class Quantity(NamedTuple):
     effect: str  # description of the computation
     means: tuple[str, ...] = ()  # kernels' names of the block means that estimate it
     accuracy_estimate: str = ""  # the estimate to which a requested accuracy applies
-    needs: tuple[str, ...] = ()  # other quantities, one of which must be requested too
+    needs: tuple[str, ...] = ()  # other quantities; at least one must be requested too
     requirements: tuple[Requirement, ...] = ()
 
 
