@@ -69,12 +69,12 @@ def main(loaded: str) -> None:
             sys.modules[name] = package
     else:
         from elastomer_friction import kernels  # noqa: F401
-    found = {
+    actual = {
         name: (len(lines), hashlib.sha256("\n".join(lines).encode()).hexdigest())
         for name, lines in listings().items()
     }
     modules = sorted(name for name in sys.modules if name.startswith("elastomer_friction.kernels."))
-    print(json.dumps({"kernels": found, "modules": modules}))
+    print(json.dumps({"kernels": actual, "modules": modules}))
 
 
 if __name__ == "__main__":

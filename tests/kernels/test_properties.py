@@ -163,13 +163,13 @@ def test_order_and_splitting_of_branches_change_nothing(name):
     """No bit on a line; on a map the complex modulus sums the branches in their order."""
     plain = case_of(name, "prony")
     for spectrum in rearranged(MATERIALS["prony"]):
-        found = case_of(name, spectrum)
+        actual = case_of(name, spectrum)
         if name == "line":
-            assert bits(found) == bits(plain)
+            assert bits(actual) == bits(plain)
         else:
-            assert_same_outcome(found, plain, name)
-            assert found.mu_1 == pytest.approx(plain.mu_1, rel=1e-12)
-            np.testing.assert_array_equal(found.jump, plain.jump)
+            assert_same_outcome(actual, plain, name)
+            assert actual.mu_1 == pytest.approx(plain.mu_1, rel=1e-12)
+            np.testing.assert_array_equal(actual.jump, plain.jump)
 
 
 STEADY = Quantities(jump=False, relaxation=False)
@@ -271,10 +271,10 @@ def test_a_mirror_image_marches_the_other_way(name, material):
     back = march_of(name, tuple(map(reversed_leg, legs)), material, image)
     signs = {"mu": -1.0, "distance": -1.0, "contact_fraction": 1.0, "indentation": 1.0}
     for trace, sign in signs.items():
-        found, expected = back[f"trace_{trace}"], sign * there[f"trace_{trace}"]
+        actual, expected = back[f"trace_{trace}"], sign * there[f"trace_{trace}"]
         one_sample = 1.01 / image.z.size if trace == "contact_fraction" else 0.0  # at its verge
         atol = max(body.mirror, one_sample if name == "map" else 0.0)
-        np.testing.assert_allclose(found, expected, rtol=0, atol=atol, err_msg=trace)
+        np.testing.assert_allclose(actual, expected, rtol=0, atol=atol, err_msg=trace)
 
 
 @pytest.mark.parametrize(("name", "material"), MARCHES)
@@ -319,12 +319,12 @@ def test_a_programme_cut_in_two_and_resumed_is_the_same_to_the_bit(name, materia
     rest = whole._replace(programme=EVERY_LEG[cut:])
     count = scene_steps(rest, M, state.origin).dt.size
     second = run_scene(line(), rest._replace(recorded=np.arange(1, count + 1)), state)
-    found = run_scene(line(), whole)
+    actual = run_scene(line(), whole)
     series = (*TRACES, "stored_energy") if name == "blocks" else TRACES
     for key in series:
-        np.testing.assert_array_equal(np.append(first[key], second[key]), found[key])
+        np.testing.assert_array_equal(np.append(first[key], second[key]), actual[key])
     for field in SavedState._fields:
-        np.testing.assert_array_equal(second[f"state_{field}"], found[f"state_{field}"])
+        np.testing.assert_array_equal(second[f"state_{field}"], actual[f"state_{field}"])
 
 
 @pytest.mark.parametrize("name", MARCH_BODIES)

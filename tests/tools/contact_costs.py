@@ -56,11 +56,11 @@ def from_cold(surface: Surface, elements: int, pressure: float) -> list[str]:
     def told(taken: float, p: np.ndarray) -> str:
         return f"{taken:.4f} {float(np.abs(p - exact).max() / exact.max()):.0e}"
 
-    found = press(z, pressure, operator, None, OURS)
+    actual = press(z, pressure, operator, None, OURS)
     taken = fastest(lambda: press(z, pressure, operator, None, OURS))
-    out, each = np.empty_like(z), 1e9 * taken / (found.passes * n)
-    alone = 1e9 * fastest(lambda: operator.displaced(found.p, out)) / n
-    cells = [told(taken, found.p), f"{each:.1f} {alone:.1f}"]
+    out, each = np.empty_like(z), 1e9 * taken / (actual.passes * n)
+    alone = 1e9 * fastest(lambda: operator.displaced(actual.p, out)) / n
+    cells = [told(taken, actual.p), f"{each:.1f} {alone:.1f}"]
     with contextlib.suppress(FileNotFoundError):
         # The gap, and what the operator and a solution hold: fields, compliances, modes, two maps.
         least = 1e9 * machine()[1].seconds(of_pass(n), 1, 7.5 * NUMBER * n)

@@ -106,20 +106,20 @@ def stopped(lines: Lines, problem: Problem, wanted: float) -> tuple[Estimates, n
     goal = Goal(0, dict.fromkeys(NAMES, 0.0), scatter, 0.0)
     size = np.full(STUDIES, least_blocks(NAMES))
     going = np.arange(STUDIES)
-    found: Estimates = {}
+    actual: Estimates = {}
     while going.size:
         for count in np.unique(size[going]):
             some = going[size[going] == count]
             for name, values in estimates(lines, some, int(count)).items():
-                found.setdefault(name, np.empty((STUDIES, *values.shape[1:]), values.dtype))
-                found[name][some] = values
+                actual.setdefault(name, np.empty((STUDIES, *values.shape[1:]), values.dtype))
+                actual[name][some] = values
         goals, ratios = [goal] * going.size, np.full(going.size, problem.ratio)
-        some = {name: values[going] for name, values in found.items()}
+        some = {name: values[going] for name, values in actual.items()}
         growth = attained(some, goals, ratios, wanted, QUARTET * size[going]).growth
         both = zip(size[going].tolist(), growth.tolist(), strict=True)
         before, size[going] = size[going], [next_blocks(n, g, BLOCKS) for n, g in both]
         going = going[size[going] > before]
-    return found, size
+    return actual, size
 
 
 def coverage(found: Estimates, truth: Estimates, name: str) -> tuple[np.ndarray, int]:
@@ -159,11 +159,11 @@ def main() -> int:
             assert truth["fit_status"][0] == FITTED
             print(f"{name}, F = {problem.load:g}")
             for size in SIZES:
-                found = estimates(lines, np.arange(STUDIES), size // QUARTET)
-                off += row(f"{size} lines, {size // QUARTET} quartets", found, truth)
-            found, sizes = stopped(lines, problem, wanted)
+                actual = estimates(lines, np.arange(STUDIES), size // QUARTET)
+                off += row(f"{size} lines, {size // QUARTET} quartets", actual, truth)
+            actual, sizes = stopped(lines, problem, wanted)
             what = f"rounds to {wanted:.0%}, {QUARTET * sizes.mean():.0f} lines on average"
-            off += row(what, found, truth)
+            off += row(what, actual, truth)
     mean = np.mean(off, axis=0)
     print(f"mean of all cells: {mean[0]:+.2f}, {mean[1]:+.2f} binomial errors from the claim")
     columns = len(POINTS) * len(NAMES)  # independent of each other, unlike sizes

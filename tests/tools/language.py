@@ -110,8 +110,8 @@ def language_matches() -> dict[Rule, list[str]]:
     for path in sorted(paths):
         name, text = path.relative_to(ROOT).as_posix(), path.read_text(encoding="utf-8")
         tree = ast.parse(text)
-        for rule, line, found in (*matches_of_tree(tree), *matches_of_comments(text)):
-            places[rule].append(f"{name}:{line}: {found}")
+        for rule, line, actual in (*matches_of_tree(tree), *matches_of_comments(text)):
+            places[rule].append(f"{name}:{line}: {actual}")
         if name.startswith(("kernels", "workflow")):
             for constant, value in constants_of(tree):
                 values[constant][name] = value

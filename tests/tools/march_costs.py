@@ -64,16 +64,16 @@ def marches(problem: Problem, compiled: Compiled | None) -> dict[str, float]:
         ways["C"] = lambda n: compiled.march(z, weight, w, d, law.decay, law.stiffness, p.load, n)[
             -1
         ]
-    found, expected = {}, ways["march"](steps)
+    actual, expected = {}, ways["march"](steps)
     for name, way in ways.items():
-        found[name] = fastest(lambda way=way: way(steps)) / (z.size * steps)  # type: ignore[misc]
+        actual[name] = fastest(lambda way=way: way(steps)) / (z.size * steps)  # type: ignore[misc]
         mu, scale = way(steps), abs(expected) + AGREEMENT
         assert abs(mu - expected) < AGREEMENT * scale, (name, problem.row, mu, expected)
     with contextlib.suppress(ImportError, ArithmeticError):
         solver = TamaasMarch(p.line, p.row.load)
         dt = 1.0 / (p.row.m * p.speed * RATIO)
-        found["tamaas"] = fastest(lambda: solver.advance(1, dt)) / z.size
-    return found
+        actual["tamaas"] = fastest(lambda: solver.advance(1, dt)) / z.size
+    return actual
 
 
 def cases(problem: Problem, compiled: Compiled | None) -> dict[str, float]:
@@ -85,7 +85,7 @@ def cases(problem: Problem, compiled: Compiled | None) -> dict[str, float]:
     case = Case(p.row.load, p.speed, (RATIO,), (p.kept,), "exponential")
     prepared = prepare([case], p.row.m, Quantities())
     lines = [p.line] * lines_at_once(p.line.z.size)
-    found = {"case": fastest(lambda: run_prepared(lines, prepared)) / len(lines)}
+    actual = {"case": fastest(lambda: run_prepared(lines, prepared)) / len(lines)}
     if compiled:
 
         def in_c() -> None:
@@ -99,8 +99,8 @@ def cases(problem: Problem, compiled: Compiled | None) -> dict[str, float]:
             law = p.law
             compiled.march(p.line.z, p.weight, w, d, law.decay, law.stiffness, p.load, p.row.steps)
 
-        found["case in C"] = fastest(in_c)
-    return found
+        actual["case in C"] = fastest(in_c)
+    return actual
 
 
 def march_costs() -> None:
@@ -117,16 +117,16 @@ def march_costs() -> None:
     print("|---|" + "---|" * len(COLUMNS))
     for row in ROWS:
         problem = Problem(row)
-        z, found = problem.line.z, {k: 1e9 * s for k, s in marches(problem, compiled).items()}
-        found |= {k: 1e3 * s for k, s in cases(problem, compiled).items()}
+        z, actual = problem.line.z, {k: 1e9 * s for k, s in marches(problem, compiled).items()}
+        actual |= {k: 1e3 * s for k, s in cases(problem, compiled).items()}
         sweep = fastest(lambda p=problem, z=z: steady_sliding(p.before, z, p.load))
-        found["sweep"] = 1e9 * sweep / problem.sweeps / z.size
+        actual["sweep"] = 1e9 * sweep / problem.sweeps / z.size
         if limits:
-            step = found["limit of a step"] = 1e9 * limits.seconds(MARCH, 1, 3 * NUMBER * z.size)
-            least = found["limit of a sweep"] = 1e9 * limits.seconds(SWEEP, 1, 2 * NUMBER * z.size)
-            found["share of it"] = step / found["march"]
-            found["share of one"] = least / found["sweep"]
-        cells = (f"{found[name]:.3g}" if name in found else "" for name in COLUMNS)
+            step = actual["limit of a step"] = 1e9 * limits.seconds(MARCH, 1, 3 * NUMBER * z.size)
+            least = actual["limit of a sweep"] = 1e9 * limits.seconds(SWEEP, 1, 2 * NUMBER * z.size)
+            actual["share of it"] = step / actual["march"]
+            actual["share of one"] = least / actual["sweep"]
+        cells = (f"{actual[name]:.3g}" if name in actual else "" for name in COLUMNS)
         print(f"| {', '.join(f'{value:g}' for value in row)} | " + " | ".join(cells) + " |")
 
 

@@ -68,12 +68,12 @@ class Mutant(NamedTuple):
 def mutants_of(path: Path) -> list[Mutant]:
     """Return all mutants of a file of Python code."""
     tree = ast.parse(path.read_text(encoding="utf-8"))
-    found = []
+    actual = []
     for number, (statement, what, _) in enumerate(_sites(tree)):
         body = getattr(statement, "body", None)  # of a compound statement the head alone counts
         last = body[0].lineno - 1 if body else statement.end_lineno
-        found.append(Mutant(path, number, statement.lineno, max(last, statement.lineno), what))
-    return found
+        actual.append(Mutant(path, number, statement.lineno, max(last, statement.lineno), what))
+    return actual
 
 
 def _sites(tree: ast.Module) -> Iterator[Site]:
@@ -164,8 +164,8 @@ def _of_choice(node: ast.IfExp) -> Iterator[tuple[str, Change]]:
 def _of_loop(node: ast.comprehension) -> Iterator[tuple[str, Change]]:
     for at, condition in enumerate(node.ifs):
         turned = ast.UnaryOp(ast.Not(), condition)
-        said = f"if {ast.unparse(condition)}: turned"
-        yield said, partial(node.ifs.__setitem__, at, turned)
+        message = f"if {ast.unparse(condition)}: turned"
+        yield message, partial(node.ifs.__setitem__, at, turned)
 
 
 CHANGES: dict[Any, Callable[[Any], Iterator[tuple[str, Change]]]] = {

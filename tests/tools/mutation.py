@@ -83,8 +83,8 @@ class Reached:
                 users[SETUP + fixture].add(test)
 
         def tests_of(contexts: list[str]) -> set[str]:
-            found = {test for c in contexts if not c.startswith(IMPORT) for test in users[c]}
-            return found and found.union(*(users[c] for c in contexts))  # on import alone: all
+            actual = {test for c in contexts if not c.startswith(IMPORT) for test in users[c]}
+            return actual and actual.union(*(users[c] for c in contexts))  # on import alone: all
 
         data = self.coverage.get_data()
         return {
@@ -111,9 +111,9 @@ class Room(NamedTuple):
         All of the room where none does, as of what is reached on import.
         """
         lines = self.lines.get(str(mutant.path.resolve()), {})
-        found = set().union(*(lines.get(n, ()) for n in range(mutant.line, mutant.last + 1)))
+        actual = set().union(*(lines.get(n, ()) for n in range(mutant.line, mutant.last + 1)))
         own = f"test_{mutant.path.stem}.py"
-        return sorted(found or self.cost, key=lambda test: (own not in test, self.cost[test]))
+        return sorted(actual or self.cost, key=lambda test: (own not in test, self.cost[test]))
 
 
 def room_of(place: Path, scratch: Path) -> Room:
@@ -154,16 +154,16 @@ def in_a_process(work: Callable[[], int], seconds: float, log: Path) -> int:
             sys.stdout.flush()
             os._exit(status)
     end = time.monotonic() + TIMES_LONGER * seconds
-    ended, found = 0, 0
+    ended, actual = 0, 0
     while not ended and time.monotonic() < end:
         time.sleep(0.05)
-        ended, found = os.waitpid(pid, os.WNOHANG)
+        ended, actual = os.waitpid(pid, os.WNOHANG)
     with contextlib.suppress(ProcessLookupError):
         os.killpg(pid, signal.SIGKILL)  # and whatever it started
     if not ended:
         os.waitpid(pid, 0)
         return -1
-    return os.waitstatus_to_exitcode(found) if os.WIFEXITED(found) else -1
+    return os.waitstatus_to_exitcode(actual) if os.WIFEXITED(actual) else -1
 
 
 def try_one(room: Room, mutant: Mutant, log: Path) -> str:
@@ -187,7 +187,7 @@ def main() -> None:
     parser.add_argument("--count", type=int, default=100)
     parser.add_argument("--seed", type=int, default=12)
     given = parser.parse_args()
-    found: Counter[str] = Counter()
+    actual: Counter[str] = Counter()
     with tempfile.TemporaryDirectory() as folder:
         scratch = Path(folder)
         room = room_of(given.place, scratch)
@@ -197,11 +197,11 @@ def main() -> None:
         print(f"{given.place}: {len(room.cost)} tests of {sum(room.cost.values()):.0f} s of CPU")
         for mutant in random.Random(given.seed).sample(room.mutants, count):
             what = try_one(room, mutant, scratch / "log")
-            found[what] += 1
+            actual[what] += 1
             print(f"{what:9} {mutant}", flush=True)
     times = os.times()
     used = times.children_user + times.children_system
-    print(f"{given.place}: {dict(found)} of {count}, {used:.0f} s of CPU")
+    print(f"{given.place}: {dict(actual)} of {count}, {used:.0f} s of CPU")
 
 
 if __name__ == "__main__":

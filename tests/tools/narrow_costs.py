@@ -39,8 +39,8 @@ def by_program(line: Line, speed: float) -> Callable[[], np.ndarray]:
     prepared = prepare(cases, M, Quantities(relaxation=False))
 
     def run() -> np.ndarray:
-        (found,) = run_prepared([line], prepared)
-        return np.array([(one.mu_1, one.jump[0]) for one in found])
+        (actual,) = run_prepared([line], prepared)
+        return np.array([(one.mu_1, one.jump[0]) for one in actual])
 
     return run
 
@@ -50,7 +50,7 @@ def in_c(compiled: Compiled, line: Line, speed: float) -> Callable[[], np.ndarra
     n, m = line.z.size, line.steps_per_spacing
 
     def run() -> np.ndarray:
-        found = []
+        actual = []
         for share in LOADS:
             load, mu = share * n, []
             for formed in (speed, RATIO * speed):
@@ -59,8 +59,8 @@ def in_c(compiled: Compiled, line: Line, speed: float) -> Callable[[], np.ndarra
                 mu.append(compiled.friction(line.z, line.slope, w, d, formed, load))
                 if formed == speed:
                     at_once = compiled.friction(line.z, line.slope, w, d, RATIO * speed, load)
-            found.append((mu[0], at_once - mu[0]))
-        return np.array(found)
+            actual.append((mu[0], at_once - mu[0]))
+        return np.array(actual)
 
     return run
 

@@ -116,9 +116,9 @@ class Marches(NamedTuple):
 
     def taken(self) -> list[float]:
         """Return the seconds of each. Raises AssertionError where they differ."""
-        for name, found, values in zip(Trace._fields, self.by_blocks(), self.in_c(), strict=True):
+        for name, actual, values in zip(Trace._fields, self.by_blocks(), self.in_c(), strict=True):
             atol = AGREEMENT * np.abs(values).max()
-            np.testing.assert_allclose(found, values, rtol=0.0, atol=atol, err_msg=name)
+            np.testing.assert_allclose(actual, values, rtol=0.0, atol=atol, err_msg=name)
         return in_turns(self[1:], TURNS, 0.02)
 
 
@@ -149,8 +149,8 @@ def scene_costs() -> None:
         print("| scene | " + " | ".join(f"N = {elements}" for elements in ELEMENTS) + " |")
         print("|---|" + "---|" * len(ELEMENTS))
         for name in SCENES:
-            found = [ratios(name, elements, *rivals) for elements in ELEMENTS]
-            print(f"| {name} | " + " | ".join(found) + " |", flush=True)
+            actual = [ratios(name, elements, *rivals) for elements in ELEMENTS]
+            print(f"| {name} | " + " | ".join(actual) + " |", flush=True)
 
 
 def steady_costs() -> None:

@@ -39,8 +39,8 @@ def to_kelvin(glass: np.ndarray) -> np.ndarray:
     line, programme = a_line(64, 0.7, 4, 0), (Slide(2.0, 0.25),)
     kelvin = trace(line, programme, KELVIN)["trace_mu"][0]
     materials = (Spectrum((g,), (1.0 / g,), 0.0) for g in glass)
-    found = [trace(line, programme, material)["trace_mu"][0] for material in materials]
-    return np.array(found)[:, None] / kelvin - 1.0
+    actual = [trace(line, programme, material)["trace_mu"][0] for material in materials]
+    return np.array(actual)[:, None] / kelvin - 1.0
 
 
 def against_march() -> float:

@@ -47,16 +47,16 @@ def mean_of_lines(problem: Problem, steps: int, lines: int, seed: int) -> np.nda
     kept = curve_steps(horizon_steps(problem, Numerics(), steps), Numerics().curve_samples)
     case = Case(load, speed, (ratio,), (kept,), "exponential")
     amplitude = amplitudes(hurst, elements)
-    found, curves = [], []
+    actual, curves = [], []
     for index in range(lines):
         rng = np.random.default_rng([seed, elements, index])
         line = Line.self_affine(amplitude, draw_phases(rng, elements), elements, steps)
         outcome = run_case(line, case, Quantities())
-        found.append((outcome.mu_1, outcome.jump[0], outcome.samples_per_contact))
+        actual.append((outcome.mu_1, outcome.jump[0], outcome.samples_per_contact))
         curves.append(outcome.curves[0] - outcome.mu_2[0])
     time = curve_times(kept, steps * speed * ratio, "exponential")
     fit = fit_relaxation(time, replicates(np.array(curves), 0), 1.0)
-    mu_1, jump, samples = np.mean(found, axis=0)
+    mu_1, jump, samples = np.mean(actual, axis=0)
     return np.array([mu_1, jump, fit.rate[0] if fit.status == FITTED else np.nan, samples])
 
 
@@ -71,7 +71,7 @@ def errors(count: int, lines: int, seed: int) -> tuple[np.ndarray, np.ndarray]:
 
     The shape is (problems, 2, 2, 3): errors and bounds; the two m; mu_1, jump and b.
     """
-    x, found = [], []
+    x, actual = [], []
     for problem in problems(count, seed):
         auto = steps_per_spacing(problem, Scene(), Numerics())
         fine = FINER * auto
@@ -81,9 +81,9 @@ def errors(count: int, lines: int, seed: int) -> tuple[np.ndarray, np.ndarray]:
         both = auto, max(auto // 2, 1)
         each = [mean_of_lines(problem, m, lines, seed) for m in both]
         bounds = [stated(problem, m, seen) for m, seen in zip(both, each, strict=True)]
-        found.append((np.abs(np.array(each) / limit - 1.0)[:, :3], bounds))
+        actual.append((np.abs(np.array(each) / limit - 1.0)[:, :3], bounds))
         x.append(np.pi * problem.speed)
-    return np.array(x), np.array(found)
+    return np.array(x), np.array(actual)
 
 
 def _work(problem: Problem, steps: int) -> float:
@@ -92,12 +92,12 @@ def _work(problem: Problem, steps: int) -> float:
 
 def print_table(count: int = 240, lines: int = 8, seed: int = 2014) -> None:
     """Print the table."""
-    x, found = errors(count, lines, seed)
+    x, actual = errors(count, lines, seed)
     for low, high in RANGES:
         inside = (x >= low) & (x < high)
         for k, steps in enumerate(("auto", "half")):
             cells = [
-                f"{name} {_summary(*found[inside, :, k, column].T)}"
+                f"{name} {_summary(*actual[inside, :, k, column].T)}"
                 for column, name in enumerate(NAMES)
             ]
             print(f"{low:g} <= x < {high:g}, {steps}: {'; '.join(cells)}", flush=True)

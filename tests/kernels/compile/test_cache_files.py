@@ -83,14 +83,14 @@ def test_two_signatures_of_a_kernel_are_both_kept(folder):
 
 
 def test_an_edited_source_file_outside_of_the_package_is_compiled_again(folder, tmp_path):
-    found = []
+    actual = []
     for factor in (2, 3):
         source = tmp_path / "toy.py"
         source.write_text(f"def scaled(x):\n    return {factor} * x\n")
         names = {"__name__": "toy"}
         exec(compile(source.read_text(), source, "exec"), names)
-        found.append(kernel(names["scaled"])(7.0))
-    assert found == [14.0, 21.0]
+        actual.append(kernel(names["scaled"])(7.0))
+    assert actual == [14.0, 21.0]
 
 
 def test_functions_that_differ_in_enclosed_variables_are_not_confused(folder):
@@ -130,28 +130,28 @@ def waiting(folder, tmp_path):
     """Yield (the process that compiles, a thread that needs the same kernel, what it found)."""
     if PLAIN_PYTHON:
         pytest.skip("NUMBA_DISABLE_JIT=1: nothing compiled")
-    found = []
+    actual = []
     with standing(HOLDER, str(folder), str(tmp_path / "go")) as (holder, line):
         assert line == "compiling"
-        thread = Thread(target=lambda: found.append(hits()), daemon=True)
+        thread = Thread(target=lambda: actual.append(hits()), daemon=True)
         thread.start()
         thread.join(0.3)
         assert thread.is_alive()
-        yield holder, thread, found
+        yield holder, thread, actual
 
 
 def test_a_process_waits_for_another_one_and_loads_its_machine_code(waiting, tmp_path):
-    _, thread, found = waiting
+    _, thread, actual = waiting
     (tmp_path / "go").touch()
     thread.join(PATIENCE)
-    assert found == [1]
+    assert actual == [1]
 
 
 def test_a_process_that_dies_while_it_compiles_is_not_waited_for(waiting):
-    holder, thread, found = waiting
+    holder, thread, actual = waiting
     holder.kill()
     thread.join(PATIENCE)
-    assert found == [0]
+    assert actual == [0]
 
 
 def test_a_process_that_is_stopped_while_it_compiles_is_not_waited_for_long(

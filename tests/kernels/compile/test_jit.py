@@ -24,9 +24,9 @@ def test_kernels_release_the_interpreter():
     """A scheduler must be able to talk to a worker while a kernel runs."""
     ours = "elastomer_friction.kernels"
     modules = [module for name, module in sys.modules.items() if name.startswith(ours)]
-    found = [v for module in modules for v in vars(module).values() if isinstance(v, Dispatcher)]
-    assert len(found) > 20
-    assert all(one.targetoptions["nogil"] is True for one in found)
+    actual = [v for module in modules for v in vars(module).values() if isinstance(v, Dispatcher)]
+    assert len(actual) > 20
+    assert all(one.targetoptions["nogil"] is True for one in actual)
 
 
 def numbers():
@@ -35,9 +35,9 @@ def numbers():
     for scheme in SCHEMES:
         for rate in (True, False):
             asked, case = Quantities(indentation_rate=rate), CASE._replace(scheme=scheme)
-            found = run_case(line_of(elements=60), case, asked)
-            one = [found.mu_1, found.indentation, found.contact_fraction]
-            for values in (one, found.mu_2, found.jump, *found.curves):
+            actual = run_case(line_of(elements=60), case, asked)
+            one = [actual.mu_1, actual.indentation, actual.contact_fraction]
+            for values in (one, actual.mu_2, actual.jump, *actual.curves):
                 lines.append(" ".join(float(value).hex() for value in values))
     return lines
 
@@ -177,10 +177,10 @@ def lowest(values):
 @kernel
 def total(pair):
     """Return a weighted sum."""
-    found = 0.0
+    actual = 0.0
     for i in range(pair.first.size):
-        found += weigh(pair, i)
-    return found
+        actual += weigh(pair, i)
+    return actual
 
 
 @kernel

@@ -83,8 +83,8 @@ def test_quantised_heights_end_for_every_root_on_a_tie():
 @pytest.mark.parametrize(("guess", "passes"), [(0.5, 2), (1.0, 1), (1.5, 2), (1e9, 3)])
 @pytest.mark.parametrize("stiffness", [(), (np.array([3.0, 1.0]),)])
 def test_a_load_below_rounding_is_carried_by_the_lowest_element(guess, passes, stiffness):
-    found = solve_indentation(np.array([1.0, 2.0]), 1e-17, guess, *stiffness)
-    assert found == (1.0 + EPS, passes)  # it touches: friction must not become 0/0
+    actual = solve_indentation(np.array([1.0, 2.0]), 1e-17, guess, *stiffness)
+    assert actual == (1.0 + EPS, passes)  # it touches: friction must not become 0/0
 
 
 def test_rounding_below_every_threshold_does_not_go_round_for_ever():

@@ -51,8 +51,8 @@ def parabola_errors(speed, estimate, exact):
     """Return relative errors of an estimate on the parabola, shape (refinements, offsets)."""
     load = parabola_forces(DEPTH, RADIUS, speed)[0] / ELEMENTS
     lines = {(m, o): parabola(ELEMENTS, m, o, RADIUS) for m in REFINEMENTS for o in OFFSETS}
-    found = [estimate(*line, load, speed, m) / exact - 1.0 for (m, _), line in lines.items()]
-    return np.array(found).reshape(len(REFINEMENTS), len(OFFSETS))
+    actual = [estimate(*line, load, speed, m) / exact - 1.0 for (m, _), line in lines.items()]
+    return np.array(actual).reshape(len(REFINEMENTS), len(OFFSETS))
 
 
 # Error constants measured, twice that allowed; slowing down they scatter with the offset.

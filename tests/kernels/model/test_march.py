@@ -81,8 +81,8 @@ def test_steady_sliding_is_that_of_an_element_carried_round_the_line(scene, sche
     # Bisection to one ulp; the force loses digits as the stiffness, at most 150 here.
     assert jump.state.d == pytest.approx(d, rel=1e-12)
     np.testing.assert_allclose(jump.state.w, w, atol=1e-12 * max(1.0, d))
-    found = np.minimum(jump.state.w, jump.z - jump.state.d)
-    np.testing.assert_allclose(found, u, atol=1e-12 * max(1.0, d))
+    actual = np.minimum(jump.state.w, jump.z - jump.state.d)
+    np.testing.assert_allclose(actual, u, atol=1e-12 * max(1.0, d))
     assert jump.sweeps <= 10
 
 

@@ -144,23 +144,23 @@ def lines(z, slope, m, steps, start):
 def test_whole_samples_are_the_line_itself_read_from_elsewhere():
     z, slope = random_line(20, 0.7, 2, seed=1)
     steps = steps_of((Slide(1.0, 12.0), Slide(-1.0, 30.0)), 2)
-    found = lines(z, slope, 2, steps, 0.0)
-    for row, place in zip(found, np.append(0.0, steps.position), strict=True):
+    actual = lines(z, slope, 2, steps, 0.0)
+    for row, place in zip(actual, np.append(0.0, steps.position), strict=True):
         np.testing.assert_array_equal(row, [np.roll(v, int(place)) for v in (z, slope)])
 
 
 def test_fractions_are_shifted_and_stages_do_not_show(monkeypatch):
     z, slope = random_line(20, 0.7, 2, seed=1)
     steps = steps_of(PROGRAMME, 2, 0.4)
-    found = lines(z, slope, 2, steps, 0.4)
+    actual = lines(z, slope, 2, steps, 0.4)
     shifted = FourierShift(z, slope, 2)
-    for row, place in zip(found, np.append(0.4, steps.position), strict=True):
+    for row, place in zip(actual, np.append(0.4, steps.position), strict=True):
         whole = int(np.floor(place))
         expected = [np.roll(v, whole) for v in shifted.by(place - whole)]
         np.testing.assert_allclose(row, expected, atol=1e-14)
     monkeypatch.setattr(module, "MAX_SHIFTED_LINES", 3)
     assert len(list(tracks(z, slope, 2, steps, 0.4, 1.5))) > 10
-    np.testing.assert_array_equal(lines(z, slope, 2, steps, 0.4), found)
+    np.testing.assert_array_equal(lines(z, slope, 2, steps, 0.4), actual)
 
 
 def test_no_steps_still_show_where_the_line_is():

@@ -46,12 +46,12 @@ def slide(marches):
     z, numbers = np.array([3.0, 1.0, 0.0, 2.0]), []
     for k, (law, control) in enumerate(pairs):
         (w, d), _ = steady_sliding(law, z, 4.0)
-        found = [*w, d]
+        actual = [*w, d]
         if k < marches:
             start = State(0.5 * w, d)  # it has to settle
             mu, depth, *_ = march(law, control(4.0), z, z - 1.5, start, np.array([2]), 4.0)
-            found += [*mu, *depth]
-        numbers.append([float(number) for number in found])
+            actual += [*mu, *depth]
+        numbers.append([float(number) for number in actual])
     return numbers, sum(sum(one.stats.cache_misses.values()) for one in (steady_sliding, march))
 
 

@@ -144,13 +144,13 @@ def test_the_fmu_is_valid_and_runs_as_the_law_does(tmp_path, force):
     v = 0.04 * np.cos(40.0 * t)
     given = np.array(list(zip(t, v, strict=True)), [("time", float), ("v", float)])
     asked = {"stop_time": t[-1], "output_interval": step, "step_size": step, "output": ["mu"]}
-    found = fmpy.simulate_fmu(str(path), input=given, start_values=begin, **asked)
+    actual = fmpy.simulate_fmu(str(path), input=given, start_values=begin, **asked)
     state, expected = law.init(v[0]), [law.step(law.init(v[0]), v[0], 0.0)[1]]
     for held in v[:-1]:
         state, _ = law.step(state, held, 0.0)
         state, mu = law.step(state, held, step)
         expected.append(mu)
-    assert found["mu"] == pytest.approx(expected, rel=1e-9, abs=1e-12)  # of times that are summed
+    assert actual["mu"] == pytest.approx(expected, rel=1e-9, abs=1e-12)  # of times that are summed
     assert export(whole, "fmu", "rubber").content == written.content
 
 

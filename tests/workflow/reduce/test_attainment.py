@@ -43,8 +43,8 @@ def judge(
     }
     names = ("mu_1", "relaxation_rate")
     goal = Goal(4, dict.fromkeys(names, bias), dict.fromkeys(names, scatter), 100.0)
-    found = attained(estimates, [goal], np.array([1.2]), WANTED, np.array([100]))
-    return float(found.reached[0]), int(found.status[0]), float(found.growth[0])
+    actual = attained(estimates, [goal], np.array([1.2]), WANTED, np.array([100]))
+    return float(actual.reached[0]), int(actual.status[0]), float(actual.growth[0])
 
 
 CASES = {
@@ -106,9 +106,9 @@ def test_where_nothing_can_be_judged_nothing_is_reached():
     freedom = np.array([31])
     estimates = {"jump": np.zeros(1), "jump_error": np.zeros(1), "degrees_of_freedom": freedom}
     goal = Goal(4, {"jump": 0.0}, {"jump": 0.1}, 9.0)
-    found = attained(estimates, [goal], np.ones(1), WANTED, np.ones(1))
-    assert np.isnan(found.reached[0])
-    assert found.status[0] == MET_WHERE_DEFINED
+    actual = attained(estimates, [goal], np.ones(1), WANTED, np.ones(1))
+    assert np.isnan(actual.reached[0])
+    assert actual.status[0] == MET_WHERE_DEFINED
 
 
 MAPS = (
@@ -128,7 +128,7 @@ def test_no_result_of_maps_says_met_beside_an_error_that_exceeds_the_accuracy(tm
     """Patches of contact are smaller here than expected, so that the jump is off by more."""
     data = run(tmp_path, f"numerics.accuracy={WANTED}", *MAPS, *more).load().squeeze()
     bias = {name: 0.0 if more else data[f"{name}_bias"] for name in ("mu_1", "jump")}
-    found = [float(data[f"{n}_error"] / abs(data[n]) + own) for n, own in bias.items()]
+    actual = [float(data[f"{n}_error"] / abs(data[n]) + own) for n, own in bias.items()]
     # Few maps: the law of scatter may say that their errors are larger.
-    assert max(found) <= float(data.accuracy_reached) * (1.0 + 1e-9) <= WANTED
+    assert max(actual) <= float(data.accuracy_reached) * (1.0 + 1e-9) <= WANTED
     assert int(data.accuracy_status) == MET

@@ -29,14 +29,14 @@ VARIANT = PLAN.variants[0]
 def test_traces_of_tasks_are_filled_up_to_the_longest():
     tasks = VARIANT.tasks
     rows = np.ones((len(tasks), 4, PLAN.widest_row(VARIANT)))
-    found = blocks_of(PLAN, VARIANT, tasks, np.ones((len(tasks), 4, len(SCALARS))), rows)
-    assert found.values["trace_mu"].shape == (2, 4, VARIANT.events)
+    actual = blocks_of(PLAN, VARIANT, tasks, np.ones((len(tasks), 4, len(SCALARS))), rows)
+    assert actual.values["trace_mu"].shape == (2, 4, VARIANT.events)
     for row in range(2):
-        kept = np.isfinite(found.legs[row])
-        assert np.array_equal(kept, np.isfinite(found.values["trace_mu"][row, 0]))
-        assert set(np.diff(found.legs[row][kept])) == {0.0, 1.0}
-    assert found.programmes == tuple(task.problem.programme for task in tasks)
-    assert not found.jumps
+        kept = np.isfinite(actual.legs[row])
+        assert np.array_equal(kept, np.isfinite(actual.values["trace_mu"][row, 0]))
+        assert set(np.diff(actual.legs[row][kept])) == {0.0, 1.0}
+    assert actual.programmes == tuple(task.problem.programme for task in tasks)
+    assert not actual.jumps
 
 
 def test_an_estimate_of_one_block_has_no_error():
@@ -120,12 +120,12 @@ def test_failed_tasks_are_marked_and_others_keep_their_values():
         "flag": np.zeros(count - 1, np.int8),
     }
     counts = np.full(count, 4, np.int32)
-    found = completed(STEADY_PLAN, STEADY_VARIANT, estimates, sound, counts)
-    assert np.isnan(found["mu_1"][0])
-    assert found["flag"][0] == -1
-    assert (found["mu_1"][1:] == 1.0).all()
-    assert (found["rms_slope"] > 0.0).all()
-    assert found["realizations"] is counts
+    actual = completed(STEADY_PLAN, STEADY_VARIANT, estimates, sound, counts)
+    assert np.isnan(actual["mu_1"][0])
+    assert actual["flag"][0] == -1
+    assert (actual["mu_1"][1:] == 1.0).all()
+    assert (actual["rms_slope"] > 0.0).all()
+    assert actual["realizations"] is counts
 
 
 JUDGED = ("mu_1", "jump", "relaxation_rate")
@@ -206,8 +206,8 @@ def test_when_a_trace_is_kept_has_an_error_only_where_it_differs_from_line_to_li
     estimates |= dict.fromkeys(("trace_time", "trace_velocity"), np.ones((count, 3)))
     estimates["trace_time_error"] = np.full((count, 3), [0.0, 0.0, np.nan])
     estimates["trace_velocity_error"] = np.full((count, 3), [0.0, 0.1, np.nan])
-    found = completed(
+    actual = completed(
         STEADY_PLAN, STEADY_VARIANT, estimates, np.arange(count), np.full(count, 4, np.int32)
     )
-    assert "trace_time_error" not in found
-    assert found["trace_velocity_error"] is estimates["trace_velocity_error"]
+    assert "trace_time_error" not in actual
+    assert actual["trace_velocity_error"] is estimates["trace_velocity_error"]

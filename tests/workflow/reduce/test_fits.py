@@ -36,18 +36,18 @@ def spread(deviation, blocks=4):
 @given(st.floats(-3.0, 3.0), st.floats(-6.0, 2.0), st.sampled_from([-1.0, 1.0]))
 def test_rate_and_amplitude_over_six_decades_with_either_sign(decade, size, sign):
     rate, amplitude = 10.0**decade, sign * 10.0**size
-    found = fit(amplitude * np.exp(-SHARE), SHARE / rate)
-    assert found.status == FITTED
-    np.testing.assert_allclose(found.rate, rate, rtol=1e-6)
-    np.testing.assert_allclose(found.amplitude, amplitude, rtol=1e-6)
-    np.testing.assert_allclose(found.rate_free, rate, rtol=1e-5)
-    assert found.quality == pytest.approx(1.0)
+    actual = fit(amplitude * np.exp(-SHARE), SHARE / rate)
+    assert actual.status == FITTED
+    np.testing.assert_allclose(actual.rate, rate, rtol=1e-6)
+    np.testing.assert_allclose(actual.amplitude, amplitude, rtol=1e-6)
+    np.testing.assert_allclose(actual.rate_free, rate, rtol=1e-5)
+    assert actual.quality == pytest.approx(1.0)
 
 
 def test_amplitude_is_that_at_the_jump_not_at_the_first_sample():
     time = SHARE + 0.5
-    found = fit(2.0 * np.exp(-1.5 * time), time)
-    assert found.amplitude[0] == pytest.approx(2.0)
+    actual = fit(2.0 * np.exp(-1.5 * time), time)
+    assert actual.amplitude[0] == pytest.approx(2.0)
 
 
 def test_window_ends_where_five_percent_are_left_or_with_the_curve():
@@ -69,25 +69,25 @@ def test_window_holds_three_samples_at_least():
 
 
 def test_a_window_too_short_for_three_parameters_gives_no_free_fit():
-    found = fit(np.exp(-100.0 * SHARE))
-    assert found.status == FITTED
-    assert found.rate[0] == pytest.approx(100.0, rel=1e-3)
-    assert np.isnan(found.rate_free).all()
+    actual = fit(np.exp(-100.0 * SHARE))
+    assert actual.status == FITTED
+    assert actual.rate[0] == pytest.approx(100.0, rel=1e-3)
+    assert np.isnan(actual.rate_free).all()
 
 
 def test_free_asymptote_finds_the_rate_over_an_offset():
-    found = fit(0.8 * np.exp(-1.5 * SHARE) + 0.2)
-    assert found.rate_free[0] == pytest.approx(1.5, rel=1e-5)
-    assert found.rate[0] < 1.3  # with mu_2 known to be zero
+    actual = fit(0.8 * np.exp(-1.5 * SHARE) + 0.2)
+    assert actual.rate_free[0] == pytest.approx(1.5, rel=1e-5)
+    assert actual.rate[0] < 1.3  # with mu_2 known to be zero
 
 
 def test_pure_noise_is_no_relaxation():
-    found = []
+    actual = []
     for seed in range(100):
         noise = np.random.default_rng(seed).standard_normal((20, 63))
-        found.append(fit_relaxation(SHARE, replicates(noise, 0), 1.0).status)
-    assert found.count(NO_RELAXATION) >= 95  # one in 100 is beyond 3 standard errors of 20 blocks
-    assert FITTED not in found
+        actual.append(fit_relaxation(SHARE, replicates(noise, 0), 1.0).status)
+    assert actual.count(NO_RELAXATION) >= 95  # one in 100 is beyond 3 standard errors of 20 blocks
+    assert FITTED not in actual
 
 
 def test_rounding_is_judged_against_the_slope():
@@ -100,9 +100,9 @@ def test_rounding_is_judged_against_the_slope():
 def test_what_is_gone_within_a_step_has_no_rate(second, status):
     """At m = 8 and x = 0.03 a step lasts ten tau: a rate of 1.116 was fitted to rounding."""
     curve = np.array([2.4e-12, second, 2e-19, -1e-19])
-    found = fit(curve, np.array([9.4, 19.8, 30.2, 40.6]))
-    assert found.status == status
-    assert np.isfinite(found.rate[0]) == (status == FITTED)
+    actual = fit(curve, np.array([9.4, 19.8, 30.2, 40.6]))
+    assert actual.status == status
+    assert np.isfinite(actual.rate[0]) == (status == FITTED)
 
 
 SIZES = np.array([1.0, 0.9, 1.1, 1.05, 0.95])
@@ -125,9 +125,9 @@ REFUSED = {
 
 def assert_refused(deviation, status, time=SHARE):
     """Assert that there is no fit but a status."""
-    found = fit_relaxation(time, deviation, 1.0)
-    assert found.status == status
-    assert np.isnan(np.concatenate([np.ravel(values) for values in found[1:]])).all()
+    actual = fit_relaxation(time, deviation, 1.0)
+    assert actual.status == status
+    assert np.isnan(np.concatenate([np.ravel(values) for values in actual[1:]])).all()
 
 
 @pytest.mark.parametrize("name", REFUSED)
@@ -248,10 +248,10 @@ def test_exponents_leave_out_what_is_unresolved_slow_or_of_another_hurst_exponen
         "resolution_status": status,
         "relaxation_rate_bias": np.full(x.size, 0.01),
     }
-    found = fit_exponents((0.7, 0.2), hurst, points, columns(rate))
-    assert found["alpha"][0] == pytest.approx(0.4)
-    assert found["alpha_points"].tolist() == [12, 1]
-    assert found["alpha_unresolved"].tolist() == [1, 0]
-    assert 0.0 < found["alpha_bias"][0] < found["alpha_free_bias"][0] < 0.02
-    assert np.isnan(found["alpha"][1])
-    assert np.isnan(found["alpha_bias"][1])
+    actual = fit_exponents((0.7, 0.2), hurst, points, columns(rate))
+    assert actual["alpha"][0] == pytest.approx(0.4)
+    assert actual["alpha_points"].tolist() == [12, 1]
+    assert actual["alpha_unresolved"].tolist() == [1, 0]
+    assert 0.0 < actual["alpha_bias"][0] < actual["alpha_free_bias"][0] < 0.02
+    assert np.isnan(actual["alpha"][1])
+    assert np.isnan(actual["alpha_bias"][1])

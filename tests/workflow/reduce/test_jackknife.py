@@ -28,12 +28,12 @@ def test_error_of_a_mean_is_the_classical_one(blocks, axis):
 
 @given(BLOCKS)
 def test_replicates_are_the_mean_and_the_means_with_one_block_left_out(blocks):
-    found = replicates(blocks, 0)
-    assert len(found) == len(blocks) + 1
-    np.testing.assert_allclose(found[0], blocks.mean(axis=0), atol=1e-12)
+    actual = replicates(blocks, 0)
+    assert len(actual) == len(blocks) + 1
+    np.testing.assert_allclose(actual[0], blocks.mean(axis=0), atol=1e-12)
     for j in range(len(blocks)):
         expected = np.delete(blocks, j, axis=0).mean(axis=0)
-        np.testing.assert_allclose(found[j + 1], expected, atol=1e-12)
+        np.testing.assert_allclose(actual[j + 1], expected, atol=1e-12)
 
 
 def test_the_estimate_itself_does_not_enter_its_error():
@@ -98,29 +98,29 @@ def test_from_32_groups_on_unequal_ones_make_no_difference(count):
     variance = 32 / 31 * (1.0 - np.sum(sizes**2) / count**2)  # times 1/count, exactly
     assert variance == pytest.approx(1.0, abs=0.01)
     blocks = np.random.default_rng(count).standard_normal((count, 20_000))
-    found = np.mean(standard_error(replicates(grouped_means(blocks, 32), 0), 0) ** 2)
-    assert found * count == pytest.approx(variance, abs=0.01)
+    actual = np.mean(standard_error(replicates(grouped_means(blocks, 32), 0), 0) ** 2)
+    assert actual * count == pytest.approx(variance, abs=0.01)
 
 
 @given(st.integers(2, 20), st.integers(0, 20))
 def test_padded_replicates_have_the_same_estimate_and_error(own, more):
     values = replicates(np.random.default_rng(own).standard_normal((3, own)), 1)
-    found = padded(values, own + more)
-    assert found.shape == (3, own + more + 1)
-    np.testing.assert_array_equal(found[:, 0], values[:, 0])
-    np.testing.assert_allclose(standard_error(found, 1), standard_error(values, 1), rtol=1e-12)
+    actual = padded(values, own + more)
+    assert actual.shape == (3, own + more + 1)
+    np.testing.assert_array_equal(actual[:, 0], values[:, 0])
+    np.testing.assert_allclose(standard_error(actual, 1), standard_error(values, 1), rtol=1e-12)
 
 
 def test_the_error_of_a_sum_knows_the_blocks_that_its_parts_have_in_common():
     """One mean over 4 blocks and one over 16, the first 4 of them the same."""
     rng = np.random.default_rng(3)
-    found = []
+    actual = []
     for _ in range(2000):
         blocks = rng.standard_normal(16)
         few, many = (padded(replicates(some, 0), 16) for some in (blocks[:4], blocks))
-        found.append(standard_error(few + many, 0) ** 2)
+        actual.append(standard_error(few + many, 0) ** 2)
     expected = 1 / 4 + 1 / 16 + 2 / 16  # the covariance of the means is 1/16
-    assert np.mean(found) == pytest.approx(expected, rel=0.05)
+    assert np.mean(actual) == pytest.approx(expected, rel=0.05)
 
 
 def test_of_one_block_nothing_is_padded():
@@ -129,5 +129,5 @@ def test_of_one_block_nothing_is_padded():
 
 @pytest.mark.parametrize("count", [32, 40, 64, 96])
 def test_what_is_equal_in_all_blocks_is_so_in_all_groups(count):
-    found = grouped_means(np.full((count, 2), [0.1, np.nan]), 32)
-    np.testing.assert_array_equal(found, np.full((32, 2), [0.1, np.nan]))
+    actual = grouped_means(np.full((count, 2), [0.1, np.nan]), 32)
+    np.testing.assert_array_equal(actual, np.full((32, 2), [0.1, np.nan]))

@@ -29,14 +29,14 @@ def decaying(rows, offset=0.0, size=0.02, seed=1):
 def test_exact_curves_give_their_parameters(size, rate, exponent):
     truth = np.array([[10.0**size, np.log(rate), np.log(exponent)]])
     curve, _ = stretched(truth, TIME)
-    found = fit_curves(stretched, TIME, curve / curve[0, 0], np.array([1.0, 0.0, 0.0]))
-    np.testing.assert_allclose(found[0, 1:], truth[0, 1:], atol=1e-6)
+    actual = fit_curves(stretched, TIME, curve / curve[0, 0], np.array([1.0, 0.0, 0.0]))
+    np.testing.assert_allclose(actual[0, 1:], truth[0, 1:], atol=1e-6)
 
 
 def test_noisy_curves_are_fitted_as_by_an_independent_solver():
     curves = decaying(6)
-    found = fit_curves(one_exponential, TIME, curves, np.array([1.0, 0.0]))
-    for p, curve in zip(found, curves, strict=True):
+    actual = fit_curves(one_exponential, TIME, curves, np.array([1.0, 0.0]))
+    for p, curve in zip(actual, curves, strict=True):
         expected, _ = curve_fit(lambda t, a, b: a * np.exp(-b * t), TIME, curve, (1.0, 1.0))
         assert (p[0], np.exp(p[1])) == pytest.approx(tuple(expected), rel=1e-6)
 
@@ -53,9 +53,9 @@ def test_a_row_does_not_depend_on_its_company():
 def test_a_fit_that_cannot_succeed_ends_no_worse_than_it_began(curve):
     start = np.array([1.0, 0.0])
     with np.errstate(all="ignore"):
-        found = fit_curves(one_exponential, TIME, curve[None], start)
+        actual = fit_curves(one_exponential, TIME, curve[None], start)
         after, before = (
-            np.sum((one_exponential(p[None], TIME)[0][0] - curve) ** 2) for p in (found[0], start)
+            np.sum((one_exponential(p[None], TIME)[0][0] - curve) ** 2) for p in (actual[0], start)
         )
     assert after <= before or np.isnan(before)
 
@@ -65,8 +65,8 @@ def test_a_fit_that_cannot_succeed_ends_no_worse_than_it_began(curve):
 def test_exact_decays_give_their_parameters(size, sign, rate, offset):
     a = sign * 10.0**size
     curve = a * np.exp(-rate * TIME) + (0.3 * a if offset else 0.0)
-    found = fit_decays(TIME, curve[None], EVEN, np.array([0.6 * rate]), offset)
-    np.testing.assert_allclose(found[0], (a, rate), rtol=1e-7)
+    actual = fit_decays(TIME, curve[None], EVEN, np.array([0.6 * rate]), offset)
+    np.testing.assert_allclose(actual[0], (a, rate), rtol=1e-7)
 
 
 @pytest.mark.parametrize("offset", [False, True])
@@ -74,8 +74,8 @@ def test_exact_decays_give_their_parameters(size, sign, rate, offset):
 def test_noisy_decays_are_fitted_as_by_an_independent_solver(offset, late):
     """Samples that weigh alike, and late ones that weigh more."""
     weight, curves = np.linspace(1.0, late, TIME.size), decaying(6, 0.2 * offset)
-    found = fit_decays(TIME, curves, weight, np.ones(6), offset)
-    for (a, b), curve in zip(found, curves, strict=True):
+    actual = fit_decays(TIME, curves, weight, np.ones(6), offset)
+    for (a, b), curve in zip(actual, curves, strict=True):
 
         def law(t, a, b, c=0.0):
             return a * np.exp(-b * t) + c
@@ -87,29 +87,29 @@ def test_noisy_decays_are_fitted_as_by_an_independent_solver(offset, late):
 
 def test_the_general_fit_of_curves_finds_the_same():
     curves = decaying(40, size=0.1)
-    found = fit_decays(TIME, curves, EVEN, np.ones(40))
+    actual = fit_decays(TIME, curves, EVEN, np.ones(40))
     general = fit_curves(one_exponential, TIME, curves, np.array([1.0, 0.0]))
-    np.testing.assert_allclose(found[:, 0], general[:, 0], rtol=1e-5)
-    np.testing.assert_allclose(found[:, 1], np.exp(general[:, 1]), rtol=1e-5)
+    np.testing.assert_allclose(actual[:, 0], general[:, 0], rtol=1e-5)
+    np.testing.assert_allclose(actual[:, 1], np.exp(general[:, 1]), rtol=1e-5)
 
 
 @pytest.mark.parametrize("offset", [False, True])
 def test_a_row_does_not_depend_on_its_company_nor_on_its_unit(offset):
     """To the bit, for units that are powers of two."""
     curves = decaying(8, 0.2 * offset, size=0.1)
-    found = fit_decays(TIME, curves, EVEN, np.ones(8), offset)
+    actual = fit_decays(TIME, curves, EVEN, np.ones(8), offset)
     for row in range(8):
         alone = fit_decays(TIME, curves[row : row + 1], EVEN, np.ones(1), offset)
-        np.testing.assert_array_equal(alone[0], found[row])
+        np.testing.assert_array_equal(alone[0], actual[row])
     larger = fit_decays(TIME, 2.0**30 * curves, EVEN, np.ones(8), offset)
-    np.testing.assert_array_equal(larger, found * [2.0**30, 1.0])
+    np.testing.assert_array_equal(larger, actual * [2.0**30, 1.0])
 
 
 @pytest.mark.parametrize("start", [0.02, 1.0, 100.0])
 def test_where_a_search_begins_does_not_matter_to_a_clear_decay(start):
     curves = decaying(8)
-    found = fit_decays(TIME, curves, EVEN, np.full(8, start))
-    np.testing.assert_allclose(found, fit_decays(TIME, curves, EVEN, np.ones(8)), rtol=1e-6)
+    actual = fit_decays(TIME, curves, EVEN, np.full(8, start))
+    np.testing.assert_allclose(actual, fit_decays(TIME, curves, EVEN, np.ones(8)), rtol=1e-6)
 
 
 def test_what_no_decay_describes_ends_without_a_word():
@@ -119,11 +119,11 @@ def test_what_no_decay_describes_ends_without_a_word():
     curves = np.array([TIME, rng.standard_normal(TIME.size), spike, 0.0 * TIME, TIME])
     rates = np.array([1.0, 1.0, 1.0, 1.0, np.nan])
     for offset in (False, True):
-        found = fit_decays(TIME, curves, EVEN, rates, offset)
-        known = found[np.isfinite(found).all(axis=1)]
+        actual = fit_decays(TIME, curves, EVEN, rates, offset)
+        known = actual[np.isfinite(actual).all(axis=1)]
         span = known[:, 1] * TIME[-1]
         assert ((span >= 0.999 * RATE_RANGE[0]) & (span <= 1.001 * RATE_RANGE[1])).all()
-        assert np.isnan(found[4]).all()
+        assert np.isnan(actual[4]).all()
     flat, steep = (fit_decays(TIME, curves[i : i + 1], EVEN, rates[:1])[0, 1] for i in (0, 2))
     assert flat < 0.01 / TIME[-1]
     assert steep > 10.0 / (TIME[1] - TIME[0])
@@ -132,5 +132,5 @@ def test_what_no_decay_describes_ends_without_a_word():
 def test_three_samples_are_enough():
     time = np.array([0.5, 1.0, 2.0])
     curve = -3.0 * np.exp(-0.7 * time)
-    found = fit_decays(time, curve[None], np.array([1.0, 0.5, 1.0]), np.array([0.2]), offset=True)
-    np.testing.assert_allclose(found[0], (-3.0, 0.7), rtol=1e-7)
+    actual = fit_decays(time, curve[None], np.array([1.0, 0.5, 1.0]), np.array([0.2]), offset=True)
+    np.testing.assert_allclose(actual[0], (-3.0, 0.7), rtol=1e-7)

@@ -49,28 +49,28 @@ TRUTH = {
 @pytest.mark.parametrize("model", TRUTH)
 @pytest.mark.parametrize("start", [1.3, 0.1, 30.0])
 def test_coefficients_are_found_wherever_the_search_starts(model, start):
-    found = compared(CURVES[model], rate=start)
-    assert found.best == model
+    actual = compared(CURVES[model], rate=start)
+    assert actual.best == model
     for name, truth in TRUTH[model].items():
-        values = getattr(found, name)
+        values = getattr(actual, name)
         error = standard_error(values, 0)
         assert error < 0.2 * truth
         assert abs(values[0] - truth) < 4.0 * error
-    assert max(found.gain_stretched[0], found.gain_two_exponentials[0]) > 0.1
+    assert max(actual.gain_stretched[0], actual.gain_two_exponentials[0]) > 0.1
 
 
 def test_coefficients_that_mean_nothing_are_no_numbers():
-    found = compared(CURVES[EXPONENTIAL])
-    assert np.isnan([*found.stretched_rate, *found.stretched_exponent]).all()
-    assert np.isnan([*found.fast_rate, *found.slow_rate, *found.fast_share]).all()
+    actual = compared(CURVES[EXPONENTIAL])
+    assert np.isnan([*actual.stretched_rate, *actual.stretched_exponent]).all()
+    assert np.isnan([*actual.fast_rate, *actual.slow_rate, *actual.fast_share]).all()
 
 
 def test_nothing_is_compared_where_eq_6_was_not_fitted():
-    found = compared(CURVES[EXPONENTIAL], rate=np.nan)
-    assert found.best == UNDECIDED
+    actual = compared(CURVES[EXPONENTIAL], rate=np.nan)
+    assert actual.best == UNDECIDED
     for name in set(Comparison._fields) - {"best"}:
-        assert np.isnan(getattr(found, name)).all()
-    assert found.fast_rate.shape == (31,)
+        assert np.isnan(getattr(actual, name)).all()
+    assert actual.fast_rate.shape == (31,)
 
 
 # (rate, exponent) per unit of time, for samples at TIME: what they can determine, and what not
@@ -102,10 +102,10 @@ def test_coefficients_that_ran_away_are_refused_even_where_replicates_agree(monk
     gains = dict.fromkeys(CURVES, (0.5, 0.01))  # as if both predicted better by far
     fits = {EXPONENTIAL: run_away(2), STRETCHED: run_away(3), TWO_EXPONENTIALS: run_away(4)}
     monkeypatch.setattr(models, "_fits_and_gains", lambda *_: (fits, gains))
-    found = compare_models(TIME, replicates(blocks, 0), blocks, 1.3)
-    assert found.best == EXPONENTIAL
+    actual = compare_models(TIME, replicates(blocks, 0), blocks, 1.3)
+    assert actual.best == EXPONENTIAL
     for name in ("stretched_rate", "stretched_exponent", "fast_rate", "slow_rate", "fast_share"):
-        assert np.isnan(getattr(found, name)).all()
+        assert np.isnan(getattr(actual, name)).all()
 
 
 FEW = np.linspace(0.02, 4.0, 9)
@@ -119,9 +119,9 @@ def after_others(value, seed):
     rng = np.random.default_rng(seed)
     blocks = (1.0 + 0.05 * rng.standard_normal((8, 1))) * np.exp(-1.3 * FEW)
     blocks += 0.01 * rng.standard_normal(blocks.shape)
-    found = compare_models(FEW, replicates(blocks, 0), blocks, 1.3)
+    actual = compare_models(FEW, replicates(blocks, 0), blocks, 1.3)
     del taken
-    return [np.asarray(number).tobytes() for number in found]
+    return [np.asarray(number).tobytes() for number in actual]
 
 
 @mostly_exhaustive("seed", [0, 1], [2, 3])

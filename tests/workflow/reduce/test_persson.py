@@ -24,9 +24,9 @@ def test_in_full_contact_it_is_mu_1():
     plan = small_plan(*FULL)
     variant = plan.variants[0]
     batch = next(b for b in cut_batches(plan, set(), 1e9) if b.tasks[0] in variant.tasks)
-    found = block_means(batch)
+    actual = block_means(batch)
     estimates = reduce_blocks(
-        blocks_of(plan, variant, list(batch.tasks), found.scalars, found.curves)
+        blocks_of(plan, variant, list(batch.tasks), actual.scalars, actual.curves)
     )
     rows, counts = np.arange(len(variant.tasks)), np.full(len(variant.tasks), 2, np.int32)
     whole = completed(plan, variant, estimates, rows, counts)

@@ -49,11 +49,11 @@ HOLD_TRACES = (  # leg, distance and friction of the samples
 
 
 def test_peak_and_end_of_the_hold_have_the_sign_of_the_motion():
-    found = healing(HOLDING, *HOLD_TRACES)
-    assert found.mu_end_of_hold.tolist() == [-0.2]
-    assert found.static_peak[0] == pytest.approx(-0.8, abs=0.01)
-    assert found.healing[0] == found.static_peak[0] + 0.5
-    assert found.peak_distance[0] == pytest.approx(2.2, abs=0.1)
+    actual = healing(HOLDING, *HOLD_TRACES)
+    assert actual.mu_end_of_hold.tolist() == [-0.2]
+    assert actual.static_peak[0] == pytest.approx(-0.8, abs=0.01)
+    assert actual.healing[0] == actual.static_peak[0] + 0.5
+    assert actual.peak_distance[0] == pytest.approx(2.2, abs=0.1)
 
 
 def test_the_last_hold_that_is_slid_after_counts():
@@ -83,17 +83,17 @@ def test_the_response_in_the_last_cycle_is_found(count):
     time, phase = cycles(count)
     decay = np.where(time < START + 2.0 * PERIOD, 3.0, 1.0)  # earlier cycles do not count
     mu = decay * (0.3 * np.sin(phase) + 0.2 * np.cos(phase) + 0.05 * np.sin(3.0 * phase) + 0.7)
-    found = loop(SWINGING, time[None], mu[None], mu[None])
-    assert found.mu_in_phase[0] == pytest.approx(0.3, rel=1e-9)
-    assert found.mu_quadrature[0] == pytest.approx(0.2, rel=1e-9)
-    assert found.loop_work[0] == pytest.approx(math.pi * 0.4 * 0.2, rel=1e-9)
+    actual = loop(SWINGING, time[None], mu[None], mu[None])
+    assert actual.mu_in_phase[0] == pytest.approx(0.3, rel=1e-9)
+    assert actual.mu_quadrature[0] == pytest.approx(0.2, rel=1e-9)
+    assert actual.loop_work[0] == pytest.approx(math.pi * 0.4 * 0.2, rel=1e-9)
 
 
 def test_work_is_that_of_a_force_along_the_whole_way():
     programme = (Oscillation(1.5, 0.1, 2.0, 2),)
     time = np.arange(1, 33) / 32.0
-    found = loop(programme, time[None], np.ones((2, 32)), np.ones((2, 32)))
-    assert found.loop_work == pytest.approx([0.75, 0.75])  # force times mean speed times period
+    actual = loop(programme, time[None], np.ones((2, 32)), np.ones((2, 32)))
+    assert actual.loop_work == pytest.approx([0.75, 0.75])  # force times mean speed times period
 
 
 def test_without_an_oscillation_or_samples_there_is_nothing():
@@ -166,9 +166,9 @@ def test_when_and_where_is_exact_where_all_lines_move_alike_and_else_a_mean_with
 def test_a_change_counts_from_the_leg_before_and_its_error_is_that_of_the_difference():
     trace = np.array([1.0, 2.0, 5.0, 7.0, np.nan]) + np.arange(3.0)[None, :, None]
     legs = np.array([[0.0, 0.0, 1.0, 1.0, np.nan]])
-    found = blocks(("trace",), **dict.fromkeys(TRACES, trace))._replace(legs=legs)
+    actual = blocks(("trace",), **dict.fromkeys(TRACES, trace))._replace(legs=legs)
     estimates = {}
-    reduce_programmes(estimates, found)
+    reduce_programmes(estimates, actual)
     for name in ("trace_mu", "trace_indentation"):
         assert estimates[f"{name}_change"][0, :4] == pytest.approx([0.0, 1.0, 3.0, 5.0])
         assert estimates[f"{name}_change_error"][0, :4] == pytest.approx(0.0, abs=1e-12)
@@ -180,8 +180,8 @@ def test_the_peak_is_that_above_the_friction_before():
     curves = (1.0 + 0.5 * time * np.exp(1.0 - time))[:, None, :] + np.zeros((1, 4, 1))
     before, after = np.ones((1, 4)), np.full((1, 4), 1.1)
     estimates = {}
-    found = blocks(("peak",))._replace(values={"initial_rate": np.ones((1, 3))})
-    reduce_steps(estimates, found, time, curves, {"mu_1": before, "mu_2": after})
+    actual = blocks(("peak",))._replace(values={"initial_rate": np.ones((1, 3))})
+    reduce_steps(estimates, actual, time, curves, {"mu_1": before, "mu_2": after})
     assert estimates["peak"] == pytest.approx([0.5], rel=1e-3)
     assert estimates["peak_time"] == pytest.approx([1.0], rel=1e-3)
     assert estimates["initial_rate"].tolist() == [1.0]
@@ -198,8 +198,8 @@ def test_a_minus_b_is_the_slope_of_steady_friction(before, after, expected):
     steady = {"mu_1": np.full((1, 4), before), "mu_2": np.full((1, 4), before + change)}
     curves = steady["mu_2"][..., None] + np.zeros((1, 4, time.size))
     estimates = {}
-    found = blocks(("rate_state",))._replace(speeds=np.array([[before, after]]))
-    reduce_steps(estimates, found, time, curves, steady)
+    actual = blocks(("rate_state",))._replace(speeds=np.array([[before, after]]))
+    reduce_steps(estimates, actual, time, curves, steady)
     assert estimates["rate_state_a_minus_b"] == pytest.approx([expected], nan_ok=True)
     assert estimates["rate_state_a_minus_b_error"] == pytest.approx(
         [0.0 * expected], nan_ok=True, abs=1e-12
@@ -220,14 +220,14 @@ def test_every_task_has_its_peak_its_loop_and_its_contacts_with_errors():
     trace = np.array([[0.2, 0.1, 0.6, 0.4, np.nan]]) + 0.1 * np.arange(3.0)[:, None]
     lengths = np.array([[1.0, 2.0], [3.0, 2.0], [5.0, 2.0]])
     estimates = {}
-    found = of_blocks(
+    actual = of_blocks(
         programme,
         [0.0, 1.0, 2.0, 2.0, np.nan],
         trace_mu=trace,
         trace_friction_force=trace,
         contact_length=lengths,
     )
-    reduce_programmes(estimates, found)
+    reduce_programmes(estimates, actual)
     error = 0.1 / np.sqrt(3.0)  # of the mean of three
     assert estimates["mu_end_of_hold"] == pytest.approx([0.2])
     assert estimates["mu_end_of_hold_error"] == pytest.approx([error])

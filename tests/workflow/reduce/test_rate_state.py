@@ -39,22 +39,22 @@ def fitted(law, ratio, noise=0.001, b=B, of=None):
 @pytest.mark.parametrize("law", LAWS)
 @pytest.mark.parametrize("ratio", [0.1, 0.5, 0.9, 1.1, 2.0, 10.0])
 def test_constants_are_recovered_within_their_errors(law, ratio):
-    found = fitted(law, ratio)
-    assert found.status == FITTED
-    for values, true in ((found.a, A), (found.b, B), (found.dc, DC)):
+    actual = fitted(law, ratio)
+    assert actual.status == FITTED
+    for values, true in ((actual.a, A), (actual.b, B), (actual.dc, DC)):
         error = standard_error(values, 0)
         assert abs(values[0] - true) < 5.0 * error  # the peak is chosen by the largest noise
         assert error < 0.15 * true
-    assert found.residual < 0.06
+    assert actual.residual < 0.06
 
 
 def test_without_noise_they_are_exact_also_of_one_line_and_where_b_is_negative():
     for b in (B, -B):
         curve = deviation("ruina", 2.0, b)[None]
         change = np.array([(A - b) * math.log(2.0)])
-        found = fit_rate_state(DISTANCE, curve, change, 2.0, "ruina")
-        assert found.status == FITTED
-        assert [found.a[0], found.b[0], found.dc[0]] == pytest.approx([A, b, DC], rel=1e-6)
+        actual = fit_rate_state(DISTANCE, curve, change, 2.0, "ruina")
+        assert actual.status == FITTED
+        assert [actual.a[0], actual.b[0], actual.dc[0]] == pytest.approx([A, b, DC], rel=1e-6)
 
 
 @pytest.mark.parametrize("law", LAWS)
@@ -63,9 +63,9 @@ def test_constants_of_large_steps_are_found_on_samples_at_equal_distances(law, r
     """By Dieterich's law friction stays high over several D_c after a large step upwards."""
     even = np.linspace(0.05, 40.0, 100)
     change = np.array([(A - B) * math.log(ratio)])
-    found = fit_rate_state(even, deviation(law, ratio, at=even)[None], change, ratio, law)
-    assert found.status == FITTED
-    assert [found.a[0], found.b[0], found.dc[0]] == pytest.approx([A, B, DC], rel=1e-6)
+    actual = fit_rate_state(even, deviation(law, ratio, at=even)[None], change, ratio, law)
+    assert actual.status == FITTED
+    assert [actual.a[0], actual.b[0], actual.dc[0]] == pytest.approx([A, B, DC], rel=1e-6)
 
 
 def test_each_law_fits_its_own_step_best():
@@ -75,9 +75,9 @@ def test_each_law_fits_its_own_step_best():
 
 @pytest.mark.parametrize("law", LAWS)
 def test_no_state_where_b_is_noise(law):
-    found = fitted(law, 2.0, b=0.0)
-    assert found.status != FITTED
-    assert np.isnan(found.dc).all()
+    actual = fitted(law, 2.0, b=0.0)
+    assert actual.status != FITTED
+    assert np.isnan(actual.dc).all()
 
 
 def test_what_has_no_step_no_numbers_or_no_samples_is_said():
@@ -86,14 +86,14 @@ def test_what_has_no_step_no_numbers_or_no_samples_is_said():
     assert fit_rate_state(DISTANCE, curve, change, -1.0, "ruina").status == NO_STATE
     assert fit_rate_state(DISTANCE, curve * np.nan, change, 2.0, "ruina").status == NOT_FINITE
     few = slice(0, 3)
-    found = fit_rate_state(DISTANCE[few], curve[:, few], change, 2.0, "ruina")
-    assert found.status == UNDETERMINED
+    actual = fit_rate_state(DISTANCE[few], curve[:, few], change, 2.0, "ruina")
+    assert actual.status == UNDETERMINED
 
 
 def test_a_curve_of_another_shape_is_refused():
     rng = np.random.default_rng(1)
     waves = 0.1 * np.cos(4.0 * DISTANCE) + 1e-4 * rng.standard_normal((BLOCKS, DISTANCE.size))
     change = np.full(BLOCKS + 1, 0.02)
-    found = fit_rate_state(DISTANCE, replicates(waves, 0), change, 2.0, "ruina")
-    assert found.status in (NOT_EXPONENTIAL, UNDETERMINED)
-    assert np.isnan(found.dc).all()
+    actual = fit_rate_state(DISTANCE, replicates(waves, 0), change, 2.0, "ruina")
+    assert actual.status in (NOT_EXPONENTIAL, UNDETERMINED)
+    assert np.isnan(actual.dc).all()

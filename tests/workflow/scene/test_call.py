@@ -76,18 +76,18 @@ def test_contacts_are_counted_by_their_length(stepped):
 
 def test_random_lines_have_errors():
     surface = {"length": 1e-4, "hurst": 0.7, "roughness": 1e-6, "spacing": 2e-6}
-    found = run(slide(), profile=None, length=None, surface=surface, realizations=4, seed=3)
-    assert (found.mu_1_error > 0.0).all()
-    assert (found.trace_mu_error.values > 0.0).all()
+    actual = run(slide(), profile=None, length=None, surface=surface, realizations=4, seed=3)
+    assert (actual.mu_1_error > 0.0).all()
+    assert (actual.trace_mu_error.values > 0.0).all()
 
 
 def test_a_dashpot_jumps_and_holds_make_a_dimension():
     hold = {"hold": {"duration": [1e-4, 1e-3]}}
     programme = slide(), hold, slide()
-    found = run(*programme, material=KELVIN, quantities=["trace", "healing"])
-    assert found.static_peak.dims == ("hold",)
-    assert found.hold.values.tolist() == [1e-4, 1e-3]
-    assert (found.static_peak > found.mu_end_of_hold).all()
+    actual = run(*programme, material=KELVIN, quantities=["trace", "healing"])
+    assert actual.static_peak.dims == ("hold",)
+    assert actual.hold.values.tolist() == [1e-4, 1e-3]
+    assert (actual.static_peak > actual.mu_end_of_hold).all()
     jump = run(slide(0.1), slide(0.2), material=KELVIN, quantities=["jump"])
     assert float(jump["jump"]) > 0.0
 
@@ -102,10 +102,10 @@ def test_sliding_back_over_the_mirrored_line_is_the_mirror_image():
 def test_an_oscillation_at_an_indentation_makes_loops():
     swing = {"oscillate": {"amplitude": 1e-7, "frequency": 100.0, "cycles": 2}}
     pressed = {"normal_force": None, "prescribed_indentation": 1e-6}
-    found = run(swing, **pressed, start="relaxed", quantities=["trace", "loop"])
-    assert found.loop_work.item() > 0.0
-    assert found.mu_quadrature.item() > 0.0
-    assert found.prescribed_indentation.item() == 1e-6
+    actual = run(swing, **pressed, start="relaxed", quantities=["trace", "loop"])
+    assert actual.loop_work.item() > 0.0
+    assert actual.mu_quadrature.item() > 0.0
+    assert actual.prescribed_indentation.item() == 1e-6
     assert run(slide(), **pressed).attrs["quantities"] == "trace"
 
 
@@ -139,9 +139,9 @@ def test_arrays_of_xarray_are_arrays_and_persson_is_asked_of_a_profile():
     own = {"time": xr.DataArray([0.0, 5e-4]), "velocity": xr.DataArray([0.1, 0.2])}
     other = {name: values.values for name, values in own.items()}
     asked = {"quantities": ["steady", "persson", "trace"]}
-    found = run(own, profile=xr.DataArray(heights()), **asked)
-    assert found.identical(run(other, **asked))
-    assert found.mu_persson > 0.0
+    actual = run(own, profile=xr.DataArray(heights()), **asked)
+    assert actual.identical(run(other, **asked))
+    assert actual.mu_persson > 0.0
 
 
 @pytest.mark.parametrize(
@@ -193,16 +193,16 @@ def test_what_cannot_be_meant_is_refused_in_one_line(changed, words):
 
 
 def test_the_dataset_has_no_grid_and_its_provenance():
-    found = run(
+    actual = run(
         slide(), quantities=["steady", "relaxation", "peak"], programme=[slide(), slide(0.2)]
     )
-    assert "hurst" not in found.coords  # a measured line has none
-    assert found.normal_force.dims == ()
-    assert found.attrs["lines"].startswith("given from Python")
-    assert {"code", "commit", "versions", "study"} <= found.attrs.keys()
-    assert found.relaxation_rate.attrs["units"] == "s-1"
-    assert "alpha" not in found
-    assert "power_spectrum" in found
+    assert "hurst" not in actual.coords  # a measured line has none
+    assert actual.normal_force.dims == ()
+    assert actual.attrs["lines"].startswith("given from Python")
+    assert {"code", "commit", "versions", "study"} <= actual.attrs.keys()
+    assert actual.relaxation_rate.attrs["units"] == "s-1"
+    assert "alpha" not in actual
+    assert "power_spectrum" in actual
 
 
 STEPS = {"trace": 1}
@@ -250,5 +250,5 @@ def test_it_is_said_that_kernels_are_compiled(monkeypatch, tmp_path, capsys):
 
     monkeypatch.setattr(call, "_estimates", compiling)
     run()
-    said = "Compiling the kernels of this scene, 5 to 60 s and about 300 MiB, once.\n"
-    assert capsys.readouterr().err == said
+    message = "Compiling the kernels of this scene, 5 to 60 s and about 300 MiB, once.\n"
+    assert capsys.readouterr().err == message

@@ -19,12 +19,12 @@ def pulled(stiffness, *programme, mass=0.0, **changed):
 def test_from_rest_the_spring_is_stretched_at_the_drives_velocity():
     """F = k V t while the line has hardly moved, in newtons, metres and seconds."""
     stiffness = 100.0
-    found = pulled(stiffness, start="relaxed", material=KELVIN)
-    stretch = VELOCITY * found.trace_time - found.trace_distance
-    early = (found.trace_time > 0.0) & (found.trace_time < 0.3 * found.trace_time[-1])
-    force = found.trace_drive_force.where(early, drop=True)
+    actual = pulled(stiffness, start="relaxed", material=KELVIN)
+    stretch = VELOCITY * actual.trace_time - actual.trace_distance
+    early = (actual.trace_time > 0.0) & (actual.trace_time < 0.3 * actual.trace_time[-1])
+    force = actual.trace_drive_force.where(early, drop=True)
     np.testing.assert_allclose(force, stiffness * stretch.where(early, drop=True), rtol=0.05)
-    assert float(found.trace_drive_force[0]) == 0.0
+    assert float(actual.trace_drive_force[0]) == 0.0
 
 
 def test_a_stiff_drive_gives_the_friction_of_the_line_that_is_moved():
@@ -41,10 +41,10 @@ def test_a_stiff_drive_gives_the_friction_of_the_line_that_is_moved():
 def test_a_heavy_slider_gathers_way_as_newton_says():
     """The impulse of drive less friction is its momentum, all in SI."""
     mass = 0.05
-    found = pulled(2e4, start="relaxed", mass=mass)
-    driven = found.trace_drive_force - found.trace_friction_force
-    impulse = float(np.trapezoid(driven, found.trace_time))
-    assert impulse == pytest.approx(mass * float(found.trace_velocity[-1]), rel=0.03)
+    actual = pulled(2e4, start="relaxed", mass=mass)
+    driven = actual.trace_drive_force - actual.trace_friction_force
+    impulse = float(np.trapezoid(driven, actual.trace_time))
+    assert impulse == pytest.approx(mass * float(actual.trace_velocity[-1]), rel=0.03)
 
 
 def test_stiffness_and_the_velocity_of_the_grid_are_axes():
@@ -65,23 +65,23 @@ def test_stiffness_and_the_velocity_of_the_grid_are_axes():
 
 
 def test_sticking_and_slipping_is_told_by_swing_period_and_velocity():
-    found = pulled(
+    actual = pulled(
         1e9,
         {"pull": {"velocity": VELOCITY, "distance": 64 * LENGTH / N}},
         quantities=("steady", "stick_slip"),
     )
-    assert float(found.drive_swing) < 1e-3 * float(found.mu_1)
-    assert float(found.peak_velocity) == pytest.approx(VELOCITY, rel=1e-3)
-    assert np.isnan(float(found.slip_period))
+    assert float(actual.drive_swing) < 1e-3 * float(actual.mu_1)
+    assert float(actual.peak_velocity) == pytest.approx(VELOCITY, rel=1e-3)
+    assert np.isnan(float(actual.slip_period))
 
 
 def test_when_a_slider_turns_is_a_list_in_seconds():
     back = {"pull": {"velocity": -VELOCITY, "distance": 32 * LENGTH / N}}
     there = PULL["pull"]["distance"] / VELOCITY
-    found = pulled(1e9, PULL, back, quantities=("trace", "slip_events"), start="relaxed")
-    assert found.slip_event_kind.values.tolist() == [2]
-    assert found.slip_event_kind.attrs["flag_meanings"].split()[3] == "reversal"
-    assert float(found.slip_event_time[0]) == pytest.approx(there, rel=0.02)
+    actual = pulled(1e9, PULL, back, quantities=("trace", "slip_events"), start="relaxed")
+    assert actual.slip_event_kind.values.tolist() == [2]
+    assert actual.slip_event_kind.attrs["flag_meanings"].split()[3] == "reversal"
+    assert float(actual.slip_event_time[0]) == pytest.approx(there, rel=0.02)
 
 
 def test_a_drive_that_is_held_keeps_friction_the_longer_the_softer_it_is():

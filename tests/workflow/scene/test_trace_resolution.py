@@ -43,26 +43,26 @@ def test_a_trace_under_a_very_light_load_is_unresolved_and_is_wrong(material):
 @pytest.mark.parametrize("material", [*BRANCHES, "kelvin"])
 @pytest.mark.parametrize("load", [1e-4, 1e-2])
 def test_what_is_resolved_keeps_its_bias_which_is_less_than_two_per_cent(material, load):
-    found = traced(load, 8, material)
-    assert found.trace_resolution_status == RESOLVED
-    assert found.trace_samples_per_contact.min() >= 4.0
-    assert error(load, 8, material) < found.trace_mu_bias < 0.02
+    actual = traced(load, 8, material)
+    assert actual.trace_resolution_status == RESOLVED
+    assert actual.trace_samples_per_contact.min() >= 4.0
+    assert error(load, 8, material) < actual.trace_mu_bias < 0.02
 
 
 @pytest.mark.parametrize("material", ["fast", "both", "kelvin"])
 def test_a_branch_far_faster_than_a_step_is_coarse_at_few_steps_whatever_the_others_are(material):
     """As a dashpot is: its friction errs by 3 % at m = 4."""
-    found = traced(1e-2, 4, material)
-    assert found.trace_resolution_status == COARSE
-    assert found.trace_samples_per_contact.min() >= 4.0
-    assert 0.01 < error(1e-2, 4, material) < 1.3 * found.trace_mu_bias
+    actual = traced(1e-2, 4, material)
+    assert actual.trace_resolution_status == COARSE
+    assert actual.trace_samples_per_contact.min() >= 4.0
+    assert 0.01 < error(1e-2, 4, material) < 1.3 * actual.trace_mu_bias
 
 
 def test_a_trace_that_starts_elsewhere_has_no_bias_and_the_status_of_its_samples():
     for load, m, status in ((1e-9, 8, UNRESOLVED), (1e-2, 8, RESOLVED), (1e-2, 4, COARSE)):
-        found = traced(load, m, start="relaxed")
-        assert found.trace_resolution_status == status
-        assert np.isnan(found.trace_mu_bias)
+        actual = traced(load, m, start="relaxed")
+        assert actual.trace_resolution_status == status
+        assert np.isnan(actual.trace_mu_bias)
     assert np.isnan(traced(1e-2, 8, quantities=["trace"]).trace_mu_bias)
 
 

@@ -44,9 +44,9 @@ MEASURED = [
 
 
 def test_the_page_of_measured_studies_has_every_key_once():
-    found = [each[:2] for each in ENTRY.findall(PAGE)]
-    assert len(found) == PAGE.count("\n### ") > 0
-    assert sorted(found) == sorted((name, key) for name, key, _ in MEASURED)
+    actual = [each[:2] for each in ENTRY.findall(PAGE)]
+    assert len(actual) == PAGE.count("\n### ") > 0
+    assert sorted(actual) == sorted((name, key) for name, key, _ in MEASURED)
 
 
 @pytest.mark.parametrize(("name", "key", "value"), MEASURED)

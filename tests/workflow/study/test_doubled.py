@@ -64,9 +64,9 @@ def of(*settings):
     ],
 )
 def test_elements_load_x_and_slope_change_as_is_said(doubled, once, change):
-    found = of(doubled) / of(once)
-    assert found[:3] == pytest.approx(change[:3], rel=0.05)
-    assert found[3] == pytest.approx(change[3], rel=0.15 if "rolloff" in doubled else 0.05)
+    actual = of(doubled) / of(once)
+    assert actual[:3] == pytest.approx(change[:3], rel=0.05)
+    assert actual[3] == pytest.approx(change[3], rel=0.15 if "rolloff" in doubled else 0.05)
 
 
 def test_steps_doubled_at_least_halve_the_error_of_steady_friction():

@@ -130,9 +130,9 @@ def test_random_bytes_are_read_or_refused(content):
 
 
 def test_the_text_written_for_the_fuzz_is_the_study_it_came_from():
-    found = outcome(document(tomllib.loads(TEXT)))
-    assert isinstance(found, Study)
-    assert found.grid == small_study().grid
+    actual = outcome(document(tomllib.loads(TEXT)))
+    assert isinstance(actual, Study)
+    assert actual.grid == small_study().grid
 
 
 SLIDING = {"slide": {"velocity": 0.1, "distance": 1e-3}}

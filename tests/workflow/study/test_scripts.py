@@ -89,12 +89,12 @@ def test_wrong_settings_are_refused_in_one_line(powers, capsys, setting, line):
 def test_a_missing_setting_is_named(powers, capsys):
     path = powers / "study.toml"
     path.write_text("[measure]\npowers = 2\n")
-    said = f"error: measure.base: missing ({path}, line 1)\n"
-    assert refusal(capsys, "run", "powers") == said
+    message = f"error: measure.base: missing ({path}, line 1)\n"
+    assert refusal(capsys, "run", "powers") == message
 
 
 def test_a_setting_that_is_a_check_alone_is_told_what_it_is_now(powers, capsys):
     script = powers / "measure.py"
     script.write_text(script.read_text() + '\nSETTINGS = {"powers": int, "base": float}\n')
-    said = refusal(capsys, "plan", "powers").splitlines()[-1]
-    assert said.startswith(f"error: {script}: SETTINGS['powers'] is a bare check; write Key(")
+    message = refusal(capsys, "plan", "powers").splitlines()[-1]
+    assert message.startswith(f"error: {script}: SETTINGS['powers'] is a bare check; write Key(")

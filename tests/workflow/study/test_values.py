@@ -23,9 +23,9 @@ from elastomer_friction.workflow.study.settings import axis_values, within
     ],
 )
 def test_values_of_an_axis(spec, values):
-    found = axis_values("grid.a", spec)
-    assert found == values
-    assert all(type(value) is float for value in found)
+    actual = axis_values("grid.a", spec)
+    assert actual == values
+    assert all(type(value) is float for value in actual)
 
 
 @given(st.floats(1e-9, 1e9), st.floats(1e-9, 1e9), st.integers(2, 40))

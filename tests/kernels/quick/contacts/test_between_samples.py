@@ -96,13 +96,13 @@ def slide(line, x, load=LOAD):
 
 @pytest.mark.parametrize("x", [1e5, 1e7])
 def test_the_highest_peak_alone_is_a_parabola(x):
-    found, fine = slide(line_of(8), x), line_of(128)
+    actual, fine = slide(line_of(8), x), line_of(128)
     peak = int(np.argmin(fine.z))
     radius = 1.0 / sample_derivatives(fine.z, fine.slope, 1.0 / fine.steps_per_spacing)[0, peak]
     forces, load = partial(parabola_forces, radius=radius, speed=x / np.pi), LOAD * ELEMENTS
     d = brentq(lambda d: forces(d)[0] - load, 1e-9, 10.0)
-    assert found.samples < 1.0
-    assert found.mu == pytest.approx(forces(d)[1] / load, rel=0.01)
+    assert actual.samples < 1.0
+    assert actual.mu == pytest.approx(forces(d)[1] / load, rel=0.01)
 
 
 def fine(line, smooth, fold):
@@ -153,11 +153,11 @@ def test_contacts_are_those_of_the_model_on_fine_samples_of_the_line(hurst, load
 
 def test_a_smooth_line_is_the_line():
     fold, coarse = 8, line_of(4)
-    found, _, lowest = fine(coarse, smooth_line(coarse.z, coarse.slope, 0.25), fold)
+    actual, _, lowest = fine(coarse, smooth_line(coarse.z, coarse.slope, 0.25), fold)
     z = line_of(4 * fold)
     order = int(np.argmin(np.abs(z.z + z.datum - coarse.z[0] - coarse.datum)))
     expected = np.roll(z.z, -order) + z.datum - coarse.datum
-    np.testing.assert_allclose(found + lowest, expected, atol=2e-8)
+    np.testing.assert_allclose(actual + lowest, expected, atol=2e-8)
 
 
 # 12 of 12 000 such comparisons differ by more: a patch begins, or the median is a different one.
@@ -167,13 +167,13 @@ def test_the_number_of_samples_does_not_matter(power, fast, hurst):
     """Steady friction and jump: every third sample is used at m = 12, every sample at m = 13."""
     load, x = 10.0**power, 10.0**fast
     few, every_third, every = (slide(line_of(m, 2, hurst, 100), x, load) for m in (4, 12, 13))
-    for m, found in ((12, every_third), (13, every)):
-        assert found.followed or found.full
-        if few.followed and found.followed:
-            assert few.mu == pytest.approx(found.mu, rel=1e-5)
-            assert few.jumps[0] == pytest.approx(found.jumps[0], rel=1e-4)
-            assert few.contact == pytest.approx(found.contact, rel=2e-3)
-            assert few.samples == pytest.approx(4 / m * found.samples, rel=1e-2)
+    for m, actual in ((12, every_third), (13, every)):
+        assert actual.followed or actual.full
+        if few.followed and actual.followed:
+            assert few.mu == pytest.approx(actual.mu, rel=1e-5)
+            assert few.jumps[0] == pytest.approx(actual.jumps[0], rel=1e-4)
+            assert few.contact == pytest.approx(actual.contact, rel=2e-3)
+            assert few.samples == pytest.approx(4 / m * actual.samples, rel=1e-2)
 
 
 def test_friction_under_the_lightest_loads_is_a_slope_of_the_line():
@@ -182,16 +182,16 @@ def test_friction_under_the_lightest_loads_is_a_slope_of_the_line():
     for index in range(size(100, 8)):
         line, speed = line_of(4, index, rng.uniform(), 30), 10.0 ** rng.uniform(0.0, 7.0)
         for load in 10.0 ** rng.uniform(-11.0, -3.0, 4):
-            found = one_load(line, speed, "exponential", load * line.z.size, (1.2 * speed,))
-            assert 0.0 < found.mu < 1.1 * np.abs(line.slope).max()
-            assert abs(found.jumps[0]) < found.mu
+            actual = one_load(line, speed, "exponential", load * line.z.size, (1.2 * speed,))
+            assert 0.0 < actual.mu < 1.1 * np.abs(line.slope).max()
+            assert abs(actual.jumps[0]) < actual.mu
 
 
 def test_depths_at_rounding_level_use_the_samples():
     line = line_of(4)
-    found = one_load(line, 1.0, "exponential", 1e-60)
-    assert not found.followed
-    assert found.mu > 0.0
+    actual = one_load(line, 1.0, "exponential", 1e-60)
+    assert not actual.followed
+    assert actual.mu > 0.0
 
 
 def slide_with_jumps(speed, load, steps=8, scheme="exponential"):
@@ -201,27 +201,27 @@ def slide_with_jumps(speed, load, steps=8, scheme="exponential"):
 
 
 def test_full_contact_is_computed_from_the_samples():
-    line, found = slide_with_jumps(0.1, 10.0)
-    assert found.full
-    assert not found.followed
-    assert found.samples == found.effective_samples == line.z.size
+    line, actual = slide_with_jumps(0.1, 10.0)
+    assert actual.full
+    assert not actual.followed
+    assert actual.samples == actual.effective_samples == line.z.size
 
 
 @pytest.mark.parametrize(
     ("speed", "load", "least", "most"), [(100.0, 1e-3, 0.0, 0.01), (0.1, 1.0, 0.5, 1.0)]
 )
 def test_partial_contacts_are_followed_between_the_samples(speed, load, least, most):
-    line, found = slide_with_jumps(speed, load)
-    assert found.followed
-    assert found.effective_samples == max(found.samples, FOLLOWED_SAMPLES)
-    assert found.updates > line.z.size
-    assert least < found.contact < most
+    line, actual = slide_with_jumps(speed, load)
+    assert actual.followed
+    assert actual.effective_samples == max(actual.samples, FOLLOWED_SAMPLES)
+    assert actual.updates > line.z.size
+    assert least < actual.contact < most
 
 
 @pytest.mark.parametrize(("speed", "load"), [(0.1, 3.0), (100.0, 1e-3)])
 def test_jump_has_the_sign_of_the_step_and_vanishes_with_it(speed, load):
-    _, found = slide_with_jumps(speed, load)
-    faster, slower, same = found.jumps
+    _, actual = slide_with_jumps(speed, load)
+    faster, slower, same = actual.jumps
     assert faster > 0.0 > slower
     assert same == pytest.approx(0.0, abs=1e-12)
 

@@ -55,17 +55,17 @@ def test_the_spectrum_has_the_same_complex_modulus(pairs, frequency, dashpot):
     given_branches = [list(pair) for pair in pairs]
     material = read(None, branches=given_branches, relaxation_time=dashpot)
     omega = 2.0 * math.pi * frequency
-    found = complex_modulus(material.spectrum(), np.array([omega * material.tau]))[0]
+    actual = complex_modulus(material.spectrum(), np.array([omega * material.tau]))[0]
     wanted = 1.0 + 1j * omega * dashpot
     wanted += sum(g / 1e6 * 1j * omega * t / (1.0 + 1j * omega * t) for g, t in pairs)
-    assert found == pytest.approx(wanted, rel=1e-9)
+    assert actual == pytest.approx(wanted, rel=1e-9)
 
 
 def test_branches_of_a_file(tmp_path):
     (tmp_path / "branches.csv").write_text(FILES["branches.csv"])
-    found = read(tmp_path, branches_file="branches.csv")
-    assert found._replace(description="") == read(tmp_path, branches=BRANCHES)
-    assert found.description == (
+    actual = read(tmp_path, branches_file="branches.csv")
+    assert actual._replace(description="") == read(tmp_path, branches=BRANCHES)
+    assert actual.description == (
         "branches.csv: 2 rows; column 0 modulus as a modulus in Pa, column 1 time as a time in s"
     )
 
@@ -91,9 +91,9 @@ BY_ABAQUS = "*VISCOELASTIC, TIME=PRONY\n0.125, 0, 0.01\n0.25, 0, 0.001\n"
 )
 def test_order_units_and_shares_of_a_file_of_branches(tmp_path, text, moduli):
     (tmp_path / "branches.csv").write_text(text)
-    found = read(tmp_path, shear_modulus=1e7, branches_file="branches.csv")
-    np.testing.assert_allclose([g for g, _ in found.branches], moduli, rtol=1e-12)
-    np.testing.assert_allclose([t for _, t in found.branches], [1e-3, 1e-2], rtol=1e-12)
+    actual = read(tmp_path, shear_modulus=1e7, branches_file="branches.csv")
+    np.testing.assert_allclose([g for g, _ in actual.branches], moduli, rtol=1e-12)
+    np.testing.assert_allclose([t for _, t in actual.branches], [1e-3, 1e-2], rtol=1e-12)
 
 
 def test_a_temperature_shifts_all_times_once_and_for_all(tmp_path):
@@ -139,8 +139,8 @@ def test_a_table_of_shifts_is_linear_in_between(tmp_path, text):
     (tmp_path / "shifts.txt").write_text(text, encoding="utf-8")
     given_as = {"shifts_file": "shifts.txt"}
     for temperature, decades in ((0.0, 2.0), (10.0, 1.0), (20.0, 0.0), (35.0, -0.75), (50.0, -1.5)):
-        found = read(tmp_path, relaxation_time=1e-3, temperature=temperature, **given_as)
-        assert math.log10(found.tau / 1e-3) == pytest.approx(decades, abs=1e-8)
+        actual = read(tmp_path, relaxation_time=1e-3, temperature=temperature, **given_as)
+        assert math.log10(actual.tau / 1e-3) == pytest.approx(decades, abs=1e-8)
 
 
 def test_a_comparison_shifts_by_another_law(tmp_path):

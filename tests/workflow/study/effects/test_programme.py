@@ -44,8 +44,8 @@ def read(tmp_path, *entries):
     ],
 )
 def test_segments_as_they_are_written(tmp_path, entry, segment):
-    (found,) = read(tmp_path, entry)
-    assert (found._replace(description="") if isinstance(found, FromFile) else found) == segment
+    (actual,) = read(tmp_path, entry)
+    assert (actual._replace(description="") if isinstance(actual, FromFile) else actual) == segment
 
 
 def test_an_amplitude_of_the_velocity_is_one_of_the_path(tmp_path):
