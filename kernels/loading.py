@@ -33,14 +33,14 @@ from .rheology.spectrum import KELVIN
 
 SOURCE_ROOT = Path(__file__).resolve().parents[1]
 PLAIN_STEPS, LISTED_STEPS = np.array([1]), np.array([4])  # marched plainly, and by lists
-WIDE_CONTACTS, NARROW_CONTACTS = (0.1, 1.0), (1e-3, 100.0)  # load and speed
+WIDE_CASE, NARROW_CASE = (0.1, 1.0), (1e-3, 100.0)  # load and speed
 
 
 def load(scheme: str, requested: Quantities) -> None:
     """Compile the kernels, or load them from the cache."""
     cases = [
-        Case(*WIDE_CONTACTS, (1.2,), (PLAIN_STEPS,), scheme),
-        Case(*NARROW_CONTACTS, (1.2,), (LISTED_STEPS,), scheme),
+        Case(*WIDE_CASE, (1.2,), (PLAIN_STEPS,), scheme),
+        Case(*NARROW_CASE, (1.2,), (LISTED_STEPS,), scheme),
     ]
     with _helper(scheme, requested):
         law_of(form_of(KELVIN, scheme), 1.0)  # for the times of a curve
@@ -49,7 +49,7 @@ def load(scheme: str, requested: Quantities) -> None:
 
 def load_marches(scheme: str) -> None:
     """Compile the marches, with arguments of the right types and arbitrary values."""
-    line, law, load = _line(), SCHEMES[scheme](1.0), WIDE_CONTACTS[0]
+    line, law, load = _line(), SCHEMES[scheme](1.0), WIDE_CASE[0]
     line_set, spans = LineSet.of([line], marched=True), np.zeros(line.z.size // SPAN)
     control, d = ConstantForce(load * line.z.size), load + float(line.z.mean())
     ends = SteadyEnds(DecayFactors(*law), spans[None], np.array([d]))

@@ -1,4 +1,4 @@
-"""Count wording in the program that a reader has to decode; `make check` fails above the limits.
+"""Count wording that a reader has to decode; `make check` fails above the limits.
 
 Run from the root of the repository; `-v` lists the places. The rules are a net, not a style guide:
 a few innocent matches remain, which is why the limits are not zero.
@@ -37,16 +37,17 @@ CONTRACT_NAMES = {"told"}  # a method of exported laws
 
 
 class Rule(NamedTuple):
-    """A kind of wording and the largest number of matches that is accepted."""
+    """A kind of wording and the largest numbers of accepted matches."""
 
     name: str
-    limit: int
+    limit: int  # in the program
+    limit_of_tests: int
 
 
-OPENING = Rule("docstrings that open with a clause", 20)
-PHRASE = Rule("awkward phrases", 60)
-EMPTY = Rule("names without content", 150)
-AMBIGUOUS = Rule("constants with several meanings", 40)
+OPENING = Rule("docstrings that open with a clause", 20, 60)
+PHRASE = Rule("awkward phrases", 60, 130)
+EMPTY = Rule("names without content", 150, 420)
+AMBIGUOUS = Rule("constants with several meanings", 40, 0)
 RULES = (OPENING, PHRASE, EMPTY, AMBIGUOUS)
 
 Match = tuple[Rule, int, str]  # rule, line, text
@@ -123,12 +124,16 @@ def language_matches() -> dict[Rule, list[str]]:
 
 def main() -> None:
     """Print the number of matches of each rule; exit with status 1 above a limit."""
-    places = language_matches()
-    for rule, rows in places.items():
+    exceeded = False
+    for rule, rows in language_matches().items():
+        in_tests = sum(row.startswith("tests/") for row in rows)
+        in_program = len(rows) - in_tests
         if "-v" in sys.argv:
             print(*rows, sep="\n")
-        print(f"{rule.name}: {len(rows)}, limit {rule.limit}")
-    sys.exit(any(len(rows) > rule.limit for rule, rows in places.items()))
+        print(f"{rule.name}: {in_program} of {rule.limit}", end=", ")
+        print(f"in tests {in_tests} of {rule.limit_of_tests}")
+        exceeded |= in_program > rule.limit or in_tests > rule.limit_of_tests
+    sys.exit(exceeded)
 
 
 if __name__ == "__main__":

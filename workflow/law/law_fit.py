@@ -28,7 +28,7 @@ from .usual_search import UsualSearch
 
 MIN_FRICTION_SAMPLES = 20
 MAX_STATES = 5
-MAX_SPEED_RATIO = 2.5  # of neighbouring speeds of a table
+MAX_FITTED_SPEED_RATIO = 2.5  # of neighbouring speeds of a table
 MIN_TABLE_SPEED = 1e-3  # relative to the fastest speed
 RESTING_SPEED = 0.1  # relative to the slowest speed: below it contacts age as at rest
 SLOW_SAMPLES = 0.02  # share of the samples that may be slower than the slowest speed
@@ -239,7 +239,7 @@ def _table_speeds(motions: Sequence[Transient]) -> np.ndarray:
         raise UserError("there is nothing to fit: every motion is at rest")
     fastest = float(np.max([np.max(np.abs(m.velocity)) for m in motions]))
     slowest = max(float(np.quantile(moving, SLOW_SAMPLES)), MIN_TABLE_SPEED * fastest)
-    ratio = math.log(fastest / slowest) / math.log(MAX_SPEED_RATIO)
+    ratio = math.log(fastest / slowest) / math.log(MAX_FITTED_SPEED_RATIO)
     count = max(math.ceil(ratio - 1e-9), 1) + 1
     series = np.geomspace(slowest, fastest, count) if fastest > slowest else np.array([fastest])
     return np.concatenate([[RESTING_SPEED * slowest], series])

@@ -15,7 +15,13 @@ from ..study import PROGRAMME_AXES, SHIFT_KEYS
 MAX_VELOCITY_CHANGE = 0.1  # relative change of the velocity within one step of a law
 MAX_DISTANCE_ERROR = 0.05  # of sampled velocities, relative to the whole distance
 MOTION_AXES = ("velocity", *PROGRAMME_AXES, "normal_force")  # a law spans all their points
-TRACES = ("trace_time", "trace_velocity", "trace_distance", "trace_segment", "trace_mu")
+TRANSIENT_VARIABLES = (
+    "trace_time",
+    "trace_velocity",
+    "trace_distance",
+    "trace_segment",
+    "trace_mu",
+)
 
 
 class Transient(NamedTuple):
@@ -51,7 +57,9 @@ def transients_of(dataset: Any, point: Mapping[str, Any] | None = None) -> list[
     example {"hurst": 0.7}; axes of one value may be omitted. Raises UserError for an incomplete
     point, for a result without traces, and for traces too coarse to determine v(t).
     """
-    missing = [name for name in TRACES if name not in getattr(dataset, "variables", ())]
+    missing = [
+        name for name in TRANSIENT_VARIABLES if name not in getattr(dataset, "variables", ())
+    ]
     if missing:
         raise UserError(
             f"the result has no {missing[0]}: a law is fitted to a programme of motion; compute it "

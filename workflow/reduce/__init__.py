@@ -37,7 +37,7 @@ if TYPE_CHECKING:
     )
     from .jackknife import grouped_means, replicates, standard_error
     from .models import EXPONENTIAL, MODEL_MEANINGS, STRETCHED, TWO_EXPONENTIALS
-    from .rate_state import LAWS, state_change, step_law
+    from .rate_state import STATE_LAWS, state_change, step_law
     from .resolution import (
         LARGE_BIAS,
         NARROW_CONTACTS,

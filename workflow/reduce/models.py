@@ -14,7 +14,7 @@ import numpy as np
 from .jackknife import errors_needed, significant
 from .least_squares import Model, fit_curves
 
-EXPONENTIAL, STRETCHED, TWO_EXPONENTIALS, UNDECIDED = 1, 2, 3, 0
+EXPONENTIAL, STRETCHED, TWO_EXPONENTIALS, UNDECIDED_MODEL = 1, 2, 3, 0
 MODEL_MEANINGS = "undecided exponential stretched two_exponentials"
 DECISIVE_ERRORS = 2.0  # standard errors by which a model must be better than eq. 6
 GAIN_TOLERANCE = 1e-9  # gains below it are rounding
@@ -87,14 +87,14 @@ def compare_models(
 
     time : shape (samples,), in tau. deviation : mu - mu_2 of the mean and of the replicates that
     leave one block out, shape (blocks + 1, samples). blocks : mu - mu_2 of each block, shape
-    (blocks, samples). rate : b of eq. 6, the initial guess; NaN gives UNDECIDED and NaN in all
-    coefficients.
+    (blocks, samples). rate : b of eq. 6, the initial guess; NaN gives UNDECIDED_MODEL
+    and NaN in all coefficients.
     """
     if not np.isfinite(rate):
         nothing = np.full(len(deviation), np.nan)
         unknown: dict[str, Any] = dict.fromkeys(COEFFICIENTS, nothing)
         unknown |= dict.fromkeys(GAINS, (np.nan, np.nan))
-        return Comparison(UNDECIDED, **unknown)
+        return Comparison(UNDECIDED_MODEL, **unknown)
     scale, span = deviation[0, 0], time[-1]
     with np.errstate(all="ignore"):  # a fit may diverge, and is not decisive then
         fits, gains = _fits_and_gains(time / span, deviation / scale, blocks / scale, rate * span)

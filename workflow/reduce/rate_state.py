@@ -22,7 +22,7 @@ from .fits import FITTED, NO_STATE, NOT_EXPONENTIAL, NOT_FINITE, UNDETERMINED, f
 from .jackknife import significant
 from .least_squares import fit_curves
 
-LAWS = ("ruina", "dieterich")
+STATE_LAWS = ("ruina", "dieterich")
 MIN_STATE_SAMPLES = 4
 MAX_STATE_RESIDUAL = 0.5  # over b ln r: above, the law does not describe the curve
 

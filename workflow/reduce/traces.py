@@ -18,7 +18,7 @@ from ...kernels.drive import PULLED_TRACES, SLIP_EVENTS, SLIPS
 from ...kernels.motion.legs import leg_duration
 from .blocks import Blocks, Estimates, columns, enter
 from .jackknife import replicates, standard_error
-from .rate_state import LAWS, RateState, fit_rate_state
+from .rate_state import STATE_LAWS, RateState, fit_rate_state
 
 PROGRAMME_TRACES = (*PULLED_TRACES, *ENERGIES)
 CHANGE_TRACES = ("trace_mu", "trace_indentation")  # whose changes within a leg are estimates too
@@ -82,7 +82,7 @@ def _rate_state(
         distance, curves = abs(after) * time[task][sampled], deviation[task][:, sampled]
         ratio, sign = after / before, np.sign(before)
         data = distance, sign * curves, sign * change[task], ratio
-        fits.append([fit_rate_state(*data, law) for law in LAWS])
+        fits.append([fit_rate_state(*data, law) for law in STATE_LAWS])
     laws = columns([columns(of_task) for of_task in fits])  # over (tasks, laws)
     for name in ("a", "b", "dc"):
         enter(estimates, f"rate_state_{name}", np.moveaxis(getattr(laws, name), 2, 1))

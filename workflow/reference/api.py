@@ -8,7 +8,7 @@ from typing import Any
 import elastomer_friction as ef
 
 # The keys are the names that a caller uses.
-NAMES: dict[str, Any] = {
+PUBLIC_MODULES: dict[str, Any] = {
     "scene.run": ef.scene.run,
     "scene.animate": ef.scene.animate,
     "open": ef.open,
@@ -27,7 +27,7 @@ SPLIT = re.compile(r"(?<=\.) (?=\w[\w, ]{0,40} : |Raises |Returns )")
 def api_page() -> str:
     """Return the entries of the public names as Markdown."""
     lines: list[str] = []
-    for name, public in NAMES.items():
+    for name, public in PUBLIC_MODULES.items():
         lines += [f"## ef.{name}\n", *_entry(name, public)]
         for method, function in _methods(public):
             lines += [f"### {name}.{method}\n", *_entry(method, function)]

@@ -29,7 +29,7 @@ SYMBOLS = {
     "alpha": "α",
 }
 PLAIN = 0.1, 1e3  # between these a number has no prefix
-RAISED = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
+SUPERSCRIPTS = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 
 
 def unit_in_words(variable: xr.DataArray) -> str:
@@ -49,7 +49,9 @@ def with_unit(value: float, unit: str = "", digits: int = 3) -> str:
         return EngFormatter(unit)(rounded)
     mantissa, _, power = f"{rounded:g}".partition("e")
     if power:
-        mantissa = f"{mantissa}·".removeprefix("1·") + f"10{str(int(power)).translate(RAISED)}"
+        mantissa = (
+            f"{mantissa}·".removeprefix("1·") + f"10{str(int(power)).translate(SUPERSCRIPTS)}"
+        )
     return f"{mantissa.replace('-', '−')} {unit}".rstrip()
 
 

@@ -8,7 +8,7 @@ import xarray as xr
 
 from ...kernels import power_spectrum
 from ..plan import Plan, Variant
-from ..reduce import LAWS, Estimates
+from ..reduce import STATE_LAWS, Estimates
 from ..simulate import CONTACT_LENGTH_EDGES
 from ..study import COMMON_AXES, HALF_SPACE, axes_of
 from .provenance import provenance
@@ -71,7 +71,7 @@ def _coordinates(plan: Plan, variant: Variant, dims: set[str]) -> dict[str, obje
         "sample": np.arange(variant.numerics.curve_samples),
         "event": np.arange(variant.events),
         "bin": CONTACT_LENGTH_EDGES[:-1],
-        "law": list(LAWS),
+        "law": list(STATE_LAWS),
     }
     if "x" in dims:  # present for a single realization of a single problem only
         (task,) = variant.tasks

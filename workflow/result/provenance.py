@@ -11,7 +11,9 @@ from ..simulate import CODE_HASH
 from ..study import AnyStudy, Numerics, Study
 from ..system import PROGRAM_ROOT, Maker, package_versions, this_maker, version_of
 
-REFERENCE = "Li, Dimaki, Popov, Psakhie, Popov (2014), Sci. Rep. 4, 5795, doi:10.1038/srep05795"
+PAPER_REFERENCE = (
+    "Li, Dimaki, Popov, Psakhie, Popov (2014), Sci. Rep. 4, 5795, doi:10.1038/srep05795"
+)
 LICENCE = (
     "The program is under the MIT licence, which leaves its results to those who compute them."
 )
@@ -61,7 +63,7 @@ def origin(study: AnyStudy) -> dict[str, str | int | float]:
         "source": program,
         "history": f"{program}: run {study.name}",  # no date: the same study gives the same file
         "license": LICENCE,
-        "references": REFERENCE,
+        "references": PAPER_REFERENCE,
         "commit": commit(),
         "code": CODE_HASH,
         "written_with": package_versions(),

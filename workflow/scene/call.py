@@ -29,7 +29,7 @@ from ..study import (
 )
 from ..system import import_dask, report_compilation
 
-NAME = "scene"
+SCENE_STUDY_NAME = "scene"
 GRID_KEYS = ("hurst", "roughness", "spacing")  # keys of surface that belong to [grid]
 DEFAULT_QUANTITIES = ("steady", "trace")
 TRACE_SAMPLES = 200
@@ -82,10 +82,10 @@ def study_of(arguments: Mapping[str, Any]) -> Study:
     tables["numerics"] = numerics
     tables["scene"] = _scene(arguments, grid)
     tables["study"] = {
-        "title": NAME,
+        "title": SCENE_STUDY_NAME,
         **{name: toml_value(name, arguments[name]) for name in ("seed", "realizations")},
     }
-    return read_grid_study(NAME, Path(), tables, one_point=True, profile=profile)
+    return read_grid_study(SCENE_STUDY_NAME, Path(), tables, one_point=True, profile=profile)
 
 
 def _profile(arguments: Mapping[str, Any]) -> Profile | None:

@@ -6,7 +6,7 @@ from .shard import ForeignFile, digest, packed, text_array
 
 NETCDF_FORMAT = "elastomer-friction shard 3"
 NETCDF_SUFFIX = ".nc"
-NAMES = {"batches": "chunk", "keys": "key", "scalars": "scalars", "curves": "curves"}
+NETCDF_NAMES = {"batches": "chunk", "keys": "key", "scalars": "scalars", "curves": "curves"}
 
 
 def converted(name: str, content: bytes, fault: str) -> bytes:
@@ -26,7 +26,7 @@ def converted(name: str, content: bytes, fault: str) -> bytes:
     try:
         with netCDF4.Dataset("shard.nc", memory=content) as data:
             data.set_auto_maskandscale(False)
-            variables = {name: data[old] for name, old in NAMES.items()}
+            variables = {name: data[old] for name, old in NETCDF_NAMES.items()}
             claimed = sum(v.size * v.dtype.itemsize for v in variables.values())
             if claimed > len(content):
                 raise ValueError(f"its arrays claim {claimed} bytes, and it has {len(content)}")

@@ -30,7 +30,9 @@ KEY_LENGTH = 2 * KEY_BYTES  # as text
 MEMBER_DATE = 1980, 1, 1, 0, 0, 0  # the earliest that a zip archive can hold
 NPY_VERSION = 1, 0
 
-ARRAYS: dict[str, tuple[str, tuple[int | None, ...]]] = {  # name -> type, shape; None: any length
+SHARD_ARRAYS: dict[
+    str, tuple[str, tuple[int | None, ...]]
+] = {  # name -> type, shape; None: any length
     "format": ("|u1", (None,)),  # text in UTF-8
     "makers": ("|u1", (None,)),  # JSON in UTF-8
     "batches": ("<i8", (None, 3)),  # numbers of keys, of the first block, of blocks
@@ -106,7 +108,7 @@ def packed(arrays: Mapping[str, np.ndarray]) -> bytes:
     arrays = {"format": text_array(SHARD_FORMAT), **arrays}
     buffer = io.BytesIO()
     with zipfile.ZipFile(buffer, "w") as archive:
-        for name, (kind, _) in ARRAYS.items():
+        for name, (kind, _) in SHARD_ARRAYS.items():
             member = zipfile.ZipInfo(f"{name}.npy", MEMBER_DATE)
             with archive.open(member, "w", force_zip64=True) as file:
                 values = arrays[name].astype(kind, order="C", casting="equiv", copy=False)
@@ -152,13 +154,13 @@ def _unpacked(content: bytes) -> dict[str, np.ndarray]:
     with zipfile.ZipFile(io.BytesIO(content)) as archive:
         members = archive.infolist()
         names = [member.filename for member in members]
-        if names != [f"{name}.npy" for name in ARRAYS]:
+        if names != [f"{name}.npy" for name in SHARD_ARRAYS]:
             raise ValueError(f"its members are {', '.join(names):.200}")
         if any(member.compress_type != zipfile.ZIP_STORED for member in members):
             raise ValueError("it is compressed")
         if (claimed := sum(member.file_size for member in members)) > len(content):
             raise ValueError(f"its members claim {claimed} bytes, and it has {len(content)}")
-        return {name: _array(name, archive.read(f"{name}.npy")) for name in ARRAYS}
+        return {name: _array(name, archive.read(f"{name}.npy")) for name in SHARD_ARRAYS}
 
 
 def _array(name: str, content: bytes) -> np.ndarray:
@@ -167,7 +169,7 @@ def _array(name: str, content: bytes) -> np.ndarray:
     if (version := npy.read_magic(file)) != NPY_VERSION:
         raise ValueError(f"{name} has the npy version {version}")
     shape, fortran_order, dtype = npy.read_array_header_1_0(file)
-    kind, lengths = ARRAYS[name]
+    kind, lengths = SHARD_ARRAYS[name]
     fits = len(shape) == len(lengths) and all(
         length in (None, size) for length, size in zip(lengths, shape, strict=True)
     )

@@ -16,7 +16,7 @@ from elastomer_friction.workflow.laboratory.step_fit import (
     TOO_SHORT,
     fit_step,
 )
-from elastomer_friction.workflow.reduce import LAWS, step_law
+from elastomer_friction.workflow.reduce import STATE_LAWS, step_law
 from tests.workflow.laboratory.given import noise, record
 
 
@@ -139,7 +139,7 @@ def test_the_end_of_a_relaxation_that_was_not_seen_is_not_determined():
         assert abs(fit.jump.value - 0.05) < 3.0 * fit.jump.error < 0.01
 
 
-@pytest.mark.parametrize("law", LAWS)
+@pytest.mark.parametrize("law", STATE_LAWS)
 @pytest.mark.parametrize("ratio", [0.2, 3.0])
 def test_constants_of_a_state_law_are_found(law, ratio):
     a, b, length, v1 = 0.03, 0.05, 1e-3, 1e-2
@@ -155,5 +155,7 @@ def test_constants_of_a_state_law_are_found(law, ratio):
     for found, true in zip(fit.state(), (a, b, length), strict=True):
         assert abs(found.value - true) < 4.0 * found.error
         assert found.error < 0.1 * true
-    other = fit_step(*measured_steps(one._replace(friction=friction)), LAWS[law == LAWS[0]])
+    other = fit_step(
+        *measured_steps(one._replace(friction=friction)), STATE_LAWS[law == STATE_LAWS[0]]
+    )
     assert other.rms > 1.5 * fit.rms

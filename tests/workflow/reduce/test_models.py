@@ -11,7 +11,7 @@ from elastomer_friction.workflow.reduce.models import (
     EXPONENTIAL,
     STRETCHED,
     TWO_EXPONENTIALS,
-    UNDECIDED,
+    UNDECIDED_MODEL,
     Comparison,
     compare_models,
     determined,
@@ -67,7 +67,7 @@ def test_coefficients_that_mean_nothing_are_no_numbers():
 
 def test_nothing_is_compared_where_eq_6_was_not_fitted():
     actual = compared(CURVES[EXPONENTIAL], rate=np.nan)
-    assert actual.best == UNDECIDED
+    assert actual.best == UNDECIDED_MODEL
     for name in set(Comparison._fields) - {"best"}:
         assert np.isnan(getattr(actual, name)).all()
     assert actual.fast_rate.shape == (31,)

@@ -13,7 +13,7 @@ from elastomer_friction.workflow.reduce.fits import (
     UNDETERMINED,
 )
 from elastomer_friction.workflow.reduce.jackknife import replicates, standard_error
-from elastomer_friction.workflow.reduce.rate_state import LAWS, fit_rate_state
+from elastomer_friction.workflow.reduce.rate_state import STATE_LAWS, fit_rate_state
 
 A, B, DC = 0.03, 0.05, 2.0
 DISTANCE = np.geomspace(0.01, 20.0, 80)
@@ -36,7 +36,7 @@ def fitted(law, ratio, noise=0.001, b=B, of=None):
     return fit_rate_state(DISTANCE, replicates(blocks, 0), replicates(change, 0), ratio, law)
 
 
-@pytest.mark.parametrize("law", LAWS)
+@pytest.mark.parametrize("law", STATE_LAWS)
 @pytest.mark.parametrize("ratio", [0.1, 0.5, 0.9, 1.1, 2.0, 10.0])
 def test_constants_are_recovered_within_their_errors(law, ratio):
     actual = fitted(law, ratio)
@@ -57,7 +57,7 @@ def test_without_noise_they_are_exact_also_of_one_line_and_where_b_is_negative()
         assert [actual.a[0], actual.b[0], actual.dc[0]] == pytest.approx([A, b, DC], rel=1e-6)
 
 
-@pytest.mark.parametrize("law", LAWS)
+@pytest.mark.parametrize("law", STATE_LAWS)
 @pytest.mark.parametrize("ratio", [1e-4, 0.01, 2.0, 50.0, 100.0, 1e4])
 def test_constants_of_large_steps_are_found_on_samples_at_equal_distances(law, ratio):
     """By Dieterich's law friction stays high over several D_c after a large step upwards."""
@@ -69,11 +69,11 @@ def test_constants_of_large_steps_are_found_on_samples_at_equal_distances(law, r
 
 
 def test_each_law_fits_its_own_step_best():
-    for law, other in (LAWS, LAWS[::-1]):
+    for law, other in (STATE_LAWS, STATE_LAWS[::-1]):
         assert fitted(law, 10.0).residual < 0.3 * fitted(law, 10.0, of=other).residual
 
 
-@pytest.mark.parametrize("law", LAWS)
+@pytest.mark.parametrize("law", STATE_LAWS)
 def test_no_state_where_b_is_noise(law):
     actual = fitted(law, 2.0, b=0.0)
     assert actual.status != FITTED

@@ -10,7 +10,7 @@ import pytest
 from elastomer_friction.workflow.ground import UserError
 from elastomer_friction.workflow.simulate.tasks import SCALARS
 from elastomer_friction.workflow.store import journal
-from elastomer_friction.workflow.store.shard import ARRAYS, encode
+from elastomer_friction.workflow.store.shard import SHARD_ARRAYS, encode
 from elastomer_friction.workflow.store.store import (
     Store,
     enter_result,
@@ -94,7 +94,7 @@ def test_equal_records_give_equal_bytes(tmp_path, monkeypatch):
     monkeypatch.setattr(time, "localtime", None)
     assert encode(work) == content
     with np.load(io.BytesIO(content), allow_pickle=False) as arrays:
-        assert arrays.files == list(ARRAYS)
+        assert arrays.files == list(SHARD_ARRAYS)
 
 
 def test_failures_are_kept_until_they_are_to_be_retried(tmp_path):

@@ -19,12 +19,14 @@ from ...text_tables import (
     select_columns,
 )
 
-HEADER = 'a header "modulus [Pa], time [s]"'
-MODULUS = ColumnSpec("a modulus", "pressure", r"modul|^[GE]([\W_]|\d|[bi]?$)", "Pa", HEADER)
+HEADER_ADVICE = 'a header "modulus [Pa], time [s]"'
+MODULUS = ColumnSpec("a modulus", "pressure", r"modul|^[GE]([\W_]|\d|[bi]?$)", "Pa", HEADER_ADVICE)
 SHARE = ColumnSpec(
-    "a share of G_0", "number", r"alpha|\u03b1|share|norm|/ ?[GE]_?0|^g_?i?$", "1", HEADER
+    "a share of G_0", "number", r"alpha|\u03b1|share|norm|/ ?[GE]_?0|^g_?i?$", "1", HEADER_ADVICE
 )
-TIME = ColumnSpec("a time", "time", r"time|tau|\u03c4|^t([\W_]|[bi]?$)", "s", HEADER)
+BRANCH_TIME_COLUMN = ColumnSpec(
+    "a time", "time", r"time|tau|\u03c4|^t([\W_]|[bi]?$)", "s", HEADER_ADVICE
+)
 ABAQUS_KEYWORD = re.compile(r"^\s*\*VISCOELASTIC", re.IGNORECASE)
 YOUNG_NAME = re.compile(r"young|tens|^E([\W_]|\d|[bi]?$)", re.IGNORECASE)
 
@@ -39,26 +41,28 @@ def read_branches(
     """
     table = read_text_table(key, path, path.name)
     if any(ABAQUS_KEYWORD.search(line) for line in table.above) and len(table.numeric) == 3:
-        columns = select_columns(table, (SHARE, TIME), (table.numeric[0], table.numeric[2]), HEADER)
+        columns = select_columns(
+            table, (SHARE, BRANCH_TIME_COLUMN), (table.numeric[0], table.numeric[2]), HEADER_ADVICE
+        )
         description = f"{describe_columns(table, columns)}; shares g_i, k_i, tau_i of Abaqus"
         return _of_shares(key, columns, relaxed), description
     if len(table.numeric) == 3 and not table.titles:
         raise UserError(
             f"{key} = {path.name!r}: holds three columns; put the line *VISCOELASTIC above "
-            f"shares g_i, k_i, tau_i of Abaqus, or give two columns with {HEADER}"
+            f"shares g_i, k_i, tau_i of Abaqus, or give two columns with {HEADER_ADVICE}"
         )
     if _of_share(table):
-        columns = select_columns(table, (SHARE, TIME), None, HEADER)
+        columns = select_columns(table, (SHARE, BRANCH_TIME_COLUMN), None, HEADER_ADVICE)
         return _of_shares(
             key, columns, relaxed
         ), f"{describe_columns(table, columns)}; G_0 from shear_modulus"
-    columns = select_columns(table, (MODULUS, TIME), None, HEADER)
+    columns = select_columns(table, (MODULUS, BRANCH_TIME_COLUMN), None, HEADER_ADVICE)
     moduli, description = columns[0].values, describe_columns(table, columns)
     _check_finite(key, path, columns)
     if columns[0].unit_source == "assumed" and moduli.sum() < 1.0:
         raise UserError(
             f"{key} = {path.name!r}: the moduli sum to {moduli.sum():.3g}; name the column alpha "
-            f"if they are shares of G_0, or give {HEADER} with their unit"
+            f"if they are shares of G_0, or give {HEADER_ADVICE} with their unit"
         )
     if YOUNG_NAME.search(columns[0].title.name):
         factor = 2.0 * (1.0 + poisson)

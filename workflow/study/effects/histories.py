@@ -11,11 +11,11 @@ from ..settings import number
 from .programme import FromFile
 
 MAX_SAMPLES = 100_000
-TIME = ColumnSpec("a time", "time", r"time|zeit|^t$", "s", "a header with known units")
-VELOCITY = TIME._replace(
+TIME_COLUMN = ColumnSpec("a time", "time", r"time|zeit|^t$", "s", "a header with known units")
+VELOCITY_COLUMN = TIME_COLUMN._replace(
     meaning="a velocity", family="velocity", names=r"vel|speed|^v([_ ]|$)", default="m/s"
 )
-INDENTATION = TIME._replace(
+INDENTATION_COLUMN = TIME_COLUMN._replace(
     meaning="an indentation", family="length", names=r"ind|depth|^d([_ ]|$)", default="m"
 )
 
@@ -27,7 +27,7 @@ def read_history(key: str, path: Path, wanted: ColumnSpec) -> tuple[np.ndarray, 
     """
     table = read_text_table(key, path, path.name)
     second = f"{wanted.meaning.split()[-1]} [{wanted.default}]"
-    columns = select_columns(table, (TIME, wanted), None, f"the header time [s], {second}")
+    columns = select_columns(table, (TIME_COLUMN, wanted), None, f"the header time [s], {second}")
     samples = np.array([column.values for column in columns])
     _check_samples(f"{key} = {path.name!r}", samples)
     return samples, f"; read {describe_columns(table, columns)}"
@@ -35,7 +35,7 @@ def read_history(key: str, path: Path, wanted: ColumnSpec) -> tuple[np.ndarray, 
 
 def velocity_file(key: str, path: Path) -> FromFile:
     """Return the segment of a text file of times and velocities. Raises UserError."""
-    samples, description = read_history(key, path, VELOCITY)
+    samples, description = read_history(key, path, VELOCITY_COLUMN)
     return _segment(key, samples, description)
 
 

@@ -8,8 +8,7 @@ from typing import Any, NamedTuple
 
 from ...ground import UserError
 from ..settings import Key, as_text, choice, filled, flag, integer, read_table
-from .histories import INDENTATION as INDENTATION_COLUMN
-from .histories import read_history
+from .histories import INDENTATION_COLUMN, read_history
 from .material import Material
 from .programme import (
     FORCE,

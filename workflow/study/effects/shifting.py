@@ -29,9 +29,11 @@ MAX_SHIFT_DECADES = 30.0
 KELVIN_SUSPICION = 230.0  # degrees above the reference; a value in K is 273 too large
 GAS_CONSTANT = 8.314462618  # J/(mol K)
 Numbers = TypeVar("Numbers", float, np.ndarray)
-HEADER = 'a header "temperature [°C], log a_T"'
-TEMPERATURE = ColumnSpec("a temperature", "temperature", r"temp|^T([\W_]|$)", "°C", HEADER)
-DECADES = ColumnSpec("log10 a_T", "number", r"a_?T|shift|log", "1", HEADER)
+SHIFT_HEADER_ADVICE = 'a header "temperature [°C], log a_T"'
+TEMPERATURE_COLUMN = ColumnSpec(
+    "a temperature", "temperature", r"temp|^T([\W_]|$)", "°C", SHIFT_HEADER_ADVICE
+)
+DECADES = ColumnSpec("log10 a_T", "number", r"a_?T|shift|log", "1", SHIFT_HEADER_ADVICE)
 
 
 class Wlf(NamedTuple):
@@ -113,13 +115,17 @@ def read_shift_table(key: str, path: Path) -> ShiftTable:
     Raises UserError, which begins with ``key``.
     """
     table = read_text_table(key, path, path.name)
-    temperature, shift = select_columns(table, (TEMPERATURE, DECADES), None, HEADER)
+    temperature, shift = select_columns(
+        table, (TEMPERATURE_COLUMN, DECADES), None, SHIFT_HEADER_ADVICE
+    )
     values, name = shift.values, shift.title.name
     if re.match(r"ln", name, re.IGNORECASE):
         values = values / math.log(10.0)
     elif name and not re.search(r"log|lg", name, re.IGNORECASE):
         if np.any(values <= 0.0):
-            raise UserError(f"{key} = {path.name!r}: a_T must be greater than zero; give {HEADER}")
+            raise UserError(
+                f"{key} = {path.name!r}: a_T must be greater than zero; give {SHIFT_HEADER_ADVICE}"
+            )
         values = np.log10(values)
     rows = np.stack([temperature.values - ZERO, values], axis=1).tolist()
     return _shift_table(key, rows)._replace(
