@@ -1,4 +1,7 @@
-"""Reduced laws of friction with their range and error: fit, step, compare and export."""
+"""Reduced laws of friction with their range and error: fit, step, compare and export.
+
+A law stands for computed motions in models of other programs.
+"""
 
 from typing import TYPE_CHECKING
 

@@ -1,11 +1,6 @@
 """Reduction of block means to estimates: jackknife, fits, and the accuracy reached.
 
 The functions take and return plain arrays and run on the workers.
-
-Two error theories are in use. Computed results have independent blocks of equal size, so that the
-jackknife over blocks (jackknife.py) gives the error of every derived quantity, without assumptions
-on the correlation between samples. A measured record is a single realization without blocks;
-its fits (workflow/laboratory/estimate.py) estimate the correlation from the residuals instead.
 """
 
 from typing import TYPE_CHECKING

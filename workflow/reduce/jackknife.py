@@ -2,6 +2,8 @@
 
 Blocks are independent and of equal size. Replicate j leaves out block j of all points at once, so
 that derived quantities include the correlations between points (shared lines).
+The program has a second error theory, since a measured record is a single realization without
+blocks: its fits (workflow/laboratory/estimate.py) estimate the correlation from the residuals.
 Source: B. Efron, The Jackknife, the Bootstrap and Other Resampling Plans (SIAM 1982), ch. 3.
 """
 

@@ -18,7 +18,7 @@ from tests.support.sweeps import mostly_exhaustive
 
 @pytest.mark.parametrize("command", ["plan", "run", "status", "figure", "table", "report"])
 def test_unknown_study_is_one_line(capsys, command):
-    assert "study 'nowhere': not among" in refusal(capsys, command, "nowhere")
+    assert "study 'nowhere': must be one of" in refusal(capsys, command, "nowhere")
 
 
 def test_second_ctrl_c_ends_with_the_status_of_an_interruption(capsys, study, monkeypatch):

@@ -67,6 +67,6 @@ def test_what_slurm_refuses_is_passed_on(monkeypatch):
 
 def test_an_interface_that_is_not_there_is_named(tmp_path):
     given = read_cluster(CLUSTER | {"interface": "no-such0", "log_folder": str(tmp_path)})
-    refusal = r"cluster\.interface = 'no-such0': .* there are .*lo"
+    refusal = r"cluster\.interface = 'no-such0': .* from .*lo"
     with pytest.raises(UserError, match=refusal), slurm.job_cluster(None, given):
         pass

@@ -140,7 +140,7 @@ QUANTITY = st.sampled_from([*QUANTITIES, "other"])
 ARGUMENTS = {
     "profile": PROFILES,
     "length": ODD,
-    "surface": table_of([*SURFACE, *call.OF_GRID], RANDOM["surface"], {}),
+    "surface": table_of([*SURFACE, *call.GRID_KEYS], RANDOM["surface"], {}),
     "material": table_of(MATERIAL, KELVIN, BRANCHED),
     "normal_force": ODD,
     "normal_pressure": ODD,
