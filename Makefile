@@ -106,11 +106,12 @@ coverage: $(TOOLS) ## Measure which lines make test runs: kernels as plain Pytho
 	$(BIN)/coverage combine --quiet
 	$(BIN)/coverage report
 
-check: $(TOOLS) ## Lint, formatting, types and the import contracts
+check: $(TOOLS) ## Lint, formatting, types, the import contracts and wording
 	$(BIN)/ruff check .
 	$(BIN)/ruff format --check .
 	$(BIN)/mypy
 	$(BIN)/lint-imports
+	$(BIN)/python -m tests.tools.language
 
 docs: $(READY) ## Build the documentation as a site with a search: site/index.html
 	$(PIP) --editable '.[docs]'

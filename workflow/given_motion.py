@@ -11,16 +11,16 @@ class LawError(UserError, ValueError):
 
 
 def finite_numbers(name: str, values: ArrayLike) -> np.ndarray:
-    """Return an array. Raises UserError for what is no finite real number, or masked."""
+    """Return an array. Raises UserError for values that are not finite, not real, or masked."""
     try:
         if np.iscomplexobj(values) or np.ma.is_masked(values):
             raise ValueError("they are complex or masked")
-        found = np.asarray(values, dtype=float)
+        array = np.asarray(values, dtype=float)
     except (TypeError, ValueError) as error:
         raise LawError(f"{name} must hold real numbers: {error}") from error
-    if not np.isfinite(found).all():
+    if not np.isfinite(array).all():
         raise LawError(f"{name} must be finite")
-    return found
+    return array
 
 
 def given_motion(time: ArrayLike, velocity: ArrayLike) -> tuple[np.ndarray, np.ndarray]:

@@ -68,7 +68,7 @@ def relaxation_rate(x: ArrayLike, hurst: float, time_below_one: bool = False) ->
 
 
 class BeyondKineticLawWarning(UserWarning):
-    """The kinetic law is asked where it does not hold, or where nothing is known of friction."""
+    """The kinetic law is evaluated outside its range, or where friction is not known."""
 
 
 class KineticLaw:
@@ -111,7 +111,7 @@ class KineticLaw:
         if not (self.friction > 0.0).all():
             raise LawError("friction must be positive")
         known = share.ndim == 0 and 0.0 <= share <= 1.0
-        if not known or any(each.ndim or each <= 0.0 for each in positive):
+        if not known or any(value.ndim or value <= 0.0 for value in positive):
             raise LawError("relaxation_time, q_max, rms_slope must be positive, hurst in [0, 1]")
         if fastest is not None and not fastest > 0.0:
             raise LawError("fastest must be positive")
@@ -248,10 +248,12 @@ class KineticLaw:
         """Warn where a velocity lies beyond the table, or beyond where eqs. 12 to 16 hold."""
         fastest = float(np.max(np.abs(v)))
         if fastest > self.velocity[-1] * (1.0 + FLAT):
-            said = f"{fastest:g} m/s is above the table of steady friction, which ends at "
-            said += f"{self.velocity[-1]:g} m/s; friction is taken as constant there"
-            warnings.warn(said, BeyondKineticLawWarning, stacklevel=3)
+            message = f"{fastest:g} m/s is above the table of steady friction, which ends at "
+            message += f"{self.velocity[-1]:g} m/s; friction is taken as constant there"
+            warnings.warn(message, BeyondKineticLawWarning, stacklevel=3)
         if self.fastest is not None and fastest > self.fastest * (1.0 + FLAT):
-            said = f"{fastest:g} m/s is above {self.fastest:.3g} m/s, up to which the kinetic law "
-            said += "holds: so few peaks touch that it errs by as much as friction changes"
-            warnings.warn(said, BeyondKineticLawWarning, stacklevel=3)
+            message = (
+                f"{fastest:g} m/s is above {self.fastest:.3g} m/s, up to which the kinetic law "
+            )
+            message += "holds: so few peaks touch that it errs by as much as friction changes"
+            warnings.warn(message, BeyondKineticLawWarning, stacklevel=3)

@@ -95,7 +95,7 @@ def test_a_result_waits_for_the_disk_too(disk, begun, tmp_path, undisturbed):
 def test_a_status_that_cannot_be_written_ends_nothing(disk, begun, tmp_path, undisturbed):
     run = begun(**disk.environment(f"open EIO {tmp_path}/.small.status always"))
     assert_whole(run, undisturbed)
-    assert said(".*the run goes on.*", run.lines()) == 1
+    assert said(".*the run continues.*", run.lines()) == 1
 
 
 @pytest.mark.parametrize("number", [signal.SIGTERM, signal.SIGHUP], ids=str)

@@ -101,7 +101,7 @@ def _json_options(command: argparse.ArgumentParser) -> None:
 
 def _plan_options(command: argparse.ArgumentParser) -> None:
     _json_options(command)
-    text = "time random batches for about so many seconds, to state what the study takes"
+    text = "time random batches for about this time, in s, to estimate the core time"
     command.add_argument("--sample", type=float, metavar="SECONDS", help=text)
 
 

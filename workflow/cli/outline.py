@@ -132,11 +132,11 @@ def _errors(plan: Plan) -> Iterator[str]:
     errors = predicted_errors(plan)
     if not errors:
         yield "errors      unknown before the run: see NAME_error and NAME_bias of the result"
-    for name, each in errors.items():
+    for name, error in errors.items():
         bias = "unknown before the run"
-        if not np.isnan(each.discretisation).all():
-            bias = f"below {_percent(each.discretisation)}"
-        yield f"errors      {name}: standard error {_percent(each.chance)}, discretisation {bias}"
+        if not np.isnan(error.discretisation).all():
+            bias = f"below {_percent(error.discretisation)}"
+        yield f"errors      {name}: standard error {_percent(error.chance)}, discretisation {bias}"
 
 
 def _percent(errors: np.ndarray) -> str:

@@ -70,10 +70,10 @@ def announced_plan(study: Study) -> Plan:
     return make_plan(study)
 
 
-def resume_line(what: str) -> str:
-    """Return how to go on with a run that ended early."""
+def resume_line(event: str) -> str:
+    """Return a line that tells how to resume a run that ended early."""
     command = f"{program()} {shlex.join(sys.argv[1:])}"
-    return f"{what}; what is finished is kept, to resume run again: {command}"
+    return f"{event}; what is finished is kept, to resume run again: {command}"
 
 
 def _check(options: argparse.Namespace) -> None:

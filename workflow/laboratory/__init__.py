@@ -1,4 +1,4 @@
-"""What measurements determine: of velocity steps the kinetic law, of sweeps a master curve.
+"""Fits to measurements: the kinetic law from velocity steps, master curves from sweeps.
 
 Text files of a laboratory in; jumps, rates, tau, H, q_max, rate-and-state constants, shifts out.
 """

@@ -61,13 +61,13 @@ def _step(upper: Axes, lower: Axes, fit: StepFit, ageing: StepFit) -> None:
     upper.plot(before[shown], step.before[shown], ".", ms=1.0, color=MEASURED)
     upper.plot(t, step.after[every], ".", ms=1.0, color=MEASURED, label="measured")
     upper.plot(before[shown], np.full(int(shown.sum()), fit.mu_1.value), "-", color=EQ_6)
-    for each, colour, style, label in (
+    for fitted, colour, style, label in (
         (ageing, AGEING, "--", "Dieterich"),
         (fit, EQ_6, "-", "eq. 6 (Ruina)"),
     ):
-        upper.plot(t, each.curve[every], style, color=colour, label=label)
-        rest = (step.after - each.curve)[every]
-        lower.plot(t, rest, "." if each is fit else ",", ms=1.0, color=colour, alpha=0.6)
+        upper.plot(t, fitted.curve[every], style, color=colour, label=label)
+        rest = (step.after - fitted.curve)[every]
+        lower.plot(t, rest, "." if fitted is fit else ",", ms=1.0, color=colour, alpha=0.6)
     lower.axhline(0.0, color="k", lw=0.6)
     upper.tick_params(labelbottom=False)
     upper.set_title(f"{step.name}\n{step.v1:.3g} to {step.v2:.3g} m/s", fontsize=7)
@@ -77,9 +77,9 @@ def _step(upper: Axes, lower: Axes, fit: StepFit, ageing: StepFit) -> None:
 
 def _rates(ax: Axes, fit: Fit, rates: Rates) -> None:
     """Draw k over v2, the power law, and eq. 13 where all of it is determined."""
-    known = [each for each in fit.steps if each.rate.known]
-    v = np.array([each.step.v2 for each in known])
-    k, error = np.array([each.rate for each in known]).T
+    known = [fitted for fitted in fit.steps if fitted.rate.known]
+    v = np.array([fitted.step.v2 for fitted in known])
+    k, error = np.array([fitted.rate for fitted in known]).T
     ax.set_xlim(0.5 * v.min(), 2.0 * v.max())  # also of steps that are all at one speed
     ax.errorbar(v, k, error, fmt="o", color="k", ms=3)
     span = np.geomspace(0.7 * v.min(), 1.4 * v.max(), 200)
@@ -97,10 +97,12 @@ def _rates(ax: Axes, fit: Fit, rates: Rates) -> None:
 
 def _jumps(ax: Axes, fit: Fit) -> None:
     """Draw the jump over the friction meanwhile, and eq. 12 where grad z is determined."""
-    known = [each for each in fit.steps if each.jump.known]
-    mu = np.array([math.sqrt(max(each.mu_1.value * friction_after(each), 0.0)) for each in known])
+    known = [fitted for fitted in fit.steps if fitted.jump.known]
+    mu = np.array(
+        [math.sqrt(max(fitted.mu_1.value * friction_after(fitted), 0.0)) for fitted in known]
+    )
     jump, error = (
-        np.array([each.jump.times(1.0 / math.log(each.step.ratio)) for each in known])
+        np.array([fitted.jump.times(1.0 / math.log(fitted.step.ratio)) for fitted in known])
         .reshape(-1, 2)
         .T
     )

@@ -13,7 +13,7 @@ LEAST_SHARE = 1e-9  # of the stiffest branch, that a relaxed modulus is
 
 
 def fit_material(name: str, measured: Moduli, branches: int | None) -> PronyFit:
-    """Return the material of moduli at one temperature, of so many branches or as many as it wants.
+    """Return the material of moduli at one temperature. branches : number, or None for the fewest.
 
     name : of the file, for messages. Raises UserError where the fit is none, or is of no foundation
     that carries a load.
@@ -38,10 +38,10 @@ def fit_material(name: str, measured: Moduli, branches: int | None) -> PronyFit:
     return fit
 
 
-def describe_material(measured: Moduli, fit: PronyFit, asked: int | None) -> list[str]:
+def describe_material(measured: Moduli, fit: PronyFit, requested: int | None) -> list[str]:
     """Return what was fitted and how well, in sentences."""
     omega = measured.omega
-    said = [
+    lines = [
         f"{omega.size} times, {1.0 / omega[-1]:.3g} ... {1.0 / omega[0]:.3g} s"
         if measured.over_time
         else f"{omega.size} frequencies, {omega[0]:.3g} ... {omega[-1]:.3g} rad/s",
@@ -53,18 +53,20 @@ def describe_material(measured: Moduli, fit: PronyFit, asked: int | None) -> lis
     ends = (1.0 / omega[0], "s down") if measured.over_time else (omega[0], "rad/s")
     first = f"{ends[0]:.3g} {ends[1]}"
     decades = _per_decade(measured, fit)
-    said.append(
+    lines.append(
         f"residual per decade from {first}: {', '.join(f'{100 * one:.2g}' for one in decades)} %"
     )
     if decades.max() > LARGEST_RESIDUAL:
-        said.append(
+        lines.append(
             f"beware: more than {100 * LARGEST_RESIDUAL:g} % are left over in decade "
             f"{decades.argmax() + 1} of them: leave out these rows, or take no result from there"
         )
-    if asked is not None and fit.rms > 2.0 * fit.dense:
-        said.append(f"{asked} branches are too few: more of them leave {100 * fit.dense:.2g} % rms")
+    if requested is not None and fit.rms > 2.0 * fit.dense:
+        lines.append(
+            f"{requested} branches are too few: more of them leave {100 * fit.dense:.2g} % rms"
+        )
     if not fit.determined:
-        said.append(
+        lines.append(
             f"the data do not determine the relaxed modulus: {fit.least:.3g} ... {fit.most:.3g} "
             f"Pa do as well; it wants "
             + (
@@ -73,13 +75,13 @@ def describe_material(measured: Moduli, fit: PronyFit, asked: int | None) -> lis
                 else f"frequencies below {first}"
             )
         )
-    return said
+    return lines
 
 
 def _per_decade(measured: Moduli, fit: PronyFit) -> np.ndarray:
     """Return the rms residual in each decade of the frequency that holds one."""
     decade = np.floor(np.log10(measured.omega / measured.omega[0]) + 1e-9)
-    squares = [np.mean(fit.residual[decade == each] ** 2) for each in np.unique(decade)]
+    squares = [np.mean(fit.residual[decade == value] ** 2) for value in np.unique(decade)]
     return np.sqrt(squares)
 
 

@@ -16,14 +16,14 @@ LARGEST_RESIDUAL = 0.15  # rms of G*, of a material
 
 
 class Shifting(NamedTuple):
-    """What is asked for of a master curve."""
+    """Options of a master curve."""
 
     reference: float | None = None  # °C; None: the temperature of the sweep in the middle
     law: str | None = None  # one of SHIFT_KEYS; None: the one that describes the shifts
     vertical: bool = False  # whether moduli are shifted too
 
 
-def master_curve(name: str, measured: Moduli, asked: Shifting) -> tuple[Moduli, tuple[str, ...]]:
+def master_curve(name: str, measured: Moduli, options: Shifting) -> tuple[Moduli, tuple[str, ...]]:
     """Return the moduli of several temperatures as those at one, and lines of [material].
 
     name : of the file, for messages. Raises UserError for a reference that was not measured, for
@@ -31,53 +31,66 @@ def master_curve(name: str, measured: Moduli, asked: Shifting) -> tuple[Moduli, 
     these shifts.
     """
     assert measured.temperatures is not None
-    each = np.unique(measured.temperatures)
-    reference = float(each[each.size // 2]) if asked.reference is None else asked.reference
-    if not each[0] <= reference <= each[-1]:
+    temperatures = np.unique(measured.temperatures)
+    reference = (
+        float(temperatures[temperatures.size // 2])
+        if options.reference is None
+        else options.reference
+    )
+    if not temperatures[0] <= reference <= temperatures[-1]:
         raise UserError(
-            f"--reference {reference:g}: must lie within the sweeps, {each[0]:g} to {each[-1]:g} °C"
+            f"--reference {reference:g}: must lie within the sweeps, {temperatures[0]:g} to "
+            f"{temperatures[-1]:g} °C"
         )
-    own = [measured.temperatures == t for t in each]
-    sweeps = [(measured.omega[rows], measured.values[rows]) for rows in own]
-    place = int(np.argmin(np.abs(each - reference)))
+    masks = [measured.temperatures == t for t in temperatures]
+    sweeps = [(measured.omega[rows], measured.values[rows]) for rows in masks]
+    place = int(np.argmin(np.abs(temperatures - reference)))
     try:
-        shift = superposed(each, sweeps, place, asked.vertical)
-        fit = fit_shifts(each, shift.decades, shift.covariance, reference, asked.law)
+        shift = superposed(temperatures, sweeps, place, options.vertical)
+        fit = fit_shifts(temperatures, shift.decades, shift.covariance, reference, options.law)
     except ValueError as error:
         raise UserError(f"prony {name}: {error}") from None
     if shift.rms > LARGEST_RESIDUAL:
         raise UserError(
             f"prony {name}: the sweeps are no one curve, however they are shifted: "
             f"{100 * shift.rms:.2g} % of the moduli are left over: a_T alone does not describe "
-            f"this material{'' if asked.vertical else '; try --vertical'}, or columns are others"
+            f"this material{'' if options.vertical else '; try --vertical'}, or columns are others"
         )
     omega, values = measured.omega.copy(), measured.values.copy()
-    for rows, across, up in zip(own, fit.decades, shift.vertical, strict=True):
+    for rows, across, up in zip(masks, fit.decades, shift.vertical, strict=True):
         omega[rows] *= 10.0**across
         values[rows] *= 10.0**up
     order = np.argsort(omega, kind="stable")
     law_told, key = _law_told(f"{reference:g}", fit)
-    said = (*measured.description, *_told(each, reference, shift, fit, asked), law_told)
-    return Moduli(omega[order], values[order], said), (key, f"temperature = {reference:g}")
+    lines = (
+        *measured.description,
+        *_shift_lines(temperatures, reference, shift, fit, options),
+        law_told,
+    )
+    return Moduli(omega[order], values[order], lines), (key, f"temperature = {reference:g}")
 
 
-def _told(
-    each: np.ndarray, reference: float, shift: Superposition, fit: ShiftFit, asked: Shifting
+def _shift_lines(
+    temperatures: np.ndarray,
+    reference: float,
+    shift: Superposition,
+    fit: ShiftFit,
+    options: Shifting,
 ) -> list[str]:
     """Return how the sweeps were shifted, in sentences."""
-    said = [
-        f"{each.size} sweeps at {each[0]:g} ... {each[-1]:g} °C, shifted to {reference:g} °C; one "
-        f"Prony series of all leaves {100 * shift.rms:.2g} % rms"
+    lines = [
+        f"{temperatures.size} sweeps at {temperatures[0]:g} ... {temperatures[-1]:g} °C, shifted "
+        f"to {reference:g} °C; one Prony series of all leaves {100 * shift.rms:.2g} % rms"
     ]
     both = np.stack([fit.decades, shift.errors, shift.vertical, shift.vertical_errors], axis=1)
-    for temperature, (across, error, up, other) in zip(each, both.tolist(), strict=True):
+    for temperature, (across, error, up, other) in zip(temperatures, both.tolist(), strict=True):
         line = f"  {temperature:g} °C: log10 a_T = {shown(Estimate(across, error))}"
-        if asked.vertical:
+        if options.vertical:
             line += f", log10 b_T = {shown(Estimate(up, other))}"
-        said.append(line)
-    if asked.vertical:
-        said.append("a study knows no b_T: its moduli are those at the reference")
-    return said
+        lines.append(line)
+    if options.vertical:
+        lines.append("a study knows no b_T: its moduli are those at the reference")
+    return lines
 
 
 def _law_told(at: str, fit: ShiftFit) -> tuple[str, str]:

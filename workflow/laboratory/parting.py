@@ -60,20 +60,20 @@ def measured_steps(record: Record, window: float | None = None) -> list[Measured
 def no_steps_of(record: Record) -> list[str]:
     """Return in sentences which changes of velocity are no steps, and what was turned round."""
     stretches = _sliding(record)
-    rests = sum(each.sign == 0.0 for each in stretches)
+    rests = sum(stretch.sign == 0.0 for stretch in stretches)
     reversals = sum(one.sign * two.sign < 0.0 for one, two in pairwise(stretches))
-    backwards = sum(each.sign < 0.0 for each in stretches)
+    backwards = sum(stretch.sign < 0.0 for stretch in stretches)
     named = ((rests, "rest"), (reversals, "reversal"))
-    counts = [counted(count, what) for count, what in named if count]
-    said = [f"left out: {' and '.join(counts)}, which are no velocity steps"] if counts else []
+    counts = [counted(count, noun) for count, noun in named if count]
+    lines = [f"left out: {' and '.join(counts)}, which are no velocity steps"] if counts else []
     if backwards:
         verb = "is" if backwards == 1 else "are"
-        said.append(f"{counted(backwards, 'backward slide')} {verb} fitted as sliding forward")
-    return said
+        lines.append(f"{counted(backwards, 'backward slide')} {verb} fitted as sliding forward")
+    return lines
 
 
 class _Stretch(NamedTuple):
-    """Where velocity is constant, and its sign; 0 at rest."""
+    """A stretch of constant velocity, with its sign; 0 at rest."""
 
     where: slice
     sign: float
@@ -81,7 +81,7 @@ class _Stretch(NamedTuple):
 
 def _sliding(record: Record) -> list[_Stretch]:
     """Return the stretches of constant velocity. Raises UserError for velocities lost in noise."""
-    v, found = record.velocity, []
+    v, sliding = record.velocity, []
     stretches = constant_stretches(_even(v))
     fastest = max((abs(float(v[where].mean())) for where in stretches), default=0.0)
     for where in stretches:
@@ -94,8 +94,8 @@ def _sliding(record: Record) -> list[_Stretch]:
                 f"fit {record.name}: the velocity scatters by {scatter:.2g} m/s about {mean:.3g} "
                 "m/s, too much noise to know it: smooth it, or give the commanded velocity"
             )
-        found.append(_Stretch(where, float(np.sign(mean)) if known else 0.0))
-    return found
+        sliding.append(_Stretch(where, float(np.sign(mean)) if known else 0.0))
+    return sliding
 
 
 def _even(v: np.ndarray) -> np.ndarray:
@@ -140,14 +140,14 @@ def _step_between(
 
 
 def _no_step(record: Record) -> str:
-    said = (
+    lines = (
         f"fit {record.name}: holds no velocity step: no two stretches of {LEAST_SAMPLES} "
         f"samples or more at velocities {100 * LEAST_CHANGE:g} % apart"
     )
     v = record.velocity
     if np.all(np.diff(v) >= 0.0) or np.all(np.diff(v) <= 0.0):
-        said += "; its column changes one way only, as a displacement does: give --displacement"
-    return said
+        lines += "; its column changes one way only, as a displacement does: give --displacement"
+    return lines
 
 
 def constant_stretches(values: np.ndarray) -> list[slice]:
@@ -168,10 +168,10 @@ def constant_stretches(values: np.ndarray) -> list[slice]:
             open_parts += [(start, start + cut), (start + cut, stop)]
     parts = []
     for part in sorted(done, key=lambda part: part.start):
-        own = values[part]
-        place = np.linspace(-0.5, 0.5, own.size)
+        samples = values[part]
+        place = np.linspace(-0.5, 0.5, samples.size)
         most = max(LEAST_CHANGE, DEVIATIONS * noise / np.sqrt(place @ place))
-        if own.size >= LEAST_SAMPLES and abs(place @ own / (place @ place)) < most:
+        if samples.size >= LEAST_SAMPLES and abs(place @ samples / (place @ place)) < most:
             parts.append(part)
     joined: list[slice] = []
     for part in parts:

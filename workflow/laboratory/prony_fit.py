@@ -18,7 +18,7 @@ import numpy as np
 from scipy.optimize import least_squares, nnls
 
 PER_DECADE = 8  # times of the dense grid
-BEYOND = 10.0  # times reach so much further than the frequencies, either way
+TIME_MARGIN = 10.0  # factor by which times extend beyond the frequencies
 LOSS = 1.1  # of the rms residual that fewer branches may cost
 SMALL = 1e-2  # rms residual that needs no improvement
 DEVIATIONS = 3.0  # standard errors
@@ -59,7 +59,7 @@ class PronyFit(NamedTuple):
 
     @property
     def determined(self) -> bool:
-        """Whether the data determine the relaxed modulus, to a tenth."""
+        """Return whether the data determine the relaxed modulus, to a tenth."""
         return self.most <= LIKE * self.least
 
 
@@ -77,22 +77,22 @@ def fit_prony(omega: np.ndarray, moduli: np.ndarray, branches: int | None = None
         raise ValueError("needs four frequencies or more, all of them and G' above 0, no G'' below")
     unit = float(np.abs(moduli).max())
     data = measured_moduli(omega, moduli / unit)
-    grid = grid_of_times(omega, BEYOND)
+    grid = grid_of_times(omega, TIME_MARGIN)
     best = solved(data, grid)[1]
     least, most = _bounds(data, grid, best)
     if most > LIKE * least:
-        least, most = _bounds(data, grid_of_times(omega, BEYOND**2), best)
-    allowed, taken = max(LOSS * best, SMALL), 0.0
-    times, found, rms = _few(data, grid, allowed, branches)
-    if found[0] <= NONE * most:
-        taken = 0.5 * most
-        data = data._replace(moduli=data.moduli - taken)
-        times, found, rms = _few(data, grid, allowed, branches)
-    kept = found[1:] > 0.0
-    off = data.weighted(times)[0] @ found - data.wanted
+        least, most = _bounds(data, grid_of_times(omega, TIME_MARGIN**2), best)
+    allowed, discarded = max(LOSS * best, SMALL), 0.0
+    times, series, rms = _few(data, grid, allowed, branches)
+    if series[0] <= NONE * most:
+        discarded = 0.5 * most
+        data = data._replace(moduli=data.moduli - discarded)
+        times, series, rms = _few(data, grid, allowed, branches)
+    positive = series[1:] > 0.0
+    off = data.weighted(times)[0] @ series - data.wanted
     residual = np.linalg.norm(off.reshape(-1, omega.size), axis=0)  # of one or two parts
-    pairs = zip((unit * found[1:][kept]).tolist(), times[kept].tolist(), strict=True)
-    relaxed = taken + float(found[0])
+    pairs = zip((unit * series[1:][positive]).tolist(), times[positive].tolist(), strict=True)
+    relaxed = discarded + float(series[0])
     within = rms <= allowed  # a fit of too few branches says nothing of it
     return PronyFit(
         shear_modulus=unit * relaxed,
@@ -121,7 +121,7 @@ def _few(
 
 
 class MeasuredModuli(NamedTuple):
-    """What is fitted, and what residuals are relative to; arrays of shape (n,)."""
+    """Data of a fit and scales of its residuals; arrays of shape (n,)."""
 
     omega: np.ndarray  # rad/s, or 1/t
     moduli: np.ndarray  # G* or G(t), less what is taken as relaxed beforehand
@@ -152,7 +152,7 @@ def measured_moduli(omega: np.ndarray, moduli: np.ndarray) -> MeasuredModuli:
 
 def grid_of_times(omega: np.ndarray, beyond: float, per_decade: int = PER_DECADE) -> np.ndarray:
     """Return the dense grid of times, to ``beyond`` over the lowest frequency."""
-    first, last = 1.0 / (BEYOND * omega.max()), beyond / omega.min()
+    first, last = 1.0 / (TIME_MARGIN * omega.max()), beyond / omega.min()
     return np.geomspace(first, last, int(np.ceil(per_decade * np.log10(last / first))) + 1)
 
 
@@ -180,9 +180,9 @@ def solved(
     if columns.shape[0] > 4 * columns.shape[1]:  # as many rows as columns say the same
         basis, square = np.linalg.qr(columns)
         turned = basis.T @ wanted
-    found, _ = nnls(square, turned, maxiter=100 * scale.size)
-    residual = np.linalg.norm(columns @ found - wanted)
-    return np.concatenate([fixed, found / scale]), float(residual / np.sqrt(data.size.size))
+    moduli, _ = nnls(square, turned, maxiter=100 * scale.size)
+    residual = np.linalg.norm(columns @ moduli - wanted)
+    return np.concatenate([fixed, moduli / scale]), float(residual / np.sqrt(data.size.size))
 
 
 def _merged(grid: np.ndarray, moduli: np.ndarray) -> np.ndarray:
@@ -202,31 +202,31 @@ def _moved(data: MeasuredModuli, times: np.ndarray, reach: np.ndarray) -> np.nda
 
     reach : logarithms of the shortest and the longest time.
     """
-    found, _ = solved(data, times)
-    some = np.concatenate([[True], found[1:] > 0.0])
-    found, times = np.maximum(found[some], 1e-12), times[some[1:]]
+    moduli, _ = solved(data, times)
+    some = np.concatenate([[True], moduli[1:] > 0.0])
+    moduli, times = np.maximum(moduli[some], 1e-12), times[some[1:]]
     if not times.size:
         return times
 
     def residual(logs: np.ndarray) -> np.ndarray:
-        columns, _ = data.weighted(np.exp(logs[found.size :]))
-        return columns @ np.exp(logs[: found.size]) - data.wanted
+        columns, _ = data.weighted(np.exp(logs[moduli.size :]))
+        return columns @ np.exp(logs[: moduli.size]) - data.wanted
 
     def slopes(logs: np.ndarray) -> np.ndarray:
-        values = np.exp(logs[: found.size])
-        columns, later = data.weighted(np.exp(logs[found.size :]))
+        values = np.exp(logs[: moduli.size])
+        columns, later = data.weighted(np.exp(logs[moduli.size :]))
         return np.hstack([columns * values, later * values[1:]])
 
-    free = np.full(found.size, 50.0)  # logarithm
+    free = np.full(moduli.size, 50.0)  # logarithm
     bounds = [
         np.concatenate([side * free, np.full(times.size, end)])
         for side, end in zip((-1.0, 1.0), reach, strict=True)
     ]
     start = np.concatenate(
-        [np.log(found), np.clip(np.log(times), reach[0] + 1e-6, reach[1] - 1e-6)]
+        [np.log(moduli), np.clip(np.log(times), reach[0] + 1e-6, reach[1] - 1e-6)]
     )
     moved = least_squares(residual, start, slopes, bounds=bounds, max_nfev=100).x
-    return np.sort(np.exp(moved[found.size :]))
+    return np.sort(np.exp(moved[moduli.size :]))
 
 
 def _joined(
@@ -241,14 +241,14 @@ def _joined(
         trials = [np.delete(times, i) for i in (0, times.size - 1)]
         trials += [np.insert(np.delete(times, [i, i + 1]), i, t) for i, t in enumerate(middles)]
         nearest = sorted(trials, key=lambda trial: solved(data, trial)[1])
-        found = nearest[0]
-        if solved(data, found)[1] > allowed:
+        moduli = nearest[0]
+        if solved(data, moduli)[1] > allowed:
             moved = [_moved(data, trial, reach) for trial in nearest[:2]]
-            found = min(moved, key=lambda trial: solved(data, trial)[1])
+            moduli = min(moved, key=lambda trial: solved(data, trial)[1])
         too_many = most is not None and times.size > most
-        if not too_many and solved(data, found)[1] > allowed:
+        if not too_many and solved(data, moduli)[1] > allowed:
             break
-        times = found
+        times = moduli
     return times
 
 

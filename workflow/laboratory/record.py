@@ -37,7 +37,7 @@ WIDEST = 12  # samples over which displacements are differenced
 
 
 class Record(NamedTuple):
-    """What was measured, in SI units; arrays of one shape, (samples,)."""
+    """A measured record in SI units; arrays of shape (samples,)."""
 
     name: str  # of the file
     time: np.ndarray  # s, increasing
@@ -65,9 +65,9 @@ def read_record(
     """
     table = read_text_table("fit", path)
     second = _second(table, columns, displacement)._replace(unit=displacement or velocity)
-    found = select_columns(table, (TIME._replace(unit=time), second, FRICTION), columns)
-    said = [describe_columns(table, found)]
-    values = np.array([one.values for one in found])
+    selected = select_columns(table, (TIME._replace(unit=time), second, FRICTION), columns)
+    lines = [describe_columns(table, selected)]
+    values = np.array([one.values for one in selected])
     there = np.isfinite(values).all(axis=0)
     t, moved, mu = values[:, there]
     if not t.size:
@@ -80,12 +80,12 @@ def read_record(
             f"{t[back[0]]:g} s of the row above; must increase: part the file there, or sort it"
         )
     if np.any(np.diff(t) == 0.0):
-        said.append(f"{np.sum(np.diff(t) == 0.0)} samples have the time of the one before; spread")
+        lines.append(f"{np.sum(np.diff(t) == 0.0)} samples have the time of the one before; spread")
         t = _spread(t)
     if second.family == PLACE.family:
         moved, width = _differenced(path, t, moved)
-        said.append(f"velocity is the difference of displacements over {width} samples")
-    return Record(path.name, t, moved, mu, tuple(said))
+        lines.append(f"velocity is the difference of displacements over {width} samples")
+    return Record(path.name, t, moved, mu, tuple(lines))
 
 
 def _second(

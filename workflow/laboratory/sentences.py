@@ -19,7 +19,11 @@ def describe(fit: Fit) -> list[str]:
         lines += _step(step, min(step.rms, ageing.rms))
         for law, label in ((step, "Ruina's law (eq. 6)"), (ageing, "Dieterich's law")):
             values = zip(("a", "b", "D_c"), law.state(), ("", "", " m"), strict=True)
-            known = [f"{name} = {shown(each)}{unit}" for name, each, unit in values if each.known]
+            known = [
+                f"{name} = {shown(estimate)}{unit}"
+                for name, estimate, unit in values
+                if estimate.known
+            ]
             if known:  # what a law leaves open is left out
                 lines.append(_line(label, f"{', '.join(known)}; residual {law.rms:.2g}"))
         lines.append("")
@@ -45,14 +49,16 @@ def _step(fit: StepFit, least: float) -> list[str]:
     if fit.stiffness is not None:
         lines.append(_line("spring", f"{fit.stiffness:g} 1/m, of the machine, is part of the fit"))
     if fit.factor > 1.5:
-        said = f"errors are {math.sqrt(fit.factor):.2g} times those of independent samples"
-        lines.append(_line("noise", f"is correlated; {said}"))
+        sentence = f"errors are {math.sqrt(fit.factor):.2g} times those of independent samples"
+        lines.append(_line("noise", f"is correlated; {sentence}"))
     if fit.drifts or fit.levelled:
-        said = f"friction still changes, by {fit.drift.value:.2g} over {step.before.size} samples"
+        sentence = (
+            f"friction still changes, by {fit.drift.value:.2g} over {step.before.size} samples"
+        )
         then = "mu_1 is a mean of them"
         if fit.levelled:
             then = "this drift is taken off, before the step and after it"
-        lines.append(_line("before the step", f"{said}; {then}"))
+        lines.append(_line("before the step", f"{sentence}; {then}"))
     poor = f"the residual is {times:.2g} times the noise: {NEITHER}" if times > POOR else ""
     for why in dict.fromkeys(fit.why.values()):
         names = [NAMES[name] for name in fit.why if fit.why[name] == why]
@@ -71,20 +77,22 @@ def _together(fit: Fit) -> list[str]:
     if rates.exponent.known:
         at = f"{shown(rates.rate)} 1/s at {rates.at:.3g} m/s"
         lines.append(_line("power law of the rate", f"exponent {shown(rates.exponent)}, {at}"))
-    found = {
+    parameters = {
         "tau": (rates.relaxation_time, " s", fit.known.relaxation_time),
         "H": (rates.hurst, "", fit.known.hurst),
         "q_max": (rates.q_max, " 1/m", fit.known.q_max),
     }
-    for name, (value, unit, given) in found.items():
+    for name, (value, unit, given) in parameters.items():
         if value.known:
             lines.append(
                 _line(name, f"{shown(value)}{unit}" if given is None else f"{given:g}{unit}, given")
             )
     if fit.slope.known:
         lines.append(_line("rms slope (eq. 12)", shown(fit.slope)))
-    lines += _open(fit, rates, [name for name, (value, *_) in found.items() if not value.known])
-    if all(value.known for value, *_ in found.values()):
+    lines += _open(
+        fit, rates, [name for name, (value, *_) in parameters.items() if not value.known]
+    )
+    if all(value.known for value, *_ in parameters.values()):
         lines += _whole(fit, rates)
     return lines
 
@@ -94,10 +102,10 @@ def _open(fit: Fit, rates: Rates, names: list[str]) -> list[str]:
     lines = []
     if names:
         if rates.speeds == 1:
-            why = "one speed determines one rate; measure at several, or give what is known"
+            why = "one speed determines one rate; measure at several, or give the known values"
         else:
             why = "other values describe these rates as well; measure at lower and higher speeds, "
-            why += "on both sides of v_2 tau q_max = 1, or give what is known"
+            why += "on both sides of v_2 tau q_max = 1, or give the known values"
         options = ", ".join(OPTIONS[name] for name in names)
         lines.append(_line("not determined", f"{_listed(names)}: {why} ({options})"))
     if not fit.slope.known:
@@ -125,8 +133,8 @@ def _whole(fit: Fit, rates: Rates) -> list[str]:
 
 def _steady(fit: Fit) -> list[tuple[float, float]]:
     """Return speeds and steady friction, means over speeds that are one; where it is positive."""
-    both = [(each.step.v1, each.mu_1) for each in fit.steps]
-    both += [(each.step.v2, each.mu_2) for each in fit.steps]
+    both = [(estimate.step.v1, estimate.mu_1) for estimate in fit.steps]
+    both += [(estimate.step.v2, estimate.mu_2) for estimate in fit.steps]
     groups: list[list[tuple[float, float]]] = []
     for v, mu in sorted((v, mu.value) for v, mu in both if mu.known and mu.value > 0.0):
         if groups and math.log(v / groups[-1][0][0]) < APART:

@@ -45,18 +45,18 @@ def fit_shifts(
     temperatures than it has constants, and for shifts that rise with the temperature.
     """
     laws = {"wlf": _wlf_fit, "arrhenius": _arrhenius_fit}
-    asked = [n for n in laws if law in (None, n) and temperatures.size >= LEAST[n]]
+    candidates = [n for n in laws if law in (None, n) and temperatures.size >= LEAST[n]]
     every = temperatures, decades, reference
-    fits = (laws[name](*every, _weighted(covariance)) for name in asked)
-    found = [fit for fit in fits if fit is not None]
-    if law in laws and not found:
+    fits = (laws[name](*every, _weighted(covariance)) for name in candidates)
+    successful = [fit for fit in fits if fit is not None]
+    if law in laws and not successful:
         raise ValueError(
             f"{temperatures.size} temperatures give no law {law}: it wants {LEAST[law]}, and times "
             "that fall with the temperature"
         )
-    found = [fit for fit in found if law is not None or fit.holds]
-    if found:
-        return min(found, key=lambda fit: fit.scatter)
+    successful = [fit for fit in successful if law is not None or fit.holds]
+    if successful:
+        return min(successful, key=lambda fit: fit.scatter)
     table = decades - np.interp(reference, temperatures, decades)
     rows = tuple(zip(temperatures.tolist(), table.tolist(), strict=True))
     return ShiftFit(ShiftTable(rows), (), table, 0.0, 0.0, holds=True)
@@ -76,61 +76,65 @@ class _Weighted(NamedTuple):
 
 def _weighted(covariance: np.ndarray) -> _Weighted:
     free = np.diag(covariance) > 0.0
-    own = covariance[np.ix_(free, free)] + KNOWN_TO**2 * np.eye(int(free.sum()))
-    return _Weighted(free, np.linalg.cholesky(np.linalg.inv(own)).T, np.sqrt(np.diag(covariance)))
+    weighting = covariance[np.ix_(free, free)] + KNOWN_TO**2 * np.eye(int(free.sum()))
+    return _Weighted(
+        free, np.linalg.cholesky(np.linalg.inv(weighting)).T, np.sqrt(np.diag(covariance))
+    )
 
 
 def _wlf_fit(
-    temperatures: np.ndarray, decades: np.ndarray, reference: float, own: _Weighted
+    temperatures: np.ndarray, decades: np.ndarray, reference: float, weighting: _Weighted
 ) -> ShiftFit | None:
     """Return the best WLF law; None where shifts rise with the temperature."""
-    wanted, above = own.off(decades), temperatures - reference
+    wanted, above = weighting.off(decades), temperatures - reference
     coldest = reference - float(temperatures.min())
 
     def squares(log_pole: float) -> float:
-        column = own.off(-above / (coldest + np.exp(log_pole) + above))
+        column = weighting.off(-above / (coldest + np.exp(log_pole) + above))
         return float(wanted @ wanted - (column @ wanted) ** 2 / (column @ column))
 
     near = POLES[np.argmin([squares(pole) for pole in POLES[1:-1]]) + np.arange(3)]
     c2 = coldest + float(np.exp(minimize_scalar(squares, bounds=near[[0, 2]], method="bounded").x))
-    column = own.off(-above / (c2 + above))
+    column = weighting.off(-above / (c2 + above))
     c1 = float(column @ wanted / (column @ column))
     if not c1 > 0.0:
         return None
-    slopes = [column, own.off(c1 * above / (c2 + above) ** 2)]
-    return _found(Wlf(c1, c2, reference), np.array(slopes), own, temperatures, decades)
+    slopes = [column, weighting.off(c1 * above / (c2 + above) ** 2)]
+    return _fit_of(Wlf(c1, c2, reference), np.array(slopes), weighting, temperatures, decades)
 
 
 def _arrhenius_fit(
-    temperatures: np.ndarray, decades: np.ndarray, reference: float, own: _Weighted
+    temperatures: np.ndarray, decades: np.ndarray, reference: float, weighting: _Weighted
 ) -> ShiftFit | None:
     """Return the best law of Arrhenius; None where shifts rise with the temperature."""
-    wanted = own.off(decades)
-    slope = own.off(inverse_temperature(temperatures, reference) / (GAS_CONSTANT * np.log(10.0)))
+    wanted = weighting.off(decades)
+    slope = weighting.off(
+        inverse_temperature(temperatures, reference) / (GAS_CONSTANT * np.log(10.0))
+    )
     energy = float(slope @ wanted / (slope @ slope))
     if not energy > 0.0:
         return None
-    return _found(Arrhenius(energy, reference), slope[None], own, temperatures, decades)
+    return _fit_of(Arrhenius(energy, reference), slope[None], weighting, temperatures, decades)
 
 
-def _found(
+def _fit_of(
     law: Wlf | Arrhenius,
     slopes: np.ndarray,
-    own: _Weighted,
+    weighting: _Weighted,
     temperatures: np.ndarray,
     decades: np.ndarray,
 ) -> ShiftFit:
     """Return a law with errors and what it misses; slopes : by its constants, in errors."""
     values = np.array([law.decades(t) for t in temperatures.tolist()])
-    off = own.off(values - decades)
+    off = weighting.off(values - decades)
     scatter = float(off @ off) / (off.size - len(slopes))
     covariance = np.linalg.pinv(slopes @ slopes.T, hermitian=True) * max(scatter, 1.0)
-    close = np.maximum(CLOSE, DEVIATIONS * own.errors)
-    missed = decades - decades[~own.free][0] - (values - values[~own.free][0])
+    close = np.maximum(CLOSE, DEVIATIONS * weighting.errors)
+    missed = decades - decades[~weighting.free][0] - (values - values[~weighting.free][0])
     return ShiftFit(
         law=law,
         errors=tuple(np.sqrt(np.diag(covariance)).tolist()),
-        decades=decades - decades[~own.free][0] + values[~own.free][0],
+        decades=decades - decades[~weighting.free][0] + values[~weighting.free][0],
         worst=float(np.abs(missed).max()),
         scatter=scatter,
         holds=bool(np.all(np.abs(missed) <= close)),

@@ -64,14 +64,16 @@ def fit_behind_spring(step: MeasuredStep, law: str, stiffness: float) -> Sprung:
     start = min(starts, key=lambda p: float(np.sum(residual(p, coarse) ** 2)))
     kinds = {"bounds": (low, high), "x_scale": "jac", "diff_step": 1e-5}
     start = least_squares(lambda p: residual(p, coarse), start, max_nfev=MOST, **kinds).x
-    found = least_squares(residual, start, max_nfev=MOST, **kinds)
-    curve = _curve(found.x, step, step.time, law, stiffness)
+    solution = least_squares(residual, start, max_nfev=MOST, **kinds)
+    curve = _curve(solution.x, step, step.time, law, stiffness)
     rest = curve - step.after
     factor = correlation_factor(rest)
-    variance = factor * float(found.fun @ found.fun) / max(step.time.size - found.x.size, 1)
-    covariance = variance * np.linalg.pinv(found.jac.T @ found.jac, hermitian=True)
-    p, log_ratio, a = found.x, math.log(step.ratio), math.exp(found.x[1])
-    asked = {
+    variance = (
+        factor * float(solution.fun @ solution.fun) / max(step.time.size - solution.x.size, 1)
+    )
+    covariance = variance * np.linalg.pinv(solution.jac.T @ solution.jac, hermitian=True)
+    p, log_ratio, a = solution.x, math.log(step.ratio), math.exp(solution.x[1])
+    requested = {
         "mu_1": (p[0], [1.0, 0.0, 0.0]),
         "mu_2": (p[0] + (a - p[2]) * log_ratio, [1.0, a * log_ratio, -log_ratio]),
         "amplitude": (p[2] * log_ratio, [0.0, 0.0, log_ratio]),
@@ -79,7 +81,7 @@ def fit_behind_spring(step: MeasuredStep, law: str, stiffness: float) -> Sprung:
     }
     levels = {
         name: Estimate(float(value), math.sqrt(np.array(weights) @ covariance[:3, :3] @ weights))
-        for name, (value, weights) in asked.items()
+        for name, (value, weights) in requested.items()
     }
     log_length = Estimate(float(p[3]), math.sqrt(covariance[3, 3]))
     return Sprung(curve, rest, factor, levels.pop("mu_1"), levels, log_length)
@@ -120,7 +122,7 @@ def _curve(
 
     times = np.maximum(t - moment, 0.0)
     span = (0.0, float(times[-1]))
-    found = solve_ivp(change, span, [0.0, 0.0], "LSODA", times, rtol=ACCURACY, atol=1e-9)
-    if found.y.shape[1] < t.size:
+    solution = solve_ivp(change, span, [0.0, 0.0], "LSODA", times, rtol=ACCURACY, atol=1e-9)
+    if solution.y.shape[1] < t.size:
         return np.full(t.size, 1e3)  # no machine slides so: far from any data
-    return mu_1 + found.y[0]
+    return mu_1 + solution.y[0]

@@ -37,7 +37,7 @@ NOTHING = "nothing relaxes that stands out from the noise"
 TOO_SHORT = "friction still relaxes where the record ends; a longer one is needed"
 TOO_COARSE = "friction relaxes within a few samples; it must be sampled faster"
 TOO_NOISY = "its standard error is more than a third of it"
-# What else is open where the rate is: a relaxation may go on for ever, or be over at once.
+# Estimates that are undetermined together with the rate: relaxation may be endless or immediate.
 OPEN_WITH = {
     NOTHING: ("mu_2", "amplitude", "rate"),
     TOO_SHORT: ("mu_2", "amplitude", "rate"),
@@ -124,9 +124,9 @@ def _tried(
         _, jacobian = _model(t, shape, np.array([0.0, 1.0, np.log(rate)]))
         columns = jacobian[:, :2]
         inverse = np.linalg.inv(columns.T @ columns)
-        found = inverse @ (columns.T @ values)
-        squares.append(float(np.sum((columns @ found - values) ** 2)))
-        best.append(found)
+        solution = inverse @ (columns.T @ values)
+        squares.append(float(np.sum((columns @ solution - values) ** 2)))
+        best.append(solution)
         inverses.append(inverse)
     return np.array(squares), np.array(best), np.array(inverses)
 
@@ -136,7 +136,7 @@ def _refined(
 ) -> tuple[np.ndarray, np.ndarray]:
     """Return the parameters that fit best near ``start``, and the derivatives there."""
     start[2] = np.clip(start[2], reach[0] + 1e-6, reach[1] - 1e-6)
-    found = least_squares(
+    solution = least_squares(
         lambda p: _model(t, shape, p)[0] - values,
         start,
         lambda p: _model(t, shape, p)[1],
@@ -146,11 +146,11 @@ def _refined(
         xtol=1e-12,
         gtol=None,
     )
-    return found.x, found.jac
+    return solution.x, solution.jac
 
 
 class StepFit(NamedTuple):
-    """What one step determines by one law; an estimate that it does not determine is NaN."""
+    """Estimates of one step by one law; an undetermined estimate is NaN."""
 
     step: MeasuredStep
     mu_1: Estimate
@@ -219,10 +219,10 @@ def _levelled(step: MeasuredStep, drift: float) -> MeasuredStep:
     )
 
 
-def _with_drift(own: Estimate, off: Estimate) -> Estimate:
+def _with_drift(estimate: Estimate, off: Estimate) -> Estimate:
     """Return an estimate with the error of the drift in it; off : that of a drift one error off."""
-    more = off.value - own.value if off.known else own.error
-    return Estimate(own.value, math.hypot(own.error, more))
+    more = off.value - estimate.value if off.known else estimate.error
+    return Estimate(estimate.value, math.hypot(estimate.error, more))
 
 
 def _fitted(step: MeasuredStep, law: str, stiffness: float | None) -> StepFit:
@@ -231,9 +231,9 @@ def _fitted(step: MeasuredStep, law: str, stiffness: float | None) -> StepFit:
     if np.ptp(step.after) <= SMALL:
         return constant
     fit = constant._replace(noise=noise_of(np.diff(step.after)), stiffness=stiffness)
-    found = _stiff(step, law, fit.mu_1) if stiffness is None else _sprung(step, law, stiffness)
-    rms = float(np.sqrt(np.mean(found.pop("residual") ** 2)))
-    return fit._replace(rms=rms, **found)
+    solution = _stiff(step, law, fit.mu_1) if stiffness is None else _sprung(step, law, stiffness)
+    rms = float(np.sqrt(np.mean(solution.pop("residual") ** 2)))
+    return fit._replace(rms=rms, **solution)
 
 
 def _stiff(step: MeasuredStep, law: str, mu_1: Estimate) -> dict[str, Any]:
@@ -241,27 +241,27 @@ def _stiff(step: MeasuredStep, law: str, mu_1: Estimate) -> dict[str, Any]:
     fit = fit_relaxation_curve(step.time, step.after, step_law(law, step.ratio))
     curve = step.after + fit.residual
     rate, open_for = _rate(fit)
-    found, why = _levels(step, fit, mu_1, curve, bool(open_for))
+    solution, why = _levels(step, fit, mu_1, curve, bool(open_for))
     why |= dict.fromkeys(OPEN_WITH.get(open_for, ()), open_for)
-    found |= {name: Estimate() for name in OPEN_WITH.get(open_for, ())}
+    solution |= {name: Estimate() for name in OPEN_WITH.get(open_for, ())}
     how = {"why": why, "factor": fit.factor, "curve": curve, "residual": fit.residual}
-    return {**found, "rate": rate, **how}
+    return {**solution, "rate": rate, **how}
 
 
 def _sprung(step: MeasuredStep, law: str, stiffness: float) -> dict[str, Any]:
     """Return the same behind the spring of the machine."""
     fit = fit_behind_spring(step, law, stiffness)
     size = float(np.max(np.abs(fit.curve - fit.mu_1.value)))
-    found = {name: each.if_below(LARGEST_SHARE * size) for name, each in fit.levels.items()}
+    solution = {name: level.if_below(LARGEST_SHARE * size) for name, level in fit.levels.items()}
     rate = Estimate(step.v2 / math.exp(fit.log_length.value), fit.log_length.error)
     rate = rate._replace(error=rate.value * rate.error).if_below(LARGEST_SHARE * rate.value)
-    why = {name: UNSURE for name in found if not found[name].known}
+    why = {name: UNSURE for name in solution if not solution[name].known}
     if rate.known and rate.value * step.time[-1] < SLOWEST:
         rate, why["rate"] = Estimate(), TOO_SHORT
     elif not rate.known:
         why["rate"] = TOO_NOISY
     how = {"why": why, "factor": fit.factor, "curve": fit.curve, "residual": fit.residual}
-    return {**found, "mu_1": fit.mu_1, "rate": rate, **how}
+    return {**solution, "mu_1": fit.mu_1, "rate": rate, **how}
 
 
 def _drift(values: np.ndarray) -> Estimate:
@@ -321,18 +321,18 @@ def _levels(
     # The step came at some time, equally likely, between two samples.
     timing = abs(fit.p[1] * log_ratio) * math.exp(fit.p[2]) * step.change / math.sqrt(12.0)
     size = float(np.max(np.abs(curve - mu_1.value)))  # of what happens at all
-    asked = {
+    requested = {
         "mu_2": (np.array([1.0, 0.0]), Estimate(0.0, 0.0)),
         "amplitude": (np.array([0.0, log_ratio]), Estimate(0.0, 0.0)),
         "jump": (np.array([1.0, log_ratio]), mu_1),
     }
-    found, reasons = {}, {}
-    for name, (weights, less) in asked.items():
+    solution, reasons = {}, {}
+    for name, (weights, less) in requested.items():
         error = fit.spread(weights) if any_rate else fit.error(weights)
         value = float(weights @ fit.p[:2]) - less.value
         late = 0.0 if name == "mu_2" else timing
-        found[name] = Estimate(value, math.hypot(error, less.error, late))
-        if not found[name].error < LARGEST_SHARE * size:
-            found[name] = Estimate()
+        solution[name] = Estimate(value, math.hypot(error, less.error, late))
+        if not solution[name].error < LARGEST_SHARE * size:
+            solution[name] = Estimate()
             reasons[name] = UNSURE
-    return found, reasons
+    return solution, reasons

@@ -20,10 +20,10 @@ from typing import NamedTuple
 import numpy as np
 from scipy.optimize import least_squares
 
-from .prony_fit import BEYOND, MeasuredModuli, grid_of_times, measured_moduli, solved
+from .prony_fit import TIME_MARGIN, MeasuredModuli, grid_of_times, measured_moduli, solved
 
 MARGIN = 10.0  # factor by which shifts may leave the first guess before the grid of times ends
-FINE = 16  # times per decade: so many that their spacing shifts nothing
+TIMES_PER_DECADE = 16  # fine enough not to affect the shifts
 LIKELY = 0.1  # decades of b_T: densities and absolute temperatures change by less
 LEVELS = 50  # of the modulus at which distances are taken
 Sweep = tuple[np.ndarray, np.ndarray]  # omega in rad/s, G* (or 1/t, G(t)), shapes (n,)
@@ -57,7 +57,7 @@ def superposed(
     first -= first[reference]
     omega = np.concatenate([w * 10.0**s for (w, _), s in zip(sweeps, first, strict=True)])
     reach = np.array([omega.min() / MARGIN, omega.max() * MARGIN])
-    grid = grid_of_times(reach, BEYOND, FINE)
+    grid = grid_of_times(reach, TIME_MARGIN, TIMES_PER_DECADE)
     moduli = np.concatenate([values for _, values in sweeps])
     unit = float(np.abs(moduli).max())
     owner = np.repeat(np.arange(len(sweeps)), [w.size for w, _ in sweeps])
@@ -76,8 +76,8 @@ def superposed(
 
     def fitted(start: np.ndarray, prior: float = 0.0) -> np.ndarray:
         parts = (lambda p, n=n: projected(p, prior)[n] for n in (0, 1))
-        found: np.ndarray = least_squares(next(parts), start, next(parts), xtol=1e-10).x
-        return found
+        solution: np.ndarray = least_squares(next(parts), start, next(parts), xtol=1e-10).x
+        return solution
 
     prior, p = 0.0, fitted(first[free])
     if vertical:
@@ -89,11 +89,11 @@ def superposed(
     covariance *= residual @ residual / freedom
     whole = np.zeros((len(sweeps), len(sweeps)))
     whole[np.ix_(free, free)] = covariance[: free.size, : free.size]
-    found, errors = np.zeros((2, len(sweeps))), np.zeros(len(sweeps))
-    found[: 1 + vertical, free] = p.reshape(-1, free.size)
+    solution, errors = np.zeros((2, len(sweeps))), np.zeros(len(sweeps))
+    solution[: 1 + vertical, free] = p.reshape(-1, free.size)
     errors[free] = np.sqrt(np.diag(covariance))[free.size :] if vertical else 0.0
     rms = float(np.sqrt(residual @ residual / moduli.size))
-    return Superposition(found[0], found[1], whole, errors, rms)
+    return Superposition(solution[0], solution[1], whole, errors, rms)
 
 
 def _projected(
@@ -104,13 +104,15 @@ def _projected(
     owner : number of the sweep of each modulus. Derivatives are those at right angles to all that
     the series can do by itself.
     """
-    found, _ = solved(data, grid)
+    solution, _ = solved(data, grid)
     columns, slopes = data.weighted(grid)
-    model = columns @ found
-    values = [slopes @ found[1:], -model] if vertical else [slopes @ found[1:]]
-    own = np.resize(owner, model.size)[:, None] == free  # of real and imaginary parts
-    jacobian = np.log(10.0) * np.hstack([own * each[:, None] for each in values])
-    active = found > 0.0
+    model = columns @ solution
+    values = [slopes @ solution[1:], -model] if vertical else [slopes @ solution[1:]]
+    mask = np.resize(owner, model.size)[:, None] == free  # of real and imaginary parts
+    jacobian = np.log(10.0) * np.hstack(
+        [mask * values_of_curve[:, None] for values_of_curve in values]
+    )
+    active = solution > 0.0
     basis, _ = np.linalg.qr(np.hstack([columns[:, active], slopes[:, active[1:]]]))
     jacobian -= basis @ (basis.T @ jacobian)
     return model - data.wanted, jacobian, int(active.sum())
@@ -120,7 +122,7 @@ def _first_guess(temperatures: np.ndarray, sweeps: Sequence[Sweep]) -> np.ndarra
     """Return log10 a_T by the mean distances of neighbours at like moduli, 0 at the first."""
     curves = [(np.sort(np.log10(np.abs(g))), np.sort(np.log10(w))) for w, g in sweeps]
     shifts = [0.0]
-    for place, ((cold, own), (warm, other)) in enumerate(pairwise(curves)):
+    for place, ((cold, mask), (warm, other)) in enumerate(pairwise(curves)):
         low, high = max(cold[0], warm[0]), min(cold[-1], warm[-1])
         if not high > low:
             one, two = temperatures[place], temperatures[place + 1]
@@ -130,6 +132,6 @@ def _first_guess(temperatures: np.ndarray, sweeps: Sequence[Sweep]) -> np.ndarra
                 "shifted by no overlap; measure in between"
             )
         levels = np.linspace(low, high, LEVELS)
-        distance = np.interp(levels, cold, own) - np.interp(levels, warm, other)
+        distance = np.interp(levels, cold, mask) - np.interp(levels, warm, other)
         shifts.append(shifts[-1] + float(distance.mean()))
     return np.array(shifts)

@@ -1,4 +1,4 @@
-"""What all steps determine together: tau, H and q_max from their rates, grad z from their jumps.
+"""Joint fit of all steps: tau, H and q_max from their rates, grad z from their jumps.
 
 The rates at several speeds (eq. 13), those after the steps, at which friction relaxes: with
 s = log v2, y = log k, Q = log q_max, T = log tau they are a line with a kink at s_c = -Q - T, where
@@ -35,7 +35,7 @@ SLOPES = np.geomspace(1e-2, 1e4, 20_001)  # tried, in units of the largest frict
 
 
 class Known(NamedTuple):
-    """What is known from elsewhere, SI units; None: to be found."""
+    """Known parameters in SI units; None: to be fitted."""
 
     relaxation_time: float | None = None
     hurst: float | None = None
@@ -43,7 +43,7 @@ class Known(NamedTuple):
 
 
 class Rates(NamedTuple):
-    """What rates at several speeds determine; NaN where they do not."""
+    """Estimates from rates at several speeds; NaN if undetermined."""
 
     relaxation_time: Estimate  # s
     hurst: Estimate
@@ -66,24 +66,24 @@ class _Kinks(NamedTuple):
 
     def squares(self, h: np.ndarray) -> np.ndarray:
         """Return the sums of squares at given H, shape (kinks, ...)."""
-        a0, a1, a2 = (each[:, None] for each in self.a)
+        a0, a1, a2 = (value[:, None] for value in self.a)
         return a0 + 2.0 * a1 * h + a2 * h**2
 
 
 def fit_rates(fits: list[StepFit], known: Known) -> Rates | None:
     """Return what the rates of steps determine; None where no step determines its rate."""
-    found = [fit for fit in fits if fit.rate.known]
-    if not found:
+    usable = [fit for fit in fits if fit.rate.known]
+    if not usable:
         return None
-    s = np.log([fit.step.v2 for fit in found])
-    y = np.log([fit.rate.value for fit in found])
-    share = [max(fit.rate.error / fit.rate.value, LEAST_ERROR) for fit in found]
+    s = np.log([fit.step.v2 for fit in usable])
+    y = np.log([fit.rate.value for fit in usable])
+    share = [max(fit.rate.error / fit.rate.value, LEAST_ERROR) for fit in usable]
     w = np.array(share) ** -2.0
     laws = [_kinks(s, y, w, known, below) for below in (False, True)]
     bests = [_best(law, known) for law in laws]
     better = int(bests[1][0] < bests[0][0])
     squares, *values = bests[better]
-    free = sum(each is None for each in known)
+    free = sum(value is None for value in known)
     scatter = max(1.0, squares / max(s.size - free, 1))  # rates scatter more than they are known
     ends = np.concatenate([_within(law, squares + DEVIATIONS**2 * scatter, known) for law in laws])
     errors = np.ptp(ends, axis=0) / (2.0 * DEVIATIONS)
@@ -152,7 +152,7 @@ def _within(law: _Kinks, most: float, known: Known) -> np.ndarray:
     q = law.q[0][:, None] + h * law.q[1][:, None]
     t = -law.kink[:, None] - q
     ends = [np.stack([h, q + side * spread, t - side * spread], -1) for side in (-1.0, 1.0)]
-    return np.concatenate([each[inside] for each in ends])
+    return np.concatenate([value[inside] for value in ends])
 
 
 def _power_law(s: np.ndarray, y: np.ndarray, w: np.ndarray) -> tuple[Estimate, float, Estimate]:
@@ -184,12 +184,12 @@ def fit_slope(fits: list[StepFit]) -> Estimate:
 
     At low speed the jump is as large as the change of friction, whatever the slope (eq. 10).
     """
-    found = [fit for fit in fits if fit.jump.known and fit.jump.error > 0.0 < fit.mu_1.value]
-    if not found:
+    usable = [fit for fit in fits if fit.jump.known and fit.jump.error > 0.0 < fit.mu_1.value]
+    if not usable:
         return Estimate()
-    log_ratio = np.log([fit.step.ratio for fit in found])
-    mu, after = np.array([(fit.mu_1.value, friction_after(fit)) for fit in found]).T
-    jump, error = np.array([fit.jump for fit in found]).T
+    log_ratio = np.log([fit.step.ratio for fit in usable])
+    mu, after = np.array([(fit.mu_1.value, friction_after(fit)) for fit in usable]).T
+    jump, error = np.array([fit.jump for fit in usable]).T
     error = np.maximum(error, LEAST_ERROR * np.abs(jump))
     slopes = SLOPES * np.max(mu)
     predicted = jump_between(mu, after, log_ratio, slopes[:, None])
@@ -214,7 +214,7 @@ def predicted_jump(mu: np.ndarray, slope: float) -> np.ndarray:
 
 
 class Fit(NamedTuple):
-    """What some records determine of the kinetic law, and of state laws."""
+    """Estimates of the kinetic law and of state laws from records."""
 
     steps: list[StepFit]  # by eq. 6, which is Ruina's law
     ageing: list[StepFit]  # the same steps by Dieterich's law

@@ -1,4 +1,4 @@
-"""What will be done and at what cost: distinct problems, steps, goals, batches.
+"""Plan of a run and its cost: distinct problems, steps, goals, batches.
 
 Plain data: it computes no realization and opens no store.
 """

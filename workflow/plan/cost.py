@@ -39,7 +39,7 @@ HALVED_STEPS_COST = 4.0  # of a line that is run again with halved steps, over t
 
 
 def drawing_seconds(samples: Numbers) -> Numbers:
-    """Return the predicted time to draw a line, or a map, of so many samples."""
+    """Return the predicted time to draw a line or a map. samples : of it."""
     return DRAWING_SECONDS * samples
 
 
@@ -58,7 +58,7 @@ def realization_seconds(
     marched = march_steps + 0.0
     if recording.requested:
         different, inverse = np.unique(steps, return_inverse=True)
-        counts = np.array([leg_counts(problem, int(own)).sum() for own in different])
+        counts = np.array([leg_counts(problem, int(m)).sum() for m in different])
         marched = marched + counts[inverse].reshape(np.shape(steps))
     if problem.surface.body == HALF_SPACE:
         return _map_seconds(problem, steps, marched, quantities)

@@ -41,7 +41,7 @@ class Coarseness(NamedTuple):
     load: float  # exponent of the load
     pressed: float  # exponent of 1 + the viscous pressure over the load
     sliding: float  # exponent of 1 + 1/vbar
-    elements: float  # the number of elements is counted in so many
+    elements: float  # unit of the number of elements
     rough: float  # exponent of that number, times H
     whole: float  # error that every contact has besides, times m^2
 
@@ -198,7 +198,7 @@ def relaxation_rate_scatter(problem: Problem) -> Numbers:
 class Laws(NamedTuple):
     """The laws of one estimate."""
 
-    error: Callable[..., Numbers]  # of a problem, at so many steps, with refine as above
+    error: Callable[..., Numbers]  # of a problem and its steps, with refine as above
     scatter: Callable[[Problem], Numbers]  # of one line
 
 

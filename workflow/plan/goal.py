@@ -1,4 +1,4 @@
-"""What a wanted accuracy asks of one problem: steps per spacing, horizon, realizations.
+"""Requirements of an accuracy: steps per spacing, horizon and realizations of a problem.
 
 Elements are tied to steps in these kernels: an element sits at every sample, so more steps per
 spacing are more elements per spacing too.
@@ -27,14 +27,14 @@ from .half_space import LEAST_OF_MAPS, MOST_SAMPLES, laws_of, may_be_so_fine, st
 from .problems import Numbers, expected_rate, viscous_pressure
 
 JACKKNIFE_GROUPS = 32  # of the jackknife at most; fewer blocks are groups of their own
-LEAST_BLOCKS, LEAST_FOR_RATE = 2, 8  # of a point; with fewer, b is hardly ever significant
+MIN_BLOCKS, MIN_RATE_BLOCKS = 2, 8  # of a point; with fewer, b is rarely significant
 FIRST_SHARE = 0.3  # of the predicted need: what is measured then says how many more
 TRIED = 3  # steps, each twice the one before, that are fine enough; finer ones never pay
 STATES = 28.0  # updates of the march that drawing and both steady states of a sample are worth
 
 
 class Goal(NamedTuple):
-    """How a problem, or each of many together, is to reach the accuracy."""
+    """The settings by which a problem, or each of a stack, reaches the accuracy."""
 
     steps: Numbers  # per spacing
     bias: dict[str, Numbers]  # bound of the relative discretisation error of each estimate judged
@@ -42,12 +42,12 @@ class Goal(NamedTuple):
     realizations: Numbers  # predicted need
 
     def split(self, number: int) -> "list[Goal]":
-        """Return the goals of so many problems that this one is of together."""
+        """Return the goals of the single problems of a stack."""
         names = list(self.bias)
         columns = (self.steps, self.realizations, *self.bias.values(), *self.scatter.values())
         steps, need, *rest = (np.broadcast_to(values, number).tolist() for values in columns)
         bias, scatter = (
-            [dict(zip(names, own, strict=True)) for own in zip(*part, strict=True)]
+            [dict(zip(names, values, strict=True)) for values in zip(*part, strict=True)]
             for part in (rest[: len(names)], rest[len(names) :])
         )
         return list(map(Goal, steps, bias, scatter, need))
@@ -115,8 +115,8 @@ def allowed(wanted: float, bias: Numbers) -> Numbers:
 
 
 def least_blocks(names: tuple[str, ...]) -> int:
-    """Return how many blocks a point takes at least, of which these estimates are judged."""
-    return LEAST_FOR_RATE if "relaxation_rate" in names else LEAST_BLOCKS
+    """Return the smallest number of blocks of a point for the judged estimates."""
+    return MIN_RATE_BLOCKS if "relaxation_rate" in names else MIN_BLOCKS
 
 
 def most_blocks(study: Study, most: int) -> int:
@@ -137,7 +137,7 @@ def most_blocks(study: Study, most: int) -> int:
 
 
 def whole_blocks(study: Study, realizations: Numbers, most: int) -> Numbers:
-    """Return the number of blocks for at least so many realizations, within the cap."""
+    """Return the number of blocks for at least ``realizations``, within the limit."""
     blocks = np.ceil(realizations / study.realizations_per_block - 1e-9)
     least = least_blocks(accuracy_estimates(study.scene.quantities))
     return np.clip(blocks, least, most_blocks(study, most)).astype(np.int64)
@@ -160,7 +160,7 @@ def rung(need: Numbers) -> Numbers:
 
 
 def least_steps(problem: Problem, scene: Scene) -> Numbers:
-    """Return the least m for what is asked: a step must be short enough for the relaxation."""
+    """Return the smallest m for the requested quantities, limited by the relaxation."""
     if "relaxation" not in scene.quantities:
         return 1
     slowest = np.maximum(problem.speed * np.minimum(1.0, problem.ratio), SPEED_LIMITS[0])
@@ -168,7 +168,7 @@ def least_steps(problem: Problem, scene: Scene) -> Numbers:
 
 
 def steps_per_spacing(problem: Problem, scene: Scene, numerics: Numerics) -> Numbers:
-    """Return m: the given number, or for "auto" the least that keeps BIAS of all that is asked.
+    """Return m: the given number, or for "auto" the smallest with a bias below BIAS.
 
     Steady friction and jumps do so with 4 (quick/contacts/between_samples.py), a relaxation where
     steps and contacts are resolved (error_laws.py). For contacts alone m goes up to
@@ -200,12 +200,12 @@ def steps_per_spacing(problem: Problem, scene: Scene, numerics: Numerics) -> Num
 
 
 def may_be_so_long(problem: Problem, steps: Numbers) -> Numbers:
-    """Return whether a line of so many steps per spacing fits into a worker."""
+    """Return whether a line with these steps per spacing fits into a worker."""
     return problem.elements * steps <= MAX_SAMPLES_PER_LINE
 
 
 def fits_worker(problem: Problem, steps: int) -> bool:
-    """Return whether a line of so many steps per spacing fits into a worker, and none is lost."""
+    """Return whether a line with these steps per spacing fits into a worker without rounding."""
     fastest = max(abs(problem.speed), abs(problem.speed * problem.ratio))
     lost = steps * fastest * min_step(problem.spectrum) > 1.0
     return may_be_so_long(problem, steps) and not lost

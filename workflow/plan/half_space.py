@@ -1,4 +1,4 @@
-"""What a half-space asks for: steps per spacing, errors and cost, by measured laws.
+"""Requirements of a half-space: steps per spacing, errors and cost, by measured laws.
 
 They take a problem, or many of them together, as the laws of the foundation do (error_laws.py,
 cost/work.py). A map has (N m)^2 samples, eight in its shortest wave where m = 4.
@@ -52,7 +52,7 @@ def steps_for(problem: Problem, wanted: float) -> Numbers:
 
 
 def may_be_so_fine(problem: Problem, steps: Numbers) -> Numbers:
-    """Return whether a map of so many steps per spacing fits, and is not finer than was tried."""
+    """Return whether a map with these steps per spacing fits and is within the tested range."""
     return ((problem.elements * steps) ** 2 <= MOST_SAMPLES) & (steps <= MOST_STEPS)
 
 

@@ -1,4 +1,4 @@
-"""What a scene adds to a problem, without units, and what of it the kernels are asked for.
+"""Dimensionless scenes of problems, and the quantities requested from the kernels.
 
 Lengths along x are in dx, heights in h, times in tau, speeds in dx/tau.
 """
@@ -37,7 +37,7 @@ from ..study import (
 )
 
 MANTISSA_BITS = 40  # values closer than 1e-12 are one: rounding of the input must not split them
-LEAST_ROUNDING = 0.02  # of what is left over: from 1 on steps are halved for ever
+MIN_ROUNDING = 0.02  # of the residual force: from 1 on steps would be halved forever
 
 
 def canonical(values: np.ndarray) -> np.ndarray:
@@ -52,7 +52,7 @@ def rounded(value: float) -> float:
 
 
 class Scale(NamedTuple):
-    """What the units of a point of the grid are, in SI, and the velocity of the grid there."""
+    """Units of a point of the grid in SI, and its velocity."""
 
     spacing: float  # dx, m
     tau: float  # s
@@ -61,25 +61,25 @@ class Scale(NamedTuple):
     stiffness: float  # E* L of the lines, N/m
 
 
-def with_scene(own: Problem, scene: Scene, scale: Scale, depth: float) -> Problem:
+def with_scene(base: Problem, scene: Scene, scale: Scale, depth: float) -> Problem:
     """Return a problem with what a scene adds to it at a point, where it has a programme.
 
     depth : prescribed indentation, m; NaN where the study has none.
     """
     if not scene.programme:
-        return own
+        return base
     indentation: float | ScaledHistory | None = None
     if scene.indentation_history is not None:
         times, depths = scene.indentation_history
         indentation = (
             tuple(rounded(time / scale.tau) for time in times),
-            tuple(rounded(each / scale.roughness) for each in depths),
+            tuple(rounded(value / scale.roughness) for value in depths),
         )
     elif scene.control == "indentation":
         indentation = rounded(depth / scale.roughness)
     programme = tuple(_leg(segment, scale) for segment in scene.segments)
     speed, ratio = _speeds(scene, scale)
-    return own._replace(
+    return base._replace(
         speed=speed,
         ratio=ratio,
         programme=programme,
@@ -119,12 +119,12 @@ def _speeds(scene: Scene, scale: Scale) -> tuple[float, float]:
 
 
 def line_modes(surface: Surface, elements: int) -> LineShape:
-    """Return what lines of so many elements are."""
-    profile, own = surface.profile, surface.spectrum
-    if profile is None or own is None:
+    """Return the description of lines with this number of elements."""
+    profile, base = surface.profile, surface.spectrum
+    if profile is None or base is None:
         return LineShape(*surface.modes(elements), body=surface.body)
     of_modes = rms_slope_of if surface.body == HALF_SPACE else rms_slope
-    slope = of_modes(own / profile.roughness, elements)
+    slope = of_modes(base / profile.roughness, elements)
     flat = surface.body == HALF_SPACE and profile.heights.shape[1] == 1
     return LineShape(measured=surface.identity, slope=slope, body=surface.body, flat=flat)
 
@@ -182,15 +182,15 @@ def check_programme(problem: Problem, steps: Any, origin: Origin) -> None:
 
 
 def _check_pull(problem: Problem, drive: Drive) -> None:
-    """Raise UserError where the force of a drive is never told from none, or lost in rounding.
+    """Raise UserError if the force of a drive is negligible, or lost in rounding.
 
     A line at rest under the load bears no friction, and creeps under any force that is told. What
     rounding adds to a force must lie well below what is left over when forces are balanced.
     """
-    way = list(drive_legs(problem.programme, 0.0))
-    stretch = max(np.abs(course.place).max() for course in way)
+    legs = list(drive_legs(problem.programme, 0.0))
+    stretch = max(np.abs(course.place).max() for course in legs)
     most = drive.stiffness * stretch
-    most += drive.damping * max(np.abs(course.speed).max() for course in way)
+    most += drive.damping * max(np.abs(course.speed).max() for course in legs)
     share = most / (problem.load * problem.surface.slope)
     if problem.start != "steady" and np.min(share) <= FORCE_TOLERANCE:
         raise UserError(
@@ -198,7 +198,7 @@ def _check_pull(problem: Problem, drive: Drive) -> None:
             f"rms slope at most, and forces are balanced to {FORCE_TOLERANCE:g} of it: the line "
             "never moves; give a larger stiffness, or a longer way of the drive"
         )
-    if np.max(share) * np.finfo(float).eps > LEAST_ROUNDING * FORCE_TOLERANCE:
+    if np.max(share) * np.finfo(float).eps > MIN_ROUNDING * FORCE_TOLERANCE:
         raise UserError(
             f"scene.drive: spring and damper pull with up to {np.max(share):.2g} of F_N times the "
             f"rms slope, and forces are balanced to {FORCE_TOLERANCE:g} of it, which is lost in "
@@ -208,14 +208,14 @@ def _check_pull(problem: Problem, drive: Drive) -> None:
 
 def kernel_quantities(study: Study) -> Quantities:
     """Return what the kernels are asked for; a relaxation starts from the jump."""
-    asked = study.scene.quantities
-    curve = any(name in asked for name in ("relaxation", "peak", "rate_state"))
+    requested = study.scene.quantities
+    curve = any(name in requested for name in ("relaxation", "peak", "rate_state"))
     return Quantities(
-        steady="steady" in asked,
-        jump="jump" in asked or curve,
+        steady="steady" in requested,
+        jump="jump" in requested or curve,
         relaxation=curve,
         indentation_rate=study.scene.indentation_rate,
-        initial_rate="peak" in asked and not all(m.jumps for m in study.materials.values()),
+        initial_rate="peak" in requested and not all(m.jumps for m in study.materials.values()),
     )
 
 
@@ -228,16 +228,24 @@ def recording_of(study: Study, label: str) -> Recording:
     Of measured lines, and of those like them, no law tells the discretisation error: where "auto"
     chooses the steps, it is read from what halved steps change on a few of them.
     """
-    asked, numerics, surface = study.scene.quantities, study.variants[label], study.surfaces[label]
+    requested, numerics, surface = (
+        study.scene.quantities,
+        study.variants[label],
+        study.surfaces[label],
+    )
     lawless = surface.profile is not None and surface.body == FOUNDATION
-    traced = any(name in asked for name in ("trace", "loop", "healing", "energy"))
+    traced = any(name in requested for name in ("trace", "loop", "healing", "energy"))
     return Recording(
         samples=numerics.curve_samples,
         record=numerics.record,
         every=numerics.trace or 0,
         requested=tuple(
-            each for each in SCENE_QUANTITIES if (traced if each == "trace" else each in asked)
+            value
+            for value in SCENE_QUANTITIES
+            if (traced if value == "trace" else value in requested)
         ),
-        dense=tuple(name for name in ("loop", "healing") if name in asked),
-        refined_blocks=FINER if lawless and numerics.refines and accuracy_estimates(asked) else 0,
+        dense=tuple(name for name in ("loop", "healing") if name in requested),
+        refined_blocks=FINER
+        if lawless and numerics.refines and accuracy_estimates(requested)
+        else 0,
     )

@@ -68,9 +68,9 @@ class Plan(NamedTuple):
             if any(variant.recording.refined_blocks for variant in self.variants)
             else 1
         )
-        each = [_bytes_per_sample(own) * own.longest for own in self.variants]
+        sizes = [_bytes_per_sample(variant) * variant.longest for variant in self.variants]
         steps = BYTES_PER_STEP * self.longest_programme()
-        return WORKER_BYTES + finer * max(each) + steps
+        return WORKER_BYTES + finer * max(sizes) + steps
 
     def longest_programme(self) -> float:
         """Return the largest number of steps of any programme, at most; 0 without one."""
@@ -87,8 +87,8 @@ class Plan(NamedTuple):
         tasks = sum(len(v.tasks) for v in self.variants)
         widest = max(self.widest_row(variant) for variant in self.variants)
         estimates = self.points * (BYTES_PER_POINT + BYTES_PER_CURVE_SAMPLE * widest)
-        kept = tasks * BYTES_PER_TASK + self.records * BYTES_PER_RECORD
-        return DRIVER_BYTES + kept + estimates + BYTES_PER_STEP * self.longest_programme()
+        stored = tasks * BYTES_PER_TASK + self.records * BYTES_PER_RECORD
+        return DRIVER_BYTES + stored + estimates + BYTES_PER_STEP * self.longest_programme()
 
     def predicted_seconds(self) -> float:
         """Return the core-seconds of the whole study, within COST_FACTOR either way."""

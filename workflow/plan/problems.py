@@ -50,15 +50,15 @@ def distinct_problems(study: Study, label: str = "") -> tuple[list[Problem], np.
         points["elements"][..., None],
         *_numbers(study, label, others, points),
     )
-    rows = [np.broadcast_to(own, which.shape).ravel().tolist() for own in (*columns, which)]
-    found: dict[tuple, int] = {}
-    index = [found.setdefault(row, len(found)) for row in zip(*rows, strict=True)]
+    rows = [np.broadcast_to(problem, which.shape).ravel().tolist() for problem in (*columns, which)]
+    indices: dict[tuple, int] = {}
+    index = [indices.setdefault(row, len(indices)) for row in zip(*rows, strict=True)]
     every, problems = list(settings), []
-    for hurst, elements, load, speed, ratio, setting in found:
-        own = every[setting]._replace(hurst=hurst, elements=elements, load=load)
-        if not own.programme:  # which says the speeds itself
-            own = own._replace(speed=speed, ratio=ratio)
-        problems.append(own)
+    for hurst, elements, load, speed, ratio, setting in indices:
+        problem = every[setting]._replace(hurst=hurst, elements=elements, load=load)
+        if not problem.programme:  # which says the speeds itself
+            problem = problem._replace(speed=speed, ratio=ratio)
+        problems.append(problem)
     return problems, np.array(index).reshape(study.shape)
 
 
@@ -71,7 +71,7 @@ def stack_problems(problems: list[Problem]) -> list[tuple[np.ndarray, Problem]]:
     rows: dict[tuple, list[int]] = {}
     for row, problem in enumerate(problems):
         rows.setdefault(problem[5:], []).append(row)
-    found = []
+    indices = []
     for others, chosen in rows.items():
         table = np.array([problems[row][:5] for row in chosen])
         hurst, elements, *numbers = np.ascontiguousarray(table.T)
@@ -80,11 +80,13 @@ def stack_problems(problems: list[Problem]) -> list[tuple[np.ndarray, Problem]]:
         slopes = {line: line_slope(problem) for line, problem in lines.items()}
         slope: Numbers = np.array([slopes[problems[row][:2]] for row in chosen])
         many = many._replace(surface=many.surface._replace(slope=slope))
-        found.append((np.array(chosen), many))
-    return found
+        indices.append((np.array(chosen), many))
+    return indices
 
 
-def _settings(parts: Parts, points: Points, found: dict[Problem, int], length: float) -> np.ndarray:
+def _settings(
+    parts: Parts, points: Points, indices: dict[Problem, int], length: float
+) -> np.ndarray:
     """Return per point the index of its setting among those found, and find those that lack.
 
     A setting is a problem without its numbers: what follows from material, lines and scene.
@@ -108,8 +110,8 @@ def _settings(parts: Parts, points: Points, found: dict[Problem, int], length: f
         units = at("dx", nan), tau, at("roughness", nan)
         scale = Scale(*units, at("velocity", nan), stiffness)
         depth = at("prescribed_indentation", nan)
-        own = with_scene(plain[int(row[0])], parts.scene, scale, depth)
-        index.append(found.setdefault(own, len(found)))
+        problem = with_scene(plain[int(row[0])], parts.scene, scale, depth)
+        index.append(indices.setdefault(problem, len(indices)))
     return np.array(index)[inverse].reshape(points["elements"].shape)
 
 

@@ -26,7 +26,7 @@ ROUNDING = 1e-5  # relative, by which a point may lie outside
 
 
 class InTable(NamedTuple):
-    """Where a problem stands in the table."""
+    """Coordinates of a problem in the table."""
 
     kind: str
     waves: float  # lambda_r q_max/2 pi: shortest waves in the longest
@@ -58,25 +58,26 @@ def model_ratio(problem: Problem, normalisation: str = "modal") -> tuple[float, 
     place = place_of(problem, normalisation)
     table = _table().get(place.kind, {})
 
-    def at_hurst(own: dict[float, Any]) -> np.ndarray | None:
-        return _between(own, place.hurst, lambda points: _of_point(points, place), float)
+    def at_hurst(entries: dict[float, Any]) -> np.ndarray | None:
+        return _between(entries, place.hurst, lambda points: _of_point(points, place), float)
 
-    found = _between(table, place.waves, at_hurst, np.log)
-    if found is None:
+    ratios = _between(table, place.waves, at_hurst, np.log)
+    if ratios is None:
         return UNKNOWN
-    ratio = math.exp(found[0])
-    return ratio, ratio * float(found[1])
+    ratio = math.exp(ratios[0])
+    return ratio, ratio * float(ratios[1])
 
 
-def _of_point(own: dict[str, np.ndarray], place: InTable) -> np.ndarray | None:
+def _of_point(entries: dict[str, np.ndarray], place: InTable) -> np.ndarray | None:
     """Return (ln ratio, relative error) at a load and speed, between four points of a grid."""
-    found = []
+    ratios = []
     for name in ("ratio", "error"):
         along = [
-            _inside(np.log(place.speed_ratio), np.log(own["speed_ratio"]), row) for row in own[name]
+            _inside(np.log(place.speed_ratio), np.log(entries["speed_ratio"]), row)
+            for row in entries[name]
         ]
-        found.append(_inside(np.log(place.load), np.log(own["load"]), np.array(along)))
-    return None if np.isnan(found).any() else np.array(found)
+        ratios.append(_inside(np.log(place.load), np.log(entries["load"]), np.array(along)))
+    return None if np.isnan(ratios).any() else np.array(ratios)
 
 
 def _inside(at: float, x: np.ndarray, values: np.ndarray) -> float:
@@ -105,23 +106,23 @@ def _between(
 @cache
 def _table() -> dict[str, dict[float, dict[float, dict[str, np.ndarray]]]]:
     """Return kind -> waves -> H -> columns, ratio and error over (load, speed_ratio)."""
-    found: dict = {}
+    ratios: dict = {}
     with TABLE.open(encoding="utf-8") as file:
         for row in csv.DictReader(file):
-            of_waves = found.setdefault(row.pop("kind"), {})
+            of_waves = ratios.setdefault(row.pop("kind"), {})
             waves, hurst, load, x, ratio, error = map(float, row.values())
             points = of_waves.setdefault(waves, {}).setdefault(hurst, {})
             points[load, x] = math.log(ratio), error / ratio
     return {
         kind: {
-            waves: {hurst: _columns(points) for hurst, points in own.items()}
-            for waves, own in of_waves.items()
+            waves: {hurst: _columns(points) for hurst, points in entries.items()}
+            for waves, entries in of_waves.items()
         }
-        for kind, of_waves in found.items()
+        for kind, of_waves in ratios.items()
     }
 
 
 def _columns(points: dict[tuple[float, float], tuple[float, float]]) -> dict[str, np.ndarray]:
-    loads, speeds = (np.unique(each) for each in zip(*points, strict=True))
+    loads, speeds = (np.unique(axis) for axis in zip(*points, strict=True))
     grid = np.array([[points.get((f, x), UNKNOWN) for x in speeds] for f in loads])
     return {"load": loads, "speed_ratio": speeds, "ratio": grid[..., 0], "error": grid[..., 1]}

@@ -113,8 +113,8 @@ def draw_weights(pieces: list[Missing], shares: list[Share], seconds: float) -> 
     ``seconds`` they fall with the root of its time, which gives the smallest error in a given time.
     """
     predicted = np.array([piece.blocks * piece.seconds for piece in pieces])
-    taken = predicted * np.array([share.share for share in shares])
-    return predicted / np.sqrt(np.maximum(taken, seconds))
+    drawn = predicted * np.array([share.share for share in shares])
+    return predicted / np.sqrt(np.maximum(drawn, seconds))
 
 
 def drawn_batch(plan: Plan, piece: Missing, share: Share, generator: np.random.Generator) -> Batch:

@@ -107,7 +107,7 @@ class _Run:
     def seconds(self) -> float:
         """Return the predicted core-seconds of all that is left, fits as well."""
         groups = (min(blocks, JACKKNIFE_GROUPS) for blocks in self.plan.expected.values())
-        return total_seconds(self.missing) + sum(fit_seconds(self.plan, each) for each in groups)
+        return total_seconds(self.missing) + sum(fit_seconds(self.plan, count) for count in groups)
 
     def load_kernels(self) -> None:
         """Load or compile what is needed, once for all processes of this machine."""
@@ -160,10 +160,10 @@ class _Run:
         sound = {key: count for key, count in blocks.items() if key not in self.store.failed}
         makers = self.store.index.makers_of(sound)
         require_one(makers, self.how.one_kind)
-        said = results.maker_attributes(makers) | {
+        attributes = results.maker_attributes(makers) | {
             KEY_ATTRIBUTE: result_key(self.plan, self.store, blocks)
         }
-        return {label: data.assign_attrs(said) for label, data in datasets.items()}
+        return {label: data.assign_attrs(attributes) for label, data in datasets.items()}
 
     def _compute(self, workers: Workers, missing: list[Missing]) -> None:
         """Compute and store what is missing."""
@@ -177,7 +177,7 @@ class _Run:
 
             def look(threads: int, in_flight: int) -> None:
                 del in_flight
-                if threads:  # or else the watch says that there are none
+                if threads:  # without workers the watch reports it
                     reporter.beat(threads, self.failures.fresh)
                 buffer.flush_when_due()
 
@@ -195,8 +195,8 @@ class _Run:
 
     def _extent(self, missing: list[Missing] | None = None) -> tuple[int, float]:
         """Return the number of records that are settled, and the predicted seconds of the rest."""
-        found = missing_work(self.plan, self.failures) if missing is None else missing
-        return self.plan.records - total_records(found), total_seconds(found)
+        missing_records = missing_work(self.plan, self.failures) if missing is None else missing
+        return self.plan.records - total_records(missing_records), total_seconds(missing_records)
 
     def _stops(self) -> bool:
         return self.interrupt() or self.failures.too_many()
@@ -207,11 +207,11 @@ class _Run:
         self.status.write(threads, min(threads, in_flight))
 
 
-def require_one(makers: set[Maker], asked: bool) -> None:
-    """Raise UserError where records are of several makers, if one alone is asked for."""
-    if asked and len(makers) > 1:
-        said = "; ".join(f"{maker.versions} on {maker.processor}" for maker in sorted(makers))
+def require_one(makers: set[Maker], required: bool) -> None:
+    """Raise UserError if records have several makers although one is required."""
+    if required and len(makers) > 1:
+        kinds = "; ".join(f"{maker.versions} on {maker.processor}" for maker in sorted(makers))
         raise UserError(
-            f"--one-kind: records of {len(makers)} kinds would be mixed: {said}; compute in "
+            f"--one-kind: records of {len(makers)} kinds would be mixed: {kinds}; compute in "
             "another folder (--out), or leave the option out"
         )

@@ -22,7 +22,7 @@ class MeasuredRates:
         self.predicted: dict[str, float] = defaultdict(float)
 
     def enter(self, batch: Batch, seconds: float) -> None:
-        """Count a finished batch that took so many core-seconds."""
+        """Count a finished batch. seconds : its core time."""
         label = self.plan.variant_of_batch(batch).label
         self.used[label] += seconds
         self.predicted[label] += batch.seconds
@@ -51,7 +51,9 @@ class Remaining:
 
     def seconds(self) -> float:
         """Return the core-seconds that are left."""
-        return sum(own * self.rates.rate(label) for label, own in self.predicted.items())
+        return sum(
+            predicted * self.rates.rate(label) for label, predicted in self.predicted.items()
+        )
 
     def rate(self) -> float:
         """Return the corrected over the predicted core-seconds that are left."""

@@ -1,4 +1,4 @@
-"""How far a study is: written beside its result while it runs, read by the command status.
+"""Progress of a study, written to the folder of its result during a run.
 
 Reading takes no time per point: the file says how far the journal of the store was, and only
 what the journal has got since is counted.
@@ -28,7 +28,7 @@ LONGEST = 2**16  # bytes of a status
 
 @dataclass
 class Status:
-    """How far a study is."""
+    """Progress of a study."""
 
     study: str  # study_digest
     total: int  # records, one for each problem and block
@@ -42,7 +42,7 @@ class Status:
     updated: str = ""
     host: str = ""
     pid: int = 0
-    rate: float = 1.0  # measured over predicted core time, of what is left
+    rate: float = 1.0  # measured over predicted core time of the remaining work
 
     @property
     def seconds_left(self) -> float:
@@ -76,11 +76,11 @@ class Status:
 
     def lines(self, result: Path, by: str | None) -> list[str]:
         """Return what the command prints; ``by`` is who runs something in the folder."""
-        total = max(self.total, self.done)  # rounds may take more than was foreseen
+        total = max(self.total, self.done)  # rounds may take more than predicted
         alive = self.runs(by)
         running, workers = (self.running, self.workers) if alive else (0, 0)
         source = "predicted" if self.rate == 1.0 else "by the rate of the finished batches"
-        found = [
+        lines = [
             f"done        {self.done} of {total} records (problem x block)",
             f"running     {running} batches on {workers} workers",
             f"waiting     {total - self.done} records",
@@ -88,12 +88,12 @@ class Status:
             f"remaining   {self.seconds_left / 3600.0:.3g} core-hours, {source}",
         ]
         if alive:
-            found.append(f"run         {self.state}, by {by}; as of {self.updated}")
+            lines.append(f"run         {self.state}, by {by}; updated {self.updated}")
         elif by is not None:
-            found.append(f"run         another study, by {by}")
+            lines.append(f"run         another study, by {by}")
         else:
-            found.append(f"run         {self.ended}{', ' + self.updated if self.updated else ''}")
-        return [*found, result_line(result)]
+            lines.append(f"run         {self.ended}{', ' + self.updated if self.updated else ''}")
+        return [*lines, result_line(result)]
 
 
 def result_line(result: Path) -> str:
@@ -138,7 +138,7 @@ class StatusWriter:
             write_durably(self.path, json.dumps(asdict(self.status), indent=1).encode())
         except UserError as error:
             if str(error) != self.complaint:
-                print(f"warning: {error}; the run goes on", file=sys.stderr)
+                print(f"warning: {error}; the run continues", file=sys.stderr)
             self.complaint = str(error)
 
     def _bring_up_to_date(self, state: str, workers: int, running: int) -> None:
@@ -153,8 +153,8 @@ def read_status(study: Study, result: Path, folder: Path) -> Status:
     """Return how far a study is: as its last run left it, up to now, or counted anew."""
     try:
         with open_plain(status_file(result)) as file:
-            told = json.loads(file.read(LONGEST))
-        status = Status(**told)
+            content = json.loads(file.read(LONGEST))
+        status = Status(**content)
         types = Status.__annotations__.items()
         sound = all(isinstance(getattr(status, name), (of, int)) for name, of in types)
         if sound and status.study == study_digest(study) and status.advance(folder):

@@ -1,4 +1,4 @@
-"""What a run did and where its time went. Printed after the run; no result depends on it."""
+"""Summary of a run and its times, printed at its end; no result depends on it."""
 
 import time
 from collections import defaultdict
@@ -28,7 +28,7 @@ SHOWN = ("hurst", "normal_force", "spacing", "velocity", "velocity_step")
 
 @dataclass
 class Summary:
-    """What a run did; times in core-seconds of workers unless said otherwise."""
+    """Summary of a run; times are core-seconds of workers unless stated otherwise."""
 
     batches: int = 0
     reused: int = 0  # records found in the store
@@ -79,17 +79,17 @@ class Summary:
         """Return the report of a run, line by line."""
         factor = f" (factor {self.used / self.predicted_done:.2f})" if self.predicted_done else ""
         whole = "" if self.written else f", of {duration(self.predicted)} for the whole"
-        found = [
+        rows = [
             f"{self.batches} batches computed in {duration(self.wall)}, {self.reused} records "
             f"reused; {duration(self.used)} of core time used, {duration(self.predicted_done)} "
             f"predicted for them{factor}{whole}"
         ]
-        found += [f"{what}: {told}" for what, told in plan.study.descriptions]
+        rows += [f"{title}: {description}" for title, description in plan.study.descriptions]
         if self.unchanged:
-            found.append("the result is there already, of the same study, program and records")
+            rows.append("the result is there already, of the same study, program and records")
         if self.batches:
-            found += [self._where(), self._memory(plan), *self._costliest(plan)]
-        return found + self.accuracy
+            rows += [self._where(), self._memory(plan), *self._costliest(plan)]
+        return rows + self.accuracy
 
     def _where(self) -> str:
         """Return the shares of the core time that the workers had once they were there."""
@@ -115,9 +115,9 @@ class Summary:
         for key in sorted(self.tasks, key=lambda key: -self.tasks[key])[:COSTLIEST]:
             task, label = tasks[key]
             point = plan.first_point(task)
-            said = point_in_words({axis: point[axis] for axis in SHOWN})
+            place = point_in_words({axis: point[axis] for axis in SHOWN})
             share = self.tasks[key] / self.used
-            lines.append(f"  {share:4.0%}  {said} m={task.steps_per_spacing} {label}".rstrip())
+            lines.append(f"  {share:4.0%}  {place} m={task.steps_per_spacing} {label}".rstrip())
         return ["points that cost most:", *lines]
 
 

@@ -1,4 +1,4 @@
-"""Who computes and fits: this process, where that takes seconds, or the workers of a cluster."""
+"""Workers that compute and fit: this process for short work, or those of a cluster."""
 
 import sys
 from collections.abc import Callable, Iterable, Iterator
@@ -21,7 +21,7 @@ Stream = Callable[..., Iterator[tuple[Any, Any]]]
 
 
 class RunOptions(NamedTuple):
-    """How to run a plan; no number of the result depends on it.
+    """Options of a run; no number of the result depends on them.
 
     batch_seconds : predicted length of a batch; by default it grows with the study.
     work : what computes a batch; a test may let it do something else.
@@ -34,22 +34,24 @@ class RunOptions(NamedTuple):
     max_failures: int = 0
     retry_failed: bool = False
     one_kind: bool = False  # refuse to mix records of several makers
-    no_lock: bool = False  # go on where the file system has no locks
+    no_lock: bool = False  # work without locks of the file system
     work: Callable[[Batch], BatchResult] = block_means
 
     def here(self, seconds: float) -> bool:
-        """Return whether this process does work of so many predicted seconds by itself."""
-        asked = self.cluster.where != LOCAL or self.workers is not None or self.dashboard
-        return seconds < SECONDS_HERE and not asked
+        """Return whether this process does work of ``seconds`` (predicted) without workers."""
+        workers_requested = (
+            self.cluster.where != LOCAL or self.workers is not None or self.dashboard
+        )
+        return seconds < SECONDS_HERE and not workers_requested
 
 
 def fit_seconds(plan: Plan, groups: int) -> float:
-    """Return the predicted time of the fits of one task of so many jackknife groups."""
+    """Return the predicted time of the fits of a task. groups : of the jackknife."""
     return (groups + 1) * plan.quantities.relaxation * SECONDS_PER_FIT
 
 
 class Workers(NamedTuple):
-    """Who computes: how work is streamed to them, and what they do with a batch."""
+    """A stream of work to the workers, and their function of a batch."""
 
     stream: Stream
     work: Callable[[Batch], BatchResult]
@@ -57,7 +59,7 @@ class Workers(NamedTuple):
 
 @contextmanager
 def open_workers(how: RunOptions, seconds: float, watch: Watch) -> Iterator[Workers]:
-    """Yield who does work of so many predicted seconds.
+    """Yield the workers for work of ``seconds`` (predicted).
 
     Raises UserError where workers cannot be had.
     """
@@ -108,7 +110,7 @@ def stream_here(
 
 
 def _tried(function: Callable[[Any], Any], item: Any) -> Any:
-    """Return function(item), tried again where it raises what is no fault of the user."""
+    """Return function(item), retried once unless it raises a UserError."""
     try:
         return function(item)
     except UserError:

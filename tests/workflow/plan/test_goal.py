@@ -10,9 +10,9 @@ from elastomer_friction.workflow.ground import UserError
 from elastomer_friction.workflow.plan.error_laws import LAWS, relaxing_share, window_rate
 from elastomer_friction.workflow.plan.goal import (
     BIAS,
-    LEAST_BLOCKS,
-    LEAST_FOR_RATE,
     MAX_SAMPLES_PER_LINE,
+    MIN_BLOCKS,
+    MIN_RATE_BLOCKS,
     MOST_FOR_CONTACTS,
     allowed,
     goal_of,
@@ -68,11 +68,11 @@ def test_given_steps_stand_and_their_error_is_not_counted(problem, wanted):
 
 def test_blocks_are_whole_and_capped():
     study = small_study("study.realizations=16")
-    assert whole_blocks(study, 1.0, 1000) == LEAST_FOR_RATE
+    assert whole_blocks(study, 1.0, 1000) == MIN_RATE_BLOCKS
     assert whole_blocks(study, 129.0, 1000) == 33
     assert whole_blocks(study, 1e9, 1000) == 250
     steady = small_study("study.realizations=16", 'scene.quantities=["steady", "jump"]')
-    assert whole_blocks(steady, 1.0, 1000) == LEAST_BLOCKS
+    assert whole_blocks(steady, 1.0, 1000) == MIN_BLOCKS
 
 
 def test_an_accuracy_changes_steps_and_realizations_and_nothing_else():
@@ -82,7 +82,7 @@ def test_an_accuracy_changes_steps_and_realizations_and_nothing_else():
     problems = [[task.problem for task in plan.variants[0].tasks] for plan in (plain, wanted)]
     assert problems[0] == problems[1]
     for key, blocks in wanted.expected.items():
-        assert LEAST_FOR_RATE <= wanted.first[key] <= blocks
+        assert MIN_RATE_BLOCKS <= wanted.first[key] <= blocks
     assert wanted.records > plain.records
 
 

@@ -104,7 +104,7 @@ def test_a_status_that_cannot_be_written_is_said_once_and_ends_nothing(place, cl
     writer.end("finished")
     said = capsys.readouterr().err
     assert said.startswith(f"warning: {status_file(result)}: cannot be written: ")
-    assert said.endswith("; the run goes on\n")
+    assert said.endswith("; the run continues\n")
     assert said.count("\n") == 1
     assert read(place).state == "not running"
     status_file(result).rmdir()
