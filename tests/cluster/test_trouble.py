@@ -57,7 +57,7 @@ def assert_refused(run, log):
     assert run.wait(timeout=PATIENCE) == 2
     table = log.read_text().partition("error: ")[2].splitlines()
     assert "must have the versions of the driver" in table[0]
-    assert table[1].split() == ["there", "driver"]
+    assert table[1].split() == ["worker", "driver"]
     assert len(table) == 3
     assert "our sources" in table[2]
     assert "Traceback" not in log.read_text()
