@@ -57,6 +57,7 @@ def outline_grid(study: Study, result: Path, sample_seconds: float | None = None
         f"to compile; longest line {plan.longest_line()} samples",
         *_errors(plan),
         *_model_error(plan),
+        f"material    {study.material.rheology()}",
         *(f"read        {kind}: {description}" for kind, description in study.descriptions),
         f"not simulated {', '.join(absent)} (--json gives the reasons)",
     ]

@@ -97,6 +97,17 @@ class Material(NamedTuple):
         """The factor a_T at the temperature of the material."""
         return 1.0 if self.temperature is None else self.shift(self.temperature)
 
+    def rheology(self) -> str:
+        """Return the elements of the material with their times, as text."""
+        if not self.branches:
+            return f"Kelvin element, tau = {self.tau:.4g} s"
+        number = len(self.branches)
+        kind = "standard linear solid" if number == 1 else f"Prony series of {number} branches"
+        dashpot = "with a dashpot" if self.jumps else "without a dashpot"
+        times = [self.shift_factor * time for _, time in self.branches]
+        spread = f"times {min(times):.3g} ... {max(times):.3g} s"
+        return f"{kind} {dashpot}, {spread}, tau = {self.tau:.4g} s"
+
     def spectrum(self) -> Spectrum:
         """Return the material in units of G and tau, which does not depend on the temperature."""
         tau = self.at_reference.tau
