@@ -163,11 +163,11 @@ OTHER = Maker("python 3, numpy 3", "another processor")
 
 
 def test_several_makers_are_refused_by_name_only_where_one_is_asked_for():
-    require_one({MAKER, OTHER}, asked=False)
-    require_one({MAKER}, asked=True)
-    require_one(set(), asked=True)
+    require_one({MAKER, OTHER}, required=False)
+    require_one({MAKER}, required=True)
+    require_one(set(), required=True)
     with pytest.raises(UserError) as error:
-        require_one({MAKER, OTHER}, asked=True)
+        require_one({MAKER, OTHER}, required=True)
     said = str(error.value)
     assert said.startswith("--one-kind: records of 2 kinds would be mixed: ")
     for maker in (MAKER, OTHER):
