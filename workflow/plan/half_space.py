@@ -1,7 +1,7 @@
 """Requirements of a half-space: steps per spacing, errors and cost, by measured laws.
 
 They take a problem, or many of them together, as the laws of the foundation do (error_laws.py,
-cost/work.py). A map has (N m)^2 samples, eight in its shortest wave where m = 4.
+cost.py). A map has (N m)^2 samples, eight in its shortest wave where m = 4.
 
 Errors: 15 problems at H = 0.7, N = 16, sigma_0/(E* grad z) 0.01 ... 0.2, x 0.3 ... 30, four maps
 each with m = 2, 4, 8 against m = 16. That of mu_1 was 1 to 2.4 % at m = 4 and at most 0.5 % at m =

@@ -6,7 +6,7 @@ declares, and [scales.NAME]. measure.py holds
     SETTINGS   name -> Key, whose check(key, value) returns the value or raises UserError;
                docs/reference/measures.md describes the settings of the studies of this program
     outline(settings) -> (lines that describe the measurement, its core-seconds on the typical
-               machine of workflow/plan/cost/work.py)
+               machine of workflow/plan/cost.py)
     measure(settings, seed, advance) -> group -> xarray.Dataset; "" is the root. It calls
                advance(seconds) after each part, with the predicted core-seconds of that part
     table(groups) -> pandas.DataFrame of a finished result (optional)
