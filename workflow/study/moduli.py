@@ -1,9 +1,9 @@
-"""Read measured moduli from a text table: G' and G'' over frequency, or G(t) after a sudden strain.
+"""Measured moduli from a text table: G' and G'' over frequency, or G(t) after a sudden strain.
 
-Columns are known by their names and units, else by their order: frequency, G', G'', or time, G. A
-loss factor tan delta serves in place of G'', and Young's moduli E are divided by 2 (1 + nu).
-Sweeps at several temperatures are told apart by a column of them, by the lines above each block,
-or by a list of temperatures, one for each sweep in order.
+Columns are identified by names and units, else by order: frequency, G', G'', or time, G. A loss
+factor tan delta may replace G'', and Young's moduli E are divided by 2 (1 + nu). The temperatures
+of several sweeps come from a column, from the lines above each block, or from a list with one
+temperature for each sweep in order.
 """
 
 import re
@@ -28,53 +28,56 @@ from .sweeps import temperatures_of
 FREQUENCIES = ("rad/s", "Hz")
 MODULI = ("Pa", "kPa", "MPa", "GPa")
 INCOMPRESSIBLE = 0.5  # Poisson's ratio of rubber
-OF_PHASE = r"tan|loss[ _-]*fact|damping"
-PRIME = r"['`\u2032\u2019\u00b4]"  # as people write G'
-PRIMES = rf"({PRIME}{{2}}|[\"\u2033\u201d])"
-OMEGA = ColumnSpec(
+LOSS_FACTOR_NAME = r"tan|loss[ _-]*fact|damping"
+PRIME = r"['`\u2032\u2019\u00b4]"  # in various spellings of G'
+DOUBLE_PRIME = rf"({PRIME}{{2}}|[\"\u2033\u201d])"
+FREQUENCY = ColumnSpec(
     "a frequency", "frequency", r"freq|omega|\u03c9|^[fw\u03bd]$", "rad/s", "--frequency"
 )
-STORAGE = ColumnSpec(
+STORAGE_MODULUS = ColumnSpec(
     "a storage modulus G'",
     "pressure",
-    rf"^(?!.*({OF_PHASE})).*(stor|speicher|elastic|\b[GE]({PRIME}(?!{PRIME})|_?1\b|p\b|_?prime\b))",
+    rf"^(?!.*({LOSS_FACTOR_NAME})).*(stor|speicher|elastic|\b[GE]({PRIME}(?!{PRIME})|_?1\b|p\b|_?prime\b))",
     "Pa",
     "--modulus",
 )
-LOSS = ColumnSpec(
+LOSS_MODULUS = ColumnSpec(
     "a loss modulus G''",
     "pressure",
-    rf"^(?!.*({OF_PHASE})).*(loss|verlust|viscous|\b[GE]({PRIMES}|_?2\b|pp\b|_?(double|2)_?prime\b))",
+    rf"^(?!.*({LOSS_FACTOR_NAME})).*(loss|verlust|viscous|\b[GE]({DOUBLE_PRIME}|_?2\b|pp\b|_?(double|2)_?prime\b))",
     "Pa",
     "--modulus",
 )
-PHASE = ColumnSpec("tan delta, for G''", "number", OF_PHASE, "1")
-TIME = ColumnSpec("a time", "time", r"time|^t([\W_]|$)", "s")
-RELAXED = ColumnSpec(
+LOSS_FACTOR = ColumnSpec("tan delta, for G''", "number", LOSS_FACTOR_NAME, "1")
+RELAXATION_TIME = ColumnSpec("a time", "time", r"time|^t([\W_]|$)", "s")
+RELAXATION_MODULUS = ColumnSpec(
     "a relaxation modulus", "pressure", r"modul|relax|^[GE]([\W_]|$)", "Pa", "--modulus"
 )
-OF_YOUNG = re.compile(rf"\bE({PRIME}|{PRIMES}|_|[12p]\b|\b)|young|tens|extens|bend|flex", re.I)
-OF_SHEAR = re.compile(rf"\bG({PRIME}|{PRIMES}|_|[12p]\b|\b)|shear|torsion|parallel", re.I)
-OF_LOADING = re.compile(r"tension|tensile|cantilever|bending|compression", re.I)
-OTHER = re.compile(r"\*|\||complex|complian|dynamic", re.IGNORECASE)  # no G', and no G''
-LEAST = 4  # frequencies
-SAME = 1.005  # ratio of frequencies that are one
-SEVERAL = 1.15  # ratio of moduli at one frequency that are not one material at one temperature
-MANY = 400  # samples of a relaxation test, of which more are averaged
-PER_DECADE = 25
+YOUNG_NAME = re.compile(
+    rf"\bE({PRIME}|{DOUBLE_PRIME}|_|[12p]\b|\b)|young|tens|extens|bend|flex", re.I
+)
+SHEAR_NAME = re.compile(rf"\bG({PRIME}|{DOUBLE_PRIME}|_|[12p]\b|\b)|shear|torsion|parallel", re.I)
+TENSILE_LOADING = re.compile(r"tension|tensile|cantilever|bending|compression", re.I)
+# Neither G' nor G''.
+OTHER_MODULUS_NAME = re.compile(r"\*|\||complex|complian|dynamic", re.IGNORECASE)
+MIN_MODULI_ROWS = 4
+FREQUENCY_RATIO = 1.005  # frequencies closer than this count as equal
+MODULUS_RATIO = 1.15  # moduli at one frequency and temperature differ by less
+MAX_RELAXATION_SAMPLES = 400  # more samples of a relaxation test are averaged
+MEANS_PER_DECADE = 25
 
 
 class Moduli(NamedTuple):
-    """Measured moduli, frequencies ascending, and what the file was read as."""
+    """Measured moduli at ascending frequencies, with a description of the columns."""
 
     omega: np.ndarray  # rad/s, shape (n,); of a relaxation test 1/t in 1/s
     values: np.ndarray  # G' + i G'' in Pa, shape (n,); of a relaxation test G(t), real
     description: tuple[str, ...]  # in sentences
-    temperatures: np.ndarray | None = None  # °C of each sweep, shape (n,); None: there is one
+    temperatures: np.ndarray | None = None  # °C of each row, shape (n,); None: one sweep
 
     @property
     def over_time(self) -> bool:
-        """Return whether they are those of a relaxation test."""
+        """Return whether they come from a relaxation test."""
         return not np.iscomplexobj(self.values)
 
 
@@ -88,141 +91,155 @@ def read_moduli(
 ) -> Moduli:
     """Return the moduli of a text file: frequency, G' and G'' or tan delta; or time and G(t).
 
-    frequency, modulus : units, which go before those that the file states; rad/s and Pa where
-    neither does. columns : numbers, from 0, of the three, or of the two of a relaxation test.
-    poisson : ratio for Young's moduli. temperatures : °C, of each sweep in the order of the file,
-    which go before what the file says.
+    frequency, modulus : units, which replace those of the file; by default rad/s and Pa if the file
+    states none. columns : numbers, from 0, of three columns, or of two for a relaxation test.
+    poisson : ratio for Young's moduli. temperatures : °C, of each sweep in the order of the file;
+    they replace those of the file.
 
-    Raises UserError for a file that cannot be read or does not say which columns are meant, for
-    sweeps at temperatures that nobody tells, and for values that no material has.
+    Raises UserError for a file that cannot be read or does not determine the columns, for sweeps
+    at unknown temperatures, and for values that no material has.
     """
     table = read_text_table("prony", path)
-    found = _columns(table, frequency, modulus, columns)
-    each, said = temperatures_of(table, found[0].values, temperatures)
-    values, there, left_out = _complete(path, table, found, each)
-    said = [describe_columns(table, found), *left_out, *said]
+    selected = _moduli_columns(table, frequency, modulus, columns)
+    temperature, description = temperatures_of(table, selected[0].values, temperatures)
+    values, complete, left_out = _complete_rows(path, table, selected, temperature)
+    description = [describe_columns(table, selected), *left_out, *description]
     omega, storage, *loss = values
-    if loss and found[2].spec.family == "number":
+    if loss and selected[2].spec.family == "number":
         loss = [loss[0] * storage]
-        said.append("G'' = G' tan delta")
+        description.append("G'' = G' tan delta")
     measured = storage + 1j * loss[0] if loss else storage
-    if _of_young(table, found[1:]):
+    if _are_young_moduli(table, selected[1:]):
         measured = measured / (2.0 * (1.0 + poisson))
-        said.append(f"Young's moduli E divided by 2 (1 + nu) = {2.0 * (1.0 + poisson):g}")
-    elif not any(OF_SHEAR.search(one.title.name) for one in found[1:]):
-        said.append("taken as shear moduli G, as nothing says that they are Young's E")
+        description.append(f"Young's moduli E divided by 2 (1 + nu) = {2.0 * (1.0 + poisson):g}")
+    elif not any(SHEAR_NAME.search(column.title.name) for column in selected[1:]):
+        description.append("taken as shear moduli G, as nothing identifies them as Young's E")
     omega = omega if loss else 1.0 / omega
     order = np.argsort(omega, kind="stable")
     omega, measured = omega[order], measured[order]
-    if each is not None:
-        each = each[there][order]
-    for own in [slice(None)] if each is None else [each == t for t in np.unique(each)]:
-        _one_temperature(path, omega[own], measured[own])
-    if not loss and each is None and omega.size > MANY:
-        omega, measured = _averaged(omega, measured)
-        said.append(f"means over 1/{PER_DECADE} of a decade of time: {omega.size}")
-    return Moduli(omega, measured, tuple(said), each)
+    if temperature is not None:
+        temperature = temperature[complete][order]
+    levels = () if temperature is None else np.unique(temperature)
+    for rows in [slice(None)] if temperature is None else [temperature == t for t in levels]:
+        _check_single_temperature(path, omega[rows], measured[rows])
+    if not loss and temperature is None and omega.size > MAX_RELAXATION_SAMPLES:
+        omega, measured = _decade_means(omega, measured)
+        description.append(f"means over 1/{MEANS_PER_DECADE} of a decade of time: {omega.size}")
+    return Moduli(omega, measured, tuple(description), temperature)
 
 
-def _of_young(table: TextTable, moduli: Sequence[Column]) -> bool:
-    """Return whether moduli are Young's: by their names, else by the way of loading above them."""
-    names = [one.title.name for one in moduli]
-    if any(map(OF_YOUNG.search, names)) or any(map(OF_SHEAR.search, names)):
-        return any(map(OF_YOUNG.search, names))
+def _are_young_moduli(table: TextTable, moduli: Sequence[Column]) -> bool:
+    """Return whether moduli are Young's, from their names, else from the loading stated above."""
+    names = [column.title.name for column in moduli]
+    if any(map(YOUNG_NAME.search, names)) or any(map(SHEAR_NAME.search, names)):
+        return any(map(YOUNG_NAME.search, names))
     above = "\n".join(table.above)
-    return bool(OF_LOADING.search(above)) and not OF_SHEAR.search(above)
+    return bool(TENSILE_LOADING.search(above)) and not SHEAR_NAME.search(above)
 
 
-def _over_time(table: TextTable, columns: Sequence[int] | None) -> bool:
+def _is_relaxation_test(table: TextTable, columns: Sequence[int] | None) -> bool:
     """Return whether a table is a relaxation test: two columns, or a time and no loss."""
     if columns is not None:
         return len(columns) == 2
     if len(table.numeric) == 2:
         return True
-    lossy = any(find_column(table, one) is not None for one in (LOSS, PHASE, OMEGA))
-    return not lossy and find_column(table, TIME) is not None
+    lossy = any(
+        find_column(table, spec) is not None for spec in (LOSS_MODULUS, LOSS_FACTOR, FREQUENCY)
+    )
+    return not lossy and find_column(table, RELAXATION_TIME) is not None
 
 
-def _columns(
+def _moduli_columns(
     table: TextTable, frequency: str | None, modulus: str | None, columns: Sequence[int] | None
 ) -> tuple[Column, ...]:
-    """Return the columns frequency, G' and G'' or tan delta; one states the unit of both moduli.
+    """Return the columns of frequency, G', and G'' or tan delta; or of time and G(t).
 
-    Of a relaxation test they are time and G(t).
+    A unit stated for only one of the moduli applies to both.
     """
-    if _over_time(table, columns):
-        return select_columns(table, (TIME, RELAXED._replace(unit=modulus)), columns)
-    wanted = [OMEGA._replace(unit=frequency), *(w._replace(unit=modulus) for w in (STORAGE, LOSS))]
+    if _is_relaxation_test(table, columns):
+        return select_columns(
+            table, (RELAXATION_TIME, RELAXATION_MODULUS._replace(unit=modulus)), columns
+        )
+    wanted = [
+        FREQUENCY._replace(unit=frequency),
+        *(spec._replace(unit=modulus) for spec in (STORAGE_MODULUS, LOSS_MODULUS)),
+    ]
     if columns is None:
-        phase = find_column(table, LOSS) is None and find_column(table, PHASE) is not None
+        phase = (
+            find_column(table, LOSS_MODULUS) is None and find_column(table, LOSS_FACTOR) is not None
+        )
     else:
         phase = columns[2] < table.width and bool(
-            re.search(OF_PHASE, table.title(columns[2]).name, re.I)
+            re.search(LOSS_FACTOR_NAME, table.title(columns[2]).name, re.I)
         )
     if phase:
-        wanted[2] = PHASE
-    found = select_columns(table, wanted, columns)
-    if not phase and {found[1].unit_source, found[2].unit_source} == {"of the file", "assumed"}:
-        unit = next(one.unit.text for one in found[1:] if one.unit_source == "of the file")
-        wanted[1:] = [one._replace(default=unit) for one in wanted[1:]]
-        found = select_columns(table, wanted, columns)
-    for one in found[1:]:
-        if OTHER.search(one.title.name):
+        wanted[2] = LOSS_FACTOR
+    selected = select_columns(table, wanted, columns)
+    sources = {column.unit_source for column in selected[1:]}
+    if not phase and sources == {"of the file", "assumed"}:
+        unit = next(
+            column.unit.text for column in selected[1:] if column.unit_source == "of the file"
+        )
+        wanted[1:] = [spec._replace(default=unit) for spec in wanted[1:]]
+        selected = select_columns(table, wanted, columns)
+    for column in selected[1:]:
+        if OTHER_MODULUS_NAME.search(column.title.name):
             raise UserError(
-                f"prony = {table.name!r}: column {one.number} {one.title.name!r} is not "
-                f"{one.spec.meaning}: give G' = |G*| cos delta and G'' = |G*| sin delta"
+                f"prony = {table.name!r}: column {column.number} {column.title.name!r} is not "
+                f"{column.spec.meaning}: give G' = |G*| cos delta and G'' = |G*| sin delta"
             )
-    return found
+    return selected
 
 
-def _complete(
-    path: Path, table: TextTable, found: tuple[Column, ...], each: np.ndarray | None
+def _complete_rows(
+    path: Path, table: TextTable, columns: tuple[Column, ...], temperatures: np.ndarray | None
 ) -> tuple[np.ndarray, np.ndarray, list[str]]:
-    """Return the columns without rows in which a value is missing, shape (columns, n).
+    """Return the values of the complete rows, shape (columns, n), their mask, and notes.
 
-    Then which rows these are, and what was left out in words: those up to a sudden strain are, too.
+    Rows up to the sudden strain of a relaxation test are left out and noted. Raises UserError for
+    too few rows, for frequencies, times, G' and G(t) that are not positive, and for negative G''.
     """
-    values = np.array([one.values for one in found])
-    there = np.isfinite(values).all(axis=0) & (each is None or np.isfinite(each))
-    said = []
-    if len(found) == 2 and np.any(values[0, there] <= 0.0):
-        early = there & (values[0] <= 0.0)
-        said.append(f"left out: {early.sum()} samples up to t = 0")
-        there &= ~early
-    if there.sum() < LEAST:
-        raise UserError(f"prony {path}: holds {there.sum()} rows; a fit needs {LEAST}")
-    for one, own, least in zip(found, values, (True, True, False), strict=False):
-        bad = there & (own <= 0.0 if least else own < 0.0)
+    values = np.array([column.values for column in columns])
+    complete = np.isfinite(values).all(axis=0) & (temperatures is None or np.isfinite(temperatures))
+    notes = []
+    if len(columns) == 2 and np.any(values[0, complete] <= 0.0):
+        early = complete & (values[0] <= 0.0)
+        notes.append(f"left out: {early.sum()} samples up to t = 0")
+        complete &= ~early
+    if complete.sum() < MIN_MODULI_ROWS:
+        raise UserError(f"prony {path}: holds {complete.sum()} rows; a fit needs {MIN_MODULI_ROWS}")
+    for column, column_values, positive in zip(columns, values, (True, True, False), strict=False):
+        bad = complete & (column_values <= 0.0 if positive else column_values < 0.0)
         if np.any(bad):
             row = int(np.argmax(bad))
             raise UserError(
-                f"prony {path}: line {table.lines[row]} holds {table.rows[row][one.number]} as "
-                f"{one.spec.meaning}; must "
-                + ("be greater than zero" if least else "not be negative")
+                f"prony {path}: line {table.lines[row]} holds {table.rows[row][column.number]} as "
+                f"{column.spec.meaning}; must "
+                + ("be greater than zero" if positive else "not be negative")
             )
-    return values[:, there], there, said
+    return values[:, complete], complete, notes
 
 
-def _averaged(omega: np.ndarray, values: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Return means over parts of a decade, so that late samples do not outnumber early ones."""
-    part = np.floor(PER_DECADE * np.log10(omega / omega[0]) + 1e-9)
-    _, own, counts = np.unique(part, return_inverse=True, return_counts=True)
-    sums = [np.bincount(own, weights) for weights in (np.log(omega), values)]
+def _decade_means(omega: np.ndarray, values: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Return means over parts of a decade, so that late samples do not outweigh early ones."""
+    part = np.floor(MEANS_PER_DECADE * np.log10(omega / omega[0]) + 1e-9)
+    _, group, counts = np.unique(part, return_inverse=True, return_counts=True)
+    sums = [np.bincount(group, weights) for weights in (np.log(omega), values)]
     return np.exp(sums[0] / counts), sums[1] / counts
 
 
-def _one_temperature(path: Path, omega: np.ndarray, values: np.ndarray) -> None:
-    """Raise UserError where one frequency has several moduli, as at several temperatures."""
-    size = np.abs(values)
-    ratio = size[1:] / size[:-1]
-    apart = np.maximum(ratio, 1.0 / ratio) > SEVERAL
-    found = np.flatnonzero((omega[1:] <= SAME * omega[:-1]) & apart)
-    if found.size:
-        place = found[0]
-        low, high = sorted(size[place : place + 2])
-        one = f"{omega[place]:.4g} rad/s has" if np.iscomplexobj(values) else "one time has"
+def _check_single_temperature(path: Path, omega: np.ndarray, values: np.ndarray) -> None:
+    """Raise UserError if one frequency has several moduli, as at several temperatures."""
+    magnitude = np.abs(values)
+    ratio = magnitude[1:] / magnitude[:-1]
+    differs = np.maximum(ratio, 1.0 / ratio) > MODULUS_RATIO
+    conflicts = np.flatnonzero((omega[1:] <= FREQUENCY_RATIO * omega[:-1]) & differs)
+    if conflicts.size:
+        place = conflicts[0]
+        low, high = sorted(magnitude[place : place + 2])
+        subject = f"{omega[place]:.4g} rad/s has" if np.iscomplexobj(values) else "one time has"
         raise UserError(
-            f"prony {path}: {one} several moduli, |G*| from {low:.3g} to {high:.3g} Pa, as at "
+            f"prony {path}: {subject} several moduli, |G*| from {low:.3g} to {high:.3g} Pa, as at "
             "several temperatures: give --temperatures, one for each sweep in order, to shift "
             "them to one curve"
         )

@@ -18,11 +18,11 @@ from .effects import (
     read_material,
 )
 from .numerics import DEFAULTS, NUMERICS, Numerics, read_numerics
-from .surfaces import LIKE, Surface, lines_like
+from .surfaces import LINE_KIND_KEYS, Surface, lines_like
 
 # Not the temperature: it is an axis of the grid, which all variants share.
 COMPARE = NUMERICS | {key: MATERIAL[key] for key in MATERIAL if key != "temperature"}
-COMPARE |= LIKE | {"body": SCENE["body"]}
+COMPARE |= LINE_KIND_KEYS | {"body": SCENE["body"]}
 ALTERNATIVES = (("branches", "branches_file"), tuple(SHIFTS))  # at most one key of each group
 
 
@@ -45,7 +45,7 @@ def read_variants(
         changed = {key: given[key] for key in given if key in NUMERICS}
         variants[label] = read_numerics(where, {**numerics, **changed})
         materials[label] = read_material(where, changed_material(material, given), folder)
-        like = {key: given[key] for key in given if key in LIKE}
+        like = {key: given[key] for key in given if key in LINE_KIND_KEYS}
         other_body = given.get("body", body)
         if other_body != body and surface.profile is not None:
             raise UserError(

@@ -1,6 +1,6 @@
-"""The one reader of text tables, for every door: rows, names and units, columns by what they hold.
+"""Reader of text tables: rows, column names and units, and the selection of columns by quantity.
 
-Knows the errors of users, and no table of a study.
+All commands and file keys share it. It depends on the errors of `ground` and on no part of a study.
 """
 
 from typing import TYPE_CHECKING
@@ -21,7 +21,7 @@ if TYPE_CHECKING:
         select_columns,
         table_of_text,
     )
-    from .titles import UNREAD, Title, count_named
+    from .titles import UNREAD_NAME, Title, count_named
     from .units import FAMILIES, ZERO, Unit, unit_of
 
 __all__, __getattr__, __dir__ = public_names(__name__, __file__)

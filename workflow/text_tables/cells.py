@@ -1,4 +1,4 @@
-"""Lines of text parted into cells, and which of them are rows of a table."""
+"""Division of text lines into cells, and the selection of the lines that are table rows."""
 
 import csv
 import re
@@ -7,30 +7,30 @@ from typing import NamedTuple
 
 from .numerals import is_missing, is_numeral
 
-DELIMITERS = (";", "\t", "|", ",", None)  # None: any blanks
-COMMENTS = ("#", "%", "//", "!")
-REMARK = re.compile(r"(?:(?<=\s)|(?<=\d))#(?!N/A|DIV|NUM|VALUE).*$")  # behind a row
-# Numbers in one cell, for the delimiter is another; but a date and a time of day.
-SEVERAL = re.compile(r"(?!\s*\d+([-/.])\d+\1\d+\s+\d+:\d).*\d[\s;]+[-+.\d]")
-ZEROS = re.compile(r"0\d+")  # no whole number is written so, but decimals are
-# Lines from the beginning and from the middle that decide on the delimiter: so many characters.
-LOOKED_AT, LEAST_LOOKED_AT, ENOUGH = 250, 20, 50_000
+DELIMITERS = (";", "\t", "|", ",", None)  # None: whitespace
+COMMENT_MARKS = ("#", "%", "//", "!")
+TRAILING_REMARK = re.compile(r"(?:(?<=\s)|(?<=\d))#(?!N/A|DIV|NUM|VALUE).*$")  # at the end of a row
+# Several numbers in one cell, from a wrong delimiter; a date with a time of day is excepted.
+SEVERAL_NUMBERS = re.compile(r"(?!\s*\d+([-/.])\d+\1\d+\s+\d+:\d).*\d[\s;]+[-+.\d]")
+LEADING_ZERO = re.compile(r"0\d+")  # occurs among decimals, not among integers
+# Limits of the sample of lines, from the start and the middle, that decides on the delimiter.
+MAX_SAMPLE_LINES, MIN_SAMPLE_LINES, MAX_SAMPLE_CHARACTERS = 250, 20, 50_000
 
 
 class Cells(NamedTuple):
-    """The rows of a file, and what stands between them."""
+    """Rows of a file and the lines between them."""
 
-    rows: list[list[str]]  # each of as many cells
-    lines: list[int]  # the number of the line of each row, from 1
-    numeric: list[int]  # the columns that hold numbers
-    above: list[str]  # the lines before the first row
-    between: list[tuple[int, list[str]]]  # before which row, and the lines that stand there
+    rows: list[list[str]]  # all of equal length
+    lines: list[int]  # line number of each row, from 1
+    numeric: list[int]  # indices of the columns that hold numbers
+    above: list[str]  # lines before the first row
+    between: list[tuple[int, list[str]]]  # index of the next row, lines before it
     delimiter: str | None
-    plain: bool = True  # whether all rows are numbers with points alone, and none is missing
+    plain: bool = True  # whether all cells are numbers with decimal points only
 
 
 class UnevenRowError(ValueError):
-    """A row that holds more or fewer cells than the others: the line, its number, their count."""
+    """Error for a row of another length. Arguments: its line, line number, and the usual length."""
 
 
 def split(line: str, delimiter: str | None) -> list[str]:
@@ -45,54 +45,57 @@ def split(line: str, delimiter: str | None) -> list[str]:
 
 def is_comment(line: str) -> bool:
     """Return whether a line is a comment."""
-    return line.lstrip().startswith(COMMENTS)
+    return line.lstrip().startswith(COMMENT_MARKS)
 
 
 def cells_of(text: str) -> Cells:
-    """Return the rows of a text, none where it holds none.
+    """Return the rows of a text; an empty table if it contains no row of numbers.
 
-    Rows have the most frequent count of cells, with numbers in the columns that mostly hold them.
-    Raises UnevenRowError for a row of another count below the first.
+    A row has the most frequent number of cells, with numbers in the columns that mostly hold
+    numbers. Raises UnevenRowError for a row of another length below the first row.
     """
     lines = text.splitlines()
-    bare = [(n, line) for n, line in enumerate(lines, 1) if line.strip() and not is_comment(line)]
-    longest = max((len(line) for _, line in bare), default=1)
-    count = max(LEAST_LOOKED_AT, min(LOOKED_AT, ENOUGH // longest))
-    sample = [line for _, line in bare[:count] + bare[max(len(bare) // 2, count) :][:count]]
-    delimiter, width = _shape(sample)
-    parts = [_trimmed(split(REMARK.sub("", line), delimiter)) for line in sample]
-    numeric = _numeric([row for row in parts if len(row) <= width], width)
-    found = Cells([], [], numeric, [], [], delimiter)
+    content = [
+        (n, line) for n, line in enumerate(lines, 1) if line.strip() and not is_comment(line)
+    ]
+    longest = max((len(line) for _, line in content), default=1)
+    count = max(MIN_SAMPLE_LINES, min(MAX_SAMPLE_LINES, MAX_SAMPLE_CHARACTERS // longest))
+    middle = max(len(content) // 2, count)
+    sample = [line for _, line in content[:count] + content[middle:][:count]]
+    delimiter, width = _delimiter_and_width(sample)
+    rows = [_trimmed(split(TRAILING_REMARK.sub("", line), delimiter)) for line in sample]
+    numeric = _numeric_columns([row for row in rows if len(row) <= width], width)
+    cells = Cells([], [], numeric, [], [], delimiter)
     if not numeric:
-        return found._replace(above=lines)
+        return cells._replace(above=lines)
     pending: list[str] = []
-    quick, plain = _plain_row(delimiter, width if len(numeric) == width else 0), True
+    pattern, plain = _plain_row_pattern(delimiter, width if len(numeric) == width else 0), True
     for number, line in enumerate(lines, 1):
-        if quick.fullmatch(line):  # as nearly all rows of long files are
+        if pattern.fullmatch(line):  # the fast path for long files
             row: list[str] | None = split(line, delimiter)
         elif not line.strip() or is_comment(line):
             row = None
         else:
-            row = _row(line, number, found, width)
+            row = _row_cells(line, number, cells, width)
             plain = plain and row is None
         if row is None:
             pending.append(line)
             continue
-        if not found.rows:
-            found.above.extend(pending)
+        if not cells.rows:
+            cells.above.extend(pending)
         elif pending:
-            found.between.append((len(found.rows), pending))
+            cells.between.append((len(cells.rows), pending))
         pending = []
-        found.rows.append(row)
-        found.lines.append(number)
-    if not found.rows:
-        return found._replace(above=lines)
-    found.between.append((len(found.rows), pending))
-    return found._replace(plain=plain)
+        cells.rows.append(row)
+        cells.lines.append(number)
+    if not cells.rows:
+        return cells._replace(above=lines)
+    cells.between.append((len(cells.rows), pending))
+    return cells._replace(plain=plain)
 
 
-def _plain_row(delimiter: str | None, width: int) -> re.Pattern[str]:
-    """Return the pattern of a row of so many numbers with points; of nothing for none."""
+def _plain_row_pattern(delimiter: str | None, width: int) -> re.Pattern[str]:
+    """Return the pattern of a row of `width` decimal numbers; for 0 it never matches."""
     if not width:
         return re.compile(r"(?!)")
     number = r"[+-]?(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][+-]?\d+)?"
@@ -100,72 +103,74 @@ def _plain_row(delimiter: str | None, width: int) -> re.Pattern[str]:
     return re.compile(rf"{blank}{number}(?:{gap}{number}){{{width - 1}}}{blank}")
 
 
-def _row(line: str, number: int, known: Cells, width: int) -> list[str] | None:
-    """Return the cells of a row; None of a line that is none, as words between blocks."""
-    raw = split(REMARK.sub("", line), known.delimiter)
-    cells = _trimmed(raw)
-    own = [cells[n] for n in known.numeric if n < len(cells)]
-    numbers = sum(map(is_numeral, own))
-    first = not known.rows
-    if not numbers or (2 * numbers < len(known.numeric) and not all(map(_value, own))):
+def _row_cells(line: str, number: int, table: Cells, width: int) -> list[str] | None:
+    """Return the cells of a row; None for other lines, such as words between blocks."""
+    untrimmed = split(TRAILING_REMARK.sub("", line), table.delimiter)
+    cells = _trimmed(untrimmed)
+    numeric_cells = [cells[n] for n in table.numeric if n < len(cells)]
+    numbers = sum(map(is_numeral, numeric_cells))
+    first = not table.rows
+    if not numbers or (2 * numbers < len(table.numeric) and not all(map(_is_value, numeric_cells))):
         return None
-    short = len(own) < len(known.numeric) and len(raw) < width
-    if first and (short or not all(map(_value, own))):
+    short = len(numeric_cells) < len(table.numeric) and len(untrimmed) < width
+    if first and (short or not all(map(_is_value, numeric_cells))):
         return None
-    if len(cells) > width or (len(raw) < width and (known.delimiter is None or len(raw) < 2)):
+    if len(cells) > width or (
+        len(untrimmed) < width and (table.delimiter is None or len(untrimmed) < 2)
+    ):
         if first:
             return None
         raise UnevenRowError(line.strip(), number, width)
     return cells + [""] * (width - len(cells))
 
 
-def _value(word: str) -> bool:
+def _is_value(word: str) -> bool:
     return is_numeral(word) or is_missing(word)
 
 
 def _trimmed(cells: list[str]) -> list[str]:
-    """Return cells without empty ones at the end."""
+    """Return the cells without trailing empty cells."""
     end = len(cells)
     while end and not cells[end - 1]:
         end -= 1
     return cells[:end]
 
 
-def _shape(sample: list[str]) -> tuple[str | None, int]:
-    """Return the delimiter, and the count of cells of a row."""
+def _delimiter_and_width(sample: list[str]) -> tuple[str | None, int]:
+    """Return the delimiter and the number of cells per row."""
     best: tuple[int, str | None, int] = (0, None, 1)
     for delimiter in DELIMITERS:
-        rows = [_trimmed(split(REMARK.sub("", line), delimiter)) for line in sample]
-        if delimiter == "," and _decimals(rows):
+        rows = [_trimmed(split(TRAILING_REMARK.sub("", line), delimiter)) for line in sample]
+        if delimiter == "," and _has_decimal_commas(rows):
             continue
         score: Counter[int] = Counter()
         for row in rows:
-            several = sum(1 for cell in row if cell in DELIMITERS or SEVERAL.match(cell))
+            several = sum(1 for cell in row if cell in DELIMITERS or SEVERAL_NUMBERS.match(cell))
             numbers = sum(map(is_numeral, row))
-            score[len(row)] += numbers * (3 * numbers > len(row)) - 3 * several  # else words
+            score[len(row)] += numbers * (3 * numbers > len(row)) - 3 * several  # words otherwise
         width, points = max(score.items(), key=lambda item: item[1], default=(1, 0))
         if points > best[0]:
             best = (points, delimiter, width)
     return best[1:]
 
 
-def _decimals(rows: list[list[str]]) -> bool:
-    """Return whether commas between two cells of every row are decimal: 1,05 is not 1 and 05."""
+def _has_decimal_commas(rows: list[list[str]]) -> bool:
+    """Return whether the comma in every row of two cells is decimal, as in 1,05."""
     pairs = [row for row in rows if all(map(is_numeral, row))]
     return (
         bool(pairs)
         and all(len(row) == 2 and "." not in "".join(row) for row in pairs)
-        and any(ZEROS.fullmatch(row[1]) for row in pairs)
+        and any(LEADING_ZERO.fullmatch(row[1]) for row in pairs)
     )
 
 
-def _numeric(rows: list[list[str]], width: int) -> list[int]:
-    """Return the columns in which numbers stand in half of the rows at least."""
+def _numeric_columns(rows: list[list[str]], width: int) -> list[int]:
+    """Return the columns that hold a number or a missing value in at least half of the rows."""
     rows = [row for row in rows if any(map(is_numeral, row)) and 2 * len(row) >= width]
-    found = []
+    columns = []
     for column in range(width):
-        own = [row[column] for row in rows if column < len(row)]
-        numbers = sum(map(is_numeral, own))
-        if numbers and 2 * sum(map(_value, own)) >= len(rows):
-            found.append(column)
-    return found
+        column_cells = [row[column] for row in rows if column < len(row)]
+        numbers = sum(map(is_numeral, column_cells))
+        if numbers and 2 * sum(map(_is_value, column_cells)) >= len(rows):
+            columns.append(column)
+    return columns

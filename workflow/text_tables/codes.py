@@ -1,39 +1,39 @@
-"""Codes that stand for a missing value, as -9999 or -32768: numbers far from all others."""
+"""Detection of missing-value codes such as -9999 or -32768: numbers far from all others."""
 
 from typing import NamedTuple
 
 import numpy as np
 
 CODES = (-9999.0, 9999.0, -999.0, 999.0, -99999.0, 99999.0, -32768.0, 32767.0, -32767.0, 65535.0)
-FAR = 100.0  # spreads of the others from their median
+MIN_CODE_DISTANCE = 100.0  # from the median of the other values, in spreads
 
 
 class Code(NamedTuple):
-    """One number that stands for a missing value."""
+    """Number that marks a missing value."""
 
     value: float
-    times: int
-    spreads: float  # by how many spreads of the other values it is away from them
+    times: int  # number of occurrences
+    spreads: float  # distance from the median of the other values, in their spreads
 
 
 def missing_code(values: np.ndarray, repeated: bool = True) -> Code | None:
-    """Return the code for missing values among finite numbers and NaN, or None where there is none.
+    """Return the missing-value code of an array, or None if it contains no code.
 
-    It is a number that is known as one (CODES, or larger than 1e29), or the least or largest value
-    where it stands there twice or more, unless ``repeated`` is false; and it lies over FAR spreads
-    from the others, the spread being the distance from their 5th to their 95th percentile, or the
-    size of equal ones.
+    The smallest and the largest finite value are examined. Either is a code if it is listed in
+    CODES, exceeds 1e29 in magnitude or, with ``repeated``, occurs at least twice. It must
+    also lie more than MIN_CODE_DISTANCE spreads from the median of the other values. The spread
+    is the distance from their 5th to their 95th percentile; for equal values, their magnitude.
     """
-    known = values[np.isfinite(values)]
-    for value in (known.min(), known.max()) if known.size else ():
-        same = known == value
-        count, others = int(np.count_nonzero(same)), known[~same]
+    finite = values[np.isfinite(values)]
+    for value in (finite.min(), finite.max()) if finite.size else ():
+        equal = finite == value
+        count, others = int(np.count_nonzero(equal)), finite[~equal]
         if others.size < max(3, count):
             continue
-        named = value in CODES or (repeated and count > 1) or abs(value) > 1e29
+        plausible = value in CODES or (repeated and count > 1) or abs(value) > 1e29
         low, middle, high = np.percentile(others, (5.0, 50.0, 95.0))
         spread = high - low or abs(middle)
-        away = abs(value - middle) / spread if spread else 0.0
-        if named and away > FAR:
-            return Code(float(value), count, float(away))
+        distance = abs(value - middle) / spread if spread else 0.0
+        if plausible and distance > MIN_CODE_DISTANCE:
+            return Code(float(value), count, float(distance))
     return None

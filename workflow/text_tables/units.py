@@ -1,4 +1,4 @@
-"""Units as people and instruments write them: mm/min, microns/s, N/mm2, mm·s⁻¹, KHZ, inches."""
+"""Conversion of units in various spellings: mm/min, microns/s, N/mm2, mm·s⁻¹, KHZ, inches."""
 
 import math
 import re
@@ -15,32 +15,32 @@ FAMILIES: dict[Dimension, str] = {
     (0, 0, 1, 0, 0): "time",  # in s
     (1, 0, -1, 0, 0): "velocity",  # in m/s
     (0, 0, -1, 0, 1): "frequency",  # in rad/s
-    (0, 0, -1, 0, 0): "rate",  # in 1/s, where nobody says whether of cycles or of radians
+    (0, 0, -1, 0, 0): "rate",  # in 1/s, of cycles or of radians
     (-1, 1, -2, 0, 0): "pressure",  # in Pa
     (1, 1, -2, 0, 0): "force",  # in N
     (0, 0, 0, 1, 0): "temperature",  # in K
     (0, 0, 0, 0, 1): "angle",  # in rad
-    (0, 0, 0, 0, 0): "number",  # of no dimension
+    (0, 0, 0, 0, 0): "number",  # dimensionless
 }
 DIMENSIONS = {family: dimension for dimension, family in FAMILIES.items()}
 PREFIXES = {"p": 1e-12, "n": 1e-9, "u": 1e-6, "m": 1e-3, "c": 1e-2, "d": 1e-1, "": 1.0}
 PREFIXES |= {"h": 1e2, "k": 1e3, "M": 1e6, "G": 1e9}
-SPELLED = {"pico": 1e-12, "nano": 1e-9, "micro": 1e-6, "milli": 1e-3, "centi": 1e-2, "": 1.0}
-SPELLED |= {"kilo": 1e3, "mega": 1e6, "giga": 1e9}
+PREFIX_WORDS = {"pico": 1e-12, "nano": 1e-9, "micro": 1e-6, "milli": 1e-3, "centi": 1e-2, "": 1.0}
+PREFIX_WORDS |= {"kilo": 1e3, "mega": 1e6, "giga": 1e9}
 INCH = 0.0254
-POUND = 4.4482216152605  # N
+POUND_FORCE = 4.4482216152605  # N
 KILOPOND = 9.80665  # N
 
 
 def _prefixed(symbol: str, prefixes: str, factor: float, family: str) -> dict:
-    each = ("", *prefixes)
-    return {f"{prefix}{symbol}": (PREFIXES[prefix] * factor, family) for prefix in each}
+    choices = ("", *prefixes)
+    return {f"{prefix}{symbol}": (PREFIXES[prefix] * factor, family) for prefix in choices}
 
 
 def _spelled(words: str, factor: float, family: str) -> dict:
     return {
-        f"{prefix}{word}{end}": (own * factor, family)
-        for prefix, own in SPELLED.items()
+        f"{prefix}{word}{end}": (scale * factor, family)
+        for prefix, scale in PREFIX_WORDS.items()
         for word in words.split()
         for end in ("", "s")
     }
@@ -50,7 +50,7 @@ def _words(words: str, factor: float, family: str) -> dict:
     return dict.fromkeys(words.split(), (factor, family))
 
 
-KNOWN: dict[str, tuple[float, str]] = {
+KNOWN_UNITS: dict[str, tuple[float, str]] = {
     **_prefixed("m", "pnumcdk", 1.0, "length"),
     **_spelled("meter metre", 1.0, "length"),
     **_words("micron microns mic", 1e-6, "length"),
@@ -76,38 +76,38 @@ KNOWN: dict[str, tuple[float, str]] = {
     **_prefixed("Pa", "umhkMG", 1.0, "pressure"),
     **_spelled("pascal", 1.0, "pressure"),
     **_prefixed("bar", "mk", 1e5, "pressure"),
-    **_words("psi", POUND / INCH**2, "pressure"),
-    **_words("ksi", 1e3 * POUND / INCH**2, "pressure"),
+    **_words("psi", POUND_FORCE / INCH**2, "pressure"),
+    **_words("ksi", 1e3 * POUND_FORCE / INCH**2, "pressure"),
     **_words("dyn dyne dynes", 1e-5, "force"),
     **_prefixed("N", "numkM", 1.0, "force"),
     **_spelled("newton", 1.0, "force"),
     **_words("kgf kp", KILOPOND, "force"),
     **_words("gf", 1e-3 * KILOPOND, "force"),
-    **_words("lbf lb lbs", POUND, "force"),
+    **_words("lbf lb lbs", POUND_FORCE, "force"),
     **_words("kmh kph", 1.0 / 3.6, "velocity"),
     **_words("mph", 0.44704, "velocity"),
     **_words("K kelvin", 1.0, "temperature"),
     **_words("1 - . \u2013 \u2014 # none dimensionless unitless", 1.0, "number"),
     **_words("%", 0.01, "number"),
 }
-FOLDED = {word.lower(): own for word, own in reversed(KNOWN.items()) if len(word) > 1} | {
-    name.lower(): KNOWN[name] for name in ("MPa", "MHz", "s")
-}
+FOLDED_UNITS = {
+    word.lower(): entry for word, entry in reversed(KNOWN_UNITS.items()) if len(word) > 1
+} | {name.lower(): KNOWN_UNITS[name] for name in ("MPa", "MHz", "s")}
 ZERO = 273.15  # K at 0 °C
 CELSIUS = ("°c", "c", "degc", "deg c", "deg. c", "celsius", "degrees celsius", "ºc", "oc")
 FAHRENHEIT = ("°f", "degf", "deg f", "fahrenheit")
-RAISED = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁻", "0123456789-")
-SCALED = re.compile(
+SUPERSCRIPTS = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁻", "0123456789-")
+SCALED_UNIT = re.compile(
     r"[x×*]?\s*(?:10(?:\^|(?=[⁰-⁹⁻¹²³]))|1?[eE])([-+⁻]?[\d⁰-⁹¹²³]+)\s*[*·×x]?\s*(\D.*)"
 )
-CLOCK = ("PM", "AM")  # of a time of day, and not picometres
-FACTOR = re.compile(r"([^\W\d_]+|[%°#–—-]|1(?!\d))\^?\(?([+-]?\d+)?\)?")  # noqa: RUF001
+CLOCK_WORDS = ("PM", "AM")  # of a time of day; PM is not picometre
+UNIT_FACTOR = re.compile(r"([^\W\d_]+|[%°#–—-]|1(?!\d))\^?\(?([+-]?\d+)?\)?")  # noqa: RUF001
 
 
 class Unit(NamedTuple):
-    """A unit that is known: value * factor + offset is in SI units, frequencies in rad/s."""
+    """Known unit: value * factor + offset is in SI units, frequencies in rad/s."""
 
-    text: str  # as it is written
+    text: str  # as written
     family: str  # one of FAMILIES: length, time, velocity, frequency, rate, pressure …
     factor: float
     offset: float = 0.0
@@ -119,57 +119,57 @@ class Unit(NamedTuple):
 
 @lru_cache(maxsize=1000)
 def unit_of(text: str) -> Unit | None:
-    """Return the unit that a text is, or None where it is none that is known.
+    """Return the unit with this spelling, or None if it is unknown.
 
-    Products and quotients of known units are known where they are of one of FAMILIES. The case
-    of letters counts where it tells units apart, as mPa from MPa; else MM/S and HZ are known.
+    Products and quotients of known units are known if their dimension is in FAMILIES. Letter case
+    matters only if it distinguishes units, such as mPa and MPa; MM/S and HZ are known.
     """
-    scaled = SCALED.fullmatch(text.strip().strip("[](){}<>"))
+    scaled = SCALED_UNIT.fullmatch(text.strip().strip("[](){}<>"))
     if scaled:
-        own = unit_of(scaled[2])
-        power = int(scaled[1].translate(RAISED))
-        return own and own._replace(text=text, factor=own.factor * 10.0**power)
-    plain = _plain(text)
+        base = unit_of(scaled[2])
+        power = int(scaled[1].translate(SUPERSCRIPTS))
+        return base and base._replace(text=text, factor=base.factor * 10.0**power)
+    plain = _normalised(text)
     if plain.lower() in CELSIUS:
         return Unit(text, "temperature", 1.0, ZERO)
     if plain.lower() in FAHRENHEIT:
         return Unit(text, "temperature", 5.0 / 9.0, 459.67 * 5.0 / 9.0)
-    if not plain or plain in CLOCK:
+    if not plain or plain in CLOCK_WORDS:
         return None
-    if plain in KNOWN:
-        factor, family = KNOWN[plain]
+    if plain in KNOWN_UNITS:
+        factor, family = KNOWN_UNITS[plain]
         return Unit(text, family, factor)
     factor, dimension, single = 1.0, np.zeros(5, int), "/" not in plain and "*" not in plain
     for number, part in enumerate(plain.split("/")):
         for word in filter(None, part.split("*")):
-            match = FACTOR.fullmatch(word)
-            known = match and _known(match[1], single)
+            match = UNIT_FACTOR.fullmatch(word)
+            known = match and _unit_factor(match[1], single)
             if not match or not known:
                 return None
             power = int(match[2] or 1) * (1 if number == 0 else -1)
             factor *= known[0] ** power
             dimension += power * np.array(DIMENSIONS[known[1]])
-    found = FAMILIES.get(tuple(dimension.tolist()))
-    return Unit(text, found, factor) if found else None
+    product_family = FAMILIES.get(tuple(dimension.tolist()))
+    return Unit(text, product_family, factor) if product_family else None
 
 
 def is_product(text: str) -> bool:
-    """Return whether a text of several words is a product of known units, of whatever dimension."""
+    """Return whether a text of several words is a product of known units of any dimension."""
     words = text.split()
     return len(words) > 1 and all(unit_of(word) for word in words)
 
 
-def _known(word: str, single: bool) -> tuple[float, str] | None:
-    """Return factor and family of a word; a single M is no metre, while M/S is m/s."""
-    if word in KNOWN:
-        return KNOWN[word]
+def _unit_factor(word: str, single: bool) -> tuple[float, str] | None:
+    """Return factor and family of a word. M means metre in M/S, but not on its own."""
+    if word in KNOWN_UNITS:
+        return KNOWN_UNITS[word]
     if word == "M" and not single:
-        return KNOWN["m"]
-    return FOLDED.get(word.lower())
+        return KNOWN_UNITS["m"]
+    return FOLDED_UNITS.get(word.lower())
 
 
-def _plain(text: str) -> str:
-    """Return a unit in one way of writing it: u for micro, * between factors, / for per."""
+def _normalised(text: str) -> str:
+    """Return a unit in normalised spelling: u for micro, * between factors, / for per."""
     word = unicodedata.normalize("NFKC", text.strip().strip("[](){}<>").strip())
     word = word.replace("μ", "u").replace("\u2212", "-").replace("**", "^")
     word = re.sub(r"\s+per\s+|\s*/\s*", "/", word)

@@ -196,7 +196,7 @@ def test_columns_and_units_that_are_given():
             "f [Hz],G' [V],G'' [V]\n1,2,3\n2,3,4\n",
             "'V' of a storage modulus is not known; give --m",
         ),
-        ("t [s],G' [Pa],G'' [Pa]\n1,2,3\n2,3,4\n", "in 's', which is no unit of a frequency"),
+        ("t [s],G' [Pa],G'' [Pa]\n1,2,3\n2,3,4\n", "in 's', not a unit of a frequency"),
         ("f [1/s],G' [Pa],G'' [Pa]\n1,2,3\n2,3,4\n", "'1/s' may be Hz or rad/s; give --frequency"),
         ("freq,omega,G',G''\n1,2,3,4\n2,3,4,5\n", "not clear"),
         ("a b c\n1 2 3\n2 3 4\n", "columns 0 a, 1 b, 2 c, from 0: it is not clear"),
@@ -254,7 +254,7 @@ def test_what_was_read_is_one_line():
     ("data", "words"),
     [
         (b"PK\x03\x04 no more", "is a zip archive: unpack it and name one file"),
-        (b"\x89HDF\r\n\x1a\n no more", "it is no text"),
+        (b"\x89HDF\r\n\x1a\n no more", "it is not text"),
         (b"words alone", "holds no row of numbers"),
         (b"\xff\xfe\x00", "holds no row of numbers"),
         (None, "cannot be read: No such file"),

@@ -1,6 +1,6 @@
-"""What the lines are: the table [surface], and files of measured lines read and prepared.
+"""Surfaces: the table [surface], and the reading and preparation of measured lines.
 
-Knows the kernels' spectra and the settings, and no later stage.
+It depends on the spectra of the kernels and on the settings, and on no later stage.
 """
 
 from typing import TYPE_CHECKING
@@ -10,6 +10,6 @@ from ...ground import public_names
 if TYPE_CHECKING:
     from .profile import Profile, check_load, map_of_array, profile_of_array
     from .surface import Surface
-    from .table import LIKE, SURFACE, check_cutoff, lines_like, read_surface
+    from .table import LINE_KIND_KEYS, SURFACE, check_cutoff, lines_like, read_surface
 
 __all__, __getattr__, __dir__ = public_names(__name__, __file__)

@@ -1,4 +1,4 @@
-"""Files of measured lines: text, npy, netCDF, and what SurfaceTopography reads."""
+"""Readers of measured lines: text, npy, netCDF, and the formats of SurfaceTopography."""
 
 from typing import Any
 
@@ -11,116 +11,118 @@ from .positions import rounding
 from .raw_lines import KEY, LineFile, Lines, RawLines, check_numbered, lines_of, plain, row_spacing
 from .text_lines import read_text_lines
 
-USUAL_COLUMNS = (0, 1)
-MOST_VALUES = 10**8  # heights in a netCDF file, of which a compressed one of 8 kB may hold more
-ARCHIVED = (".x3p", ".npy")  # formats that are archives, or may hold one
-NOT_PLAIN = (".sdf", ".ezd", ".nid", ".plu")  # text, but with headers that scale the numbers
+DEFAULT_COLUMNS = (0, 1)
+MAX_HEIGHTS = 10**8  # in a netCDF file; 8 kB may expand to more by compression
+ARCHIVE_SUFFIXES = (".x3p", ".npy")  # formats that are, or contain, archives
+SCALED_TEXT_SUFFIXES = (".sdf", ".ezd", ".nid", ".plu")  # text with headers that scale the numbers
 
 
-def read_lines(asked: LineFile) -> Lines:
+def read_lines(file: LineFile) -> Lines:
     """Return the lines of a file in m.
 
-    ``.npy`` and ``.nc`` are known by their suffix, text by what it is, whatever its suffix; the
-    rest goes to SurfaceTopography. Raises UserError, one line that names key and file, for a file
-    that cannot be read, and as ``lines_of``.
+    ``.npy`` and ``.nc`` are recognised by suffix, and text by its content. SurfaceTopography reads
+    other files. Raises UserError, one line that names key and file, for a file that cannot be
+    read, and as ``lines_of`` does.
     """
-    suffix = asked.path.suffix.lower()
-    reader = {".npy": _npy, ".nc": _netcdf}.get(suffix)
+    suffix = file.path.suffix.lower()
+    reader = {".npy": _read_npy, ".nc": _read_netcdf}.get(suffix)
     try:
-        open_plain(asked.path, linked=True).close()  # the readers of others open pipes too
+        open_plain(file.path, linked=True).close()  # other readers would open pipes
         if reader is None:
-            data = read_plain(asked.path)
+            data = read_plain(file.path)
             kind = archive_kind(data)
-            if kind and suffix not in ARCHIVED:
+            if kind and suffix not in ARCHIVE_SUFFIXES:
                 raise UserError(
-                    f"{KEY} = {asked.name!r}: is {kind}: unpack it and name one of its files"
+                    f"{KEY} = {file.name!r}: is {kind}: unpack it and name one of its files"
                 )
-            text = is_text(data) and suffix not in NOT_PLAIN
-            reader = read_text_lines if text else _with_surface_topography
-        return lines_of(asked, reader(asked))
+            text = is_text(data) and suffix not in SCALED_TEXT_SUFFIXES
+            reader = read_text_lines if text else _read_with_surface_topography
+        return lines_of(file, reader(file))
     except (OSError, EOFError, ValueError, TypeError, RuntimeError) as error:
         reason = getattr(error, "strerror", None) or str(error).partition("\n")[0]
-        raise UserError(f"{KEY} = {asked.name!r}: cannot be read: {reason}") from None
+        raise UserError(f"{KEY} = {file.name!r}: cannot be read: {reason}") from None
 
 
-def _npy(asked: LineFile) -> RawLines:
-    values = np.load(asked.path, mmap_mode="r", allow_pickle=False)  # no more than is there
+def _read_npy(file: LineFile) -> RawLines:
+    values = np.load(file.path, mmap_mode="r", allow_pickle=False)  # within the file
     if not isinstance(values, np.ndarray):
         raise ValueError("holds several arrays")
-    columns = asked.columns or (USUAL_COLUMNS if asked.step is None else (0,))
-    check_numbered(asked)
-    if values.ndim == 1 and asked.step is not None:
+    columns = file.columns or (DEFAULT_COLUMNS if file.step is None else (0,))
+    check_numbered(file)
+    if values.ndim == 1 and file.step is not None:
         values = values[:, None]
     if values.ndim != 2 or values.shape[1] <= max(columns) or values.dtype.kind not in "fiu":
         raise UserError(
-            f"{KEY} = {asked.name!r}: holds an array of shape {values.shape} and type "
+            f"{KEY} = {file.name!r}: holds an array of shape {values.shape} and type "
             f"{values.dtype}: must be numbers, a row per sample, with columns {list(columns)}"
         )
     table = values[:, columns].T.astype(float)
-    if asked.step is not None:
-        return RawLines(table, None, np.empty(0), asked.step, (), f"columns {list(columns)}")
-    known = np.full(table.shape[1], rounding(values[:, columns[0]]))
-    return RawLines(table[1:], table[0], known, None, (), f"columns {list(columns)}")
+    if file.step is not None:
+        return RawLines(table, None, np.empty(0), file.step, (), f"columns {list(columns)}")
+    precision = np.full(table.shape[1], rounding(values[:, columns[0]]))
+    return RawLines(table[1:], table[0], precision, None, (), f"columns {list(columns)}")
 
 
-def _netcdf(asked: LineFile) -> RawLines:
+def _read_netcdf(file: LineFile) -> RawLines:
     import netCDF4
 
-    if why := unreadable([asked.path]).get(asked.path):
+    if why := unreadable([file.path]).get(file.path):
         raise ValueError(why)
-    with netCDF4.Dataset(asked.path) as data:
-        x, z = _variables(asked, data.variables)
-        if z.size > MOST_VALUES:
-            raise ValueError(f"{z.size} heights, more than {MOST_VALUES}")
-        own = tuple(str(getattr(v, "units", getattr(v, "unit", ""))) for v in (x, z))
-        known = np.full(x.size, rounding(x[:]))
+    with netCDF4.Dataset(file.path) as data:
+        x, z = _variables(file, data.variables)
+        if z.size > MAX_HEIGHTS:
+            raise ValueError(f"{z.size} heights, more than {MAX_HEIGHTS}")
+        units = tuple(str(getattr(v, "units", getattr(v, "unit", ""))) for v in (x, z))
+        precision = np.full(x.size, rounding(x[:]))
         heights = np.moveaxis(plain(z[:]), z.dimensions.index(x.dimensions[0]), -1)
-        told = f"variables {x.name} and {z.name}"
+        description = f"variables {x.name} and {z.name}"
         across = [data.variables.get(name) for name in z.dimensions if name not in x.dimensions]
         rows = None
         if len(across) == 1 and across[0] is not None:
-            unit = str(getattr(across[0], "units", getattr(across[0], "unit", own[0])))
+            unit = str(getattr(across[0], "units", getattr(across[0], "unit", units[0])))
             rows = row_spacing(plain(across[0][:]), unit)
-        return RawLines(heights.reshape(-1, x.size), plain(x[:]), known, None, own, told, rows)
+        return RawLines(
+            heights.reshape(-1, x.size), plain(x[:]), precision, None, units, description, rows
+        )
 
 
-def _variables(asked: LineFile, variables: dict) -> tuple:
+def _variables(file: LineFile, variables: dict) -> tuple:
     """Return the variables of positions and heights of a netCDF file."""
-    if asked.columns:
-        names = asked.columns
+    if file.columns:
+        names = file.columns
     else:
         heights = [n for n, v in variables.items() if v.ndim and (n,) != v.dimensions]
         along = variables[heights[0]].dimensions if len(heights) == 1 else ("",)
         names = ("x" if "x" in along else along[-1], *heights)
     if len(names) != 2 or any(name not in variables for name in names):
         raise UserError(
-            f"{KEY} = {asked.name!r}: holds the variables {', '.join(variables)}: name positions "
+            f"{KEY} = {file.name!r}: holds the variables {', '.join(variables)}: name positions "
             'and heights, as surface.columns = ["x", "height"]'
         )
     x, z = (variables[name] for name in names)
     if x.ndim != 1 or not set(x.dimensions) <= set(z.dimensions):
         raise UserError(
-            f"{KEY} = {asked.name!r}: {names[0]!r} holds no positions of the samples of "
-            f"{names[1]!r}: must be of one dimension that both have"
+            f"{KEY} = {file.name!r}: {names[0]!r} does not hold the positions of the samples "
+            f"of {names[1]!r}: must have one dimension, shared with the heights"
         )
     return x, z
 
 
-def _with_surface_topography(asked: LineFile) -> RawLines:
+def _read_with_surface_topography(file: LineFile) -> RawLines:
     try:
         import SurfaceTopography
     except ImportError:
         raise UserError(
-            f"{KEY} = {asked.name!r}: files {asked.path.suffix or 'without suffix'} that are no "
+            f"{KEY} = {file.name!r}: files {file.path.suffix or 'without suffix'} that are not "
             "text are read by SurfaceTopography, which is not installed: pip install "
             "SurfaceTopography"
         ) from None
     try:
-        topography: Any = SurfaceTopography.read_topography(str(asked.path))
-    except Exception as error:  # readers of forty formats raise what they like
-        said = str(error).partition("\n")[0].rstrip(": ")
-        tried = "" if said.startswith("tried") else f" ({said})"
-        raise ValueError(f"no reader of SurfaceTopography knows it{tried}") from error
+        topography: Any = SurfaceTopography.read_topography(str(file.path))
+    except Exception as error:  # the readers of forty formats raise any exception
+        reason = str(error).partition("\n")[0].rstrip(": ")
+        detail = "" if reason.startswith("tried") else f" ({reason})"
+        raise ValueError(f"no reader of SurfaceTopography recognises it{detail}") from error
     unit, rows = str(topography.unit or ""), None
     if topography.dim == 2:  # a map: every row along x is a line
         x = np.arange(topography.nb_grid_pts[0]) * topography.pixel_size[0]
@@ -129,6 +131,6 @@ def _with_surface_topography(asked: LineFile) -> RawLines:
     else:
         x, z = topography.positions_and_heights()
         heights = plain(z)[None, :]
-    known = np.full(len(x), rounding(x))
-    told = f"read by SurfaceTopography as a {'map' if topography.dim == 2 else 'line'}"
-    return RawLines(heights, plain(x), known, None, (unit, unit), told, rows)
+    precision = np.full(len(x), rounding(x))
+    description = f"read by SurfaceTopography as a {'map' if topography.dim == 2 else 'line'}"
+    return RawLines(heights, plain(x), precision, None, (unit, unit), description, rows)

@@ -1,8 +1,8 @@
-"""How much neighbouring lines are alike, as rows of a map are: how many make one independent line.
+"""Correlation of neighbouring lines, such as the rows of a map.
 
-Rows that lie closer than the waves of the surface are no independent lines, and the scatter of
-their mean is not that of a row over the root of their number. Blocks of rows longer than the
-correlation are nearly independent (M. Kendall's effective number; batch means).
+Rows that are closer than the waves of the surface are not independent. The standard error of their
+mean then exceeds that of independent rows. Blocks of rows longer than the correlation length are
+nearly independent (M. Kendall's effective number; batch means).
 """
 
 import math
@@ -10,68 +10,70 @@ from typing import NamedTuple
 
 import numpy as np
 
-LEAST = 0.2  # correlation of neighbours below which lines count as independent
-CHANCE = 5.0  # standard deviations of the correlation of independent lines
-GONE = 0.05  # correlation from which on lines have nothing more in common
-LONG = 1.4  # blocks, in lengths of the correlation: they hold nine tenths of a standard error
-FEWEST = 4  # blocks
-SPARE = 1.25  # blocks may be so much longer to leave out fewer lines
+MIN_CORRELATION = 0.2  # of neighbours; below it lines count as independent
+CHANCE_DEVIATIONS = 5.0  # threshold, in standard deviations for independent lines
+NEGLIGIBLE_CORRELATION = 0.05  # the sum over lags ends here
+BLOCK_LENGTHS = 1.4  # size of a block, in correlation lengths: yields 90 % of the standard error
+USUAL_MIN_BLOCKS = 4
+MAX_BLOCK_GROWTH = 1.25  # factor on the block size, to leave out fewer lines
 
 
 class LineCorrelation(NamedTuple):
-    """What neighbouring lines have in common."""
+    """Correlation of neighbouring lines and its length."""
 
     correlation: float  # of the heights of neighbours
-    lines: float  # that are worth one independent line: 1 + 2 sum of the correlations
+    lines: float  # equivalent to one independent line: 1 + 2 sum of the correlations
 
     @property
     def block(self) -> int:
-        """Return how many lines a block must hold."""
-        return math.ceil(LONG * self.lines)
+        """Return the smallest number of lines in a block."""
+        return math.ceil(BLOCK_LENGTHS * self.lines)
 
     def whole_blocks(self, lines: int, every: bool) -> tuple[int, int]:
-        """Return how many of some lines are taken, and how many make a block.
+        """Return the number of lines to use, and the number of lines in a block.
 
-        There are two blocks at least, and four where lines are so many.
+        There are at least two blocks, and at least four from eight lines on.
 
-        every : whether all of them must be; else a few are left out that fill no block.
+        every : whether to use all lines; otherwise the lines of an incomplete block are left out.
         """
-        longest = max(lines // FEWEST if lines >= 2 * FEWEST else lines // 2, 1)
-        least = min(self.block, longest)
+        longest = max(lines // USUAL_MIN_BLOCKS if lines >= 2 * USUAL_MIN_BLOCKS else lines // 2, 1)
+        shortest = min(self.block, longest)
         if every:
-            whole = [size for size in range(1, longest + 1) if lines % size == 0]
-            return lines, min((size for size in whole if size >= least), default=whole[-1])
-        sizes = range(least, min(int(SPARE * least), longest) + 1)
+            divisors = [size for size in range(1, longest + 1) if lines % size == 0]
+            return lines, min((size for size in divisors if size >= shortest), default=divisors[-1])
+        sizes = range(shortest, min(int(MAX_BLOCK_GROWTH * shortest), longest) + 1)
         block = max(sizes, key=lambda size: (lines // size * size, -size))
         return lines // block * block, block
 
 
 def line_correlation(heights: np.ndarray) -> LineCorrelation | None:
-    """Return what neighbouring lines have in common, None where they are independent.
+    """Return the correlation of neighbouring lines, or None if they are independent.
 
-    heights : shape (lines, n), levelled. Whether they are alike is judged by the first quarter of
-    the modes, each counted alike: long waves are so few that independent lines may agree in them.
+    heights : shape (lines, n), levelled. The test for independence weights the first quarter of the
+    modes equally, since independent lines may agree by chance in the few longest waves.
     """
     lines, samples = heights.shape
     if lines < 2:
         return None
     modes = np.fft.rfft(heights, axis=1)[:, 1 : max(samples // 8, 3)]
     power = np.mean(np.abs(modes) ** 2, axis=0)
-    both = np.mean((modes[1:] * modes[:-1].conj()).real, axis=0)
+    cross_power = np.mean((modes[1:] * modes[:-1].conj()).real, axis=0)
     known = power > 0.0
-    coherence = float(np.mean(both[known] / power[known])) if known.any() else 0.0
-    if coherence < max(LEAST, CHANCE / math.sqrt(2.0 * known.sum() * (lines - 1))):
+    coherence = float(np.mean(cross_power[known] / power[known])) if known.any() else 0.0
+    if coherence < max(
+        MIN_CORRELATION, CHANCE_DEVIATIONS / math.sqrt(2.0 * known.sum() * (lines - 1))
+    ):
         return None
     total, first = 1.0, _correlation(heights, 1)
     for lag in range(1, lines // 2 + 1):
         correlation = _correlation(heights, lag)
-        if correlation < GONE:
+        if correlation < NEGLIGIBLE_CORRELATION:
             break
         total += 2.0 * correlation
     return LineCorrelation(first, total)
 
 
 def _correlation(heights: np.ndarray, lag: int) -> float:
-    """Return the correlation of the heights of lines so many lines apart."""
-    one, other = heights[:-lag], heights[lag:]
-    return float(np.sum(one * other) / math.sqrt(np.sum(one**2) * np.sum(other**2)))
+    """Return the correlation of the heights of lines that are ``lag`` lines apart."""
+    first, second = heights[:-lag], heights[lag:]
+    return float(np.sum(first * second) / math.sqrt(np.sum(first**2) * np.sum(second**2)))

@@ -1,4 +1,4 @@
-"""Measured lines, and maps of a half-space: levelled, periodic, and all sampled alike."""
+"""Prepared measured lines, and maps for a half-space: levelled and periodic."""
 
 import hashlib
 from typing import NamedTuple
@@ -10,24 +10,24 @@ from ....kernels.half_space.surface import map_amplitudes, rms_slope_of
 from ...ground import UserError
 from .files import read_lines
 from .line_correlation import LineCorrelation, line_correlation
-from .positions import UNEVEN
+from .positions import STEP_TOLERANCE
 from .raw_lines import KEY, MIN_SAMPLES, LineFile, plain
 
-SLOPES = 1e-5, 30.0  # of lines with heights and lengths in one unit
-LOADS = 1e-8, 1e6  # F_N/(4 G L h)
-quietly = np.errstate(all="ignore")  # heights of 1e200 m, lengths of 1e-320 m: the slope refuses
+SLOPE_LIMITS = 1e-5, 30.0  # of lines with heights and lengths in one unit
+LOAD_LIMITS = 1e-8, 1e6  # F_N/(4 G L h)
+quietly = np.errstate(all="ignore")  # extreme heights and lengths: check_slope refuses them
 
 
 class Profile(NamedTuple):
     """Prepared lines, or maps, of one measurement, in m; row i is the line of realization i."""
 
-    # Read only, one element per sample: shape (lines, n), of a half-space (maps, n, n), or
-    # (maps, 1, n) of line contacts.
+    # Read only, one element per sample: shape (lines, n); for a half-space (maps, n, n), or
+    # (maps, 1, n) for line contacts.
     heights: np.ndarray
     length: float  # m, of the period: n steps
-    measured_length: float  # m, of a line as it was measured: half the period if mirrored
-    notes: str  # where the lines come from and what was done to them
-    digest: str  # of the heights: what a stored result depends on
+    measured_length: float  # m, of a measured line: half the period if mirrored
+    notes: str  # source and preparation of the lines
+    digest: str  # of the heights; part of the identity of a stored result
     correlation: LineCorrelation | None = None  # of neighbouring lines; None: independent
 
     @property
@@ -37,73 +37,73 @@ class Profile(NamedTuple):
 
     @property
     def amplitudes(self) -> np.ndarray:
-        """Return the rms amplitudes of the modes over all lines (m), shape (n/2,); of a map |h_q|.
+        """Return the rms amplitudes of the modes over all lines (m), shape (n/2,).
 
-        Those of a map are as of a ring.
+        For maps, they are the amplitudes of rings of wave vectors.
         """
         if self.heights.ndim == 2:
             return measured_amplitudes(self.heights)
-        return np.sqrt(np.mean([map_amplitudes(own) ** 2 for own in self.heights], axis=0))
+        return np.sqrt(np.mean([map_amplitudes(grid) ** 2 for grid in self.heights], axis=0))
 
     @property
     def roughness(self) -> float:
-        """Return the rms height over all lines, each about its own mean (m)."""
-        return float(np.sqrt(np.mean(np.var(self.heights, axis=_of_each(self.heights)))))
+        """Return the rms height over all lines, about the mean of each line (m)."""
+        return float(np.sqrt(np.mean(np.var(self.heights, axis=_line_axes(self.heights)))))
 
     @property
     def slope(self) -> float:
-        """Return the spectral rms slope over all lines; of maps that of the full gradient."""
+        """Return the spectral rms slope over all lines; for maps that of the full gradient."""
         rms = rms_slope if self.heights.ndim == 2 else rms_slope_of
         return float(np.divide(rms(self.amplitudes, self.heights.shape[-1]), self.spacing))
 
 
-def _of_each(heights: np.ndarray) -> tuple[int, ...]:
-    """Return the axes of one line, or of one map."""
+def _line_axes(heights: np.ndarray) -> tuple[int, ...]:
+    """Return the axes of a line, or of a map."""
     return tuple(range(1, heights.ndim))
 
 
 @quietly
-def read_profile(asked: LineFile, detrend: str, periodic: str) -> Profile:
+def read_profile(file: LineFile, detrend: str, periodic: str) -> Profile:
     """Return the prepared lines of a file. Raises UserError, one line that names key and file."""
-    lines = read_lines(asked)
+    lines = read_lines(file)
     levelled = level(lines.heights, detrend)
-    check_not_flat(f"{KEY} = {asked.name!r}", levelled, lines.heights)
-    notes, hint = f"{lines.notes}; {_told(detrend, periodic)}", ""
-    if found := spikes(levelled):
-        hint = f"; {found} samples stand out as spikes"
+    check_not_flat(f"{KEY} = {file.name!r}", levelled, lines.heights)
+    notes, hint = f"{lines.notes}; {_preparation_text(detrend, periodic)}", ""
+    if spike_count := spikes(levelled):
+        hint = f"; {spike_count} samples stand out as spikes"
         notes += f"{hint}, kept"
     whole = make_periodic(levelled, periodic)
-    return _measured(asked, whole, lines.step, periodic, notes, hint)._replace(
+    return _measured_profile(file, whole, lines.step, periodic, notes, hint)._replace(
         correlation=line_correlation(levelled)
     )
 
 
 @quietly
-def read_map(asked: LineFile, detrend: str, periodic: str) -> Profile:
-    """Return the prepared map of a file, the largest square in its middle. Raises UserError.
+def read_map(file: LineFile, detrend: str, periodic: str) -> Profile:
+    """Return the prepared map of a file: the largest square at its centre. Raises UserError.
 
-    Its rows must be as far apart as the samples of a row, and are where the file does not say.
+    The row spacing must equal the sample spacing. This is assumed if the file does not state it.
     """
-    what = f"{KEY} = {asked.name!r}"
-    if asked.gaps == "drop":
+    prefix = f"{KEY} = {file.name!r}"
+    if file.gaps == "drop":
         raise UserError('surface.gaps = "drop": leaves rows out of a map; use "fill"')
-    lines = read_lines(asked)
+    lines = read_lines(file)
     rows, samples = lines.heights.shape
     if rows < MIN_SAMPLES:
         raise UserError(
-            f"{what}: {rows} rows of {samples} samples are no map, which a half-space needs; use "
-            'scene.body = "foundation", or scene.run with a line contact'
+            f"{prefix}: {rows} rows of {samples} samples are not a map, which a half-space needs; "
+            'use scene.body = "foundation", or scene.run with a line contact'
         )
-    if lines.row_spacing is not None and abs(lines.row_spacing / lines.step - 1.0) > UNEVEN:
+    if lines.row_spacing is not None and abs(lines.row_spacing / lines.step - 1.0) > STEP_TOLERANCE:
         raise UserError(
-            f"{what}: its rows are {lines.row_spacing:.4g} m apart and samples "
+            f"{prefix}: its rows are {lines.row_spacing:.4g} m apart and samples "
             f"{lines.step:.4g} m: a half-space needs a map of square cells"
         )
     side = min(rows, samples)
     top, left = (rows - side) // 2, (samples - side) // 2
     square = lines.heights[top : top + side, left : left + side]
     levelled = _level_map(square, detrend)
-    check_not_flat(what, levelled[None], square[None])
+    check_not_flat(prefix, levelled[None], square[None])
     assumed = " (assumed)" if lines.row_spacing is None else ""
     cut = "" if rows == samples else f"; the middle {side} x {side} of {rows} x {samples}"
     notes = (
@@ -111,18 +111,18 @@ def read_map(asked: LineFile, detrend: str, periodic: str) -> Profile:
         f"{periodic}"
     )
     whole = make_periodic(make_periodic(levelled, periodic).T, periodic).T
-    return _measured(asked, whole[None], lines.step, periodic, notes)
+    return _measured_profile(file, whole[None], lines.step, periodic, notes)
 
 
-def _measured(
-    asked: LineFile, heights: np.ndarray, step: float, periodic: str, notes: str, hint: str = ""
+def _measured_profile(
+    file: LineFile, heights: np.ndarray, step: float, periodic: str, notes: str, hint: str = ""
 ) -> Profile:
-    """Return the profile of heights that are one period, with what they are like in its notes."""
+    """Return the profile of one period of heights, with its rms height and slope in the notes."""
     length = step * heights.shape[-1]
-    profile = _profile(heights, length, PERIODICS[periodic], notes)
-    check_slope(f"{KEY} = {asked.name!r}", f"check surface.units{hint}", profile)
-    said = f"; h = {profile.roughness:.4g} m, rms slope {profile.slope:.4g}"
-    return profile._replace(notes=profile.notes + said)
+    profile = _read_only_profile(heights, length, PERIODICS[periodic], notes)
+    check_slope(f"{KEY} = {file.name!r}", f"check surface.units{hint}", profile)
+    statistics = f"; h = {profile.roughness:.4g} m, rms slope {profile.slope:.4g}"
+    return profile._replace(notes=profile.notes + statistics)
 
 
 @quietly
@@ -130,7 +130,7 @@ def profile_of_array(heights: object, length: float) -> Profile:
     """Return the profile of heights given in m, shape (n,) or (lines, n), one period each.
 
     length : of the period (m), n steps; one element per sample. Raises UserError that names the
-    argument, ``profile``.
+    argument ``profile``.
     """
     lines = heights_of_array(heights)
     if lines.ndim != 2 or not lines.size or lines.shape[1] < MIN_SAMPLES:
@@ -139,41 +139,47 @@ def profile_of_array(heights: object, length: float) -> Profile:
             "heights, or lines of them"
         )
     notes = f"given from Python: {len(lines)} of {lines.shape[1]} samples, one period as it is"
-    profile = _given(heights, lines, length, notes)
+    profile = _given_profile(heights, lines, length, notes)
     return profile._replace(correlation=line_correlation(level(lines, "mean")))
 
 
 @quietly
 def map_of_array(heights: object, length: float) -> Profile:
-    """Return the map of heights given in m, shape (n, n), or (n,) of a line contact; one period.
+    """Return the map of one period of heights in m, shape (n, n), or (n,) for a line contact.
 
     length : of the side (m), n steps; one element per sample. Raises UserError that names the
     argument, ``profile``.
     """
-    own = heights_of_array(heights)
-    if own.ndim != 2 or own.shape[0] not in (1, own.shape[1]) or own.shape[1] < MIN_SAMPLES:
+    values = heights_of_array(heights)
+    if (
+        values.ndim != 2
+        or values.shape[0] not in (1, values.shape[1])
+        or values.shape[1] < MIN_SAMPLES
+    ):
         raise UserError(
-            f"profile: has the shape {own.shape}: a half-space takes a square map (n, n), "
+            f"profile: has the shape {values.shape}: a half-space takes a square map (n, n), "
             f"the last axis along x, or a line contact (n,), of {MIN_SAMPLES} samples or more"
         )
-    what = "line contact" if own.shape[0] == 1 else "map"
-    notes = f"given from Python: a {what} of {own.shape}, one period as it is"
-    return _given(heights, own[None], length, notes)
+    kind = "line contact" if values.shape[0] == 1 else "map"
+    notes = f"given from Python: a {kind} of {values.shape}, one period as it is"
+    return _given_profile(heights, values[None], length, notes)
 
 
-def _given(heights: object, own: np.ndarray, length: float, notes: str) -> Profile:
-    """Return the profile of lines, or of one map, as they are once they are checked."""
-    check_finite(heights, own.reshape(-1, own.shape[-1]), "line" if own.ndim == 2 else "row")
-    check_not_flat("profile", own, own)
-    profile = _profile(own, length, 1, notes)
+def _given_profile(heights: object, values: np.ndarray, length: float, notes: str) -> Profile:
+    """Check lines, or one map, from Python, and return them as a profile."""
+    check_finite(
+        heights, values.reshape(-1, values.shape[-1]), "line" if values.ndim == 2 else "row"
+    )
+    check_not_flat("profile", values, values)
+    profile = _read_only_profile(values, length, 1, notes)
     check_slope("profile", "give heights and length both in m", profile)
     return profile
 
 
 def heights_of_array(heights: object) -> np.ndarray:
-    """Return heights that are given from Python, NaN where they are masked, in two dimensions.
+    """Return heights given from Python as an array of two or more dimensions, NaN if masked.
 
-    One dimension becomes one row; more than two stay. Raises UserError for what is no array.
+    One dimension becomes one row. Raises UserError if they do not form an array.
     """
     try:
         return np.atleast_2d(plain(heights))
@@ -182,68 +188,70 @@ def heights_of_array(heights: object) -> np.ndarray:
 
 
 def check_finite(given: object, heights: np.ndarray, row_name: str) -> None:
-    """Raise UserError for heights, shape (rows, n), that are not finite, or masked as given."""
+    """Raise UserError for heights, shape (rows, n), that are not finite or masked in ``given``."""
     if not np.isfinite(heights).all():
         row, sample = np.argwhere(~np.isfinite(heights))[0]
         masked = int(np.ma.count_masked(given))
-        gone = f", {masked} of {heights.size} are masked" if masked else ""
+        masked_text = f", {masked} of {heights.size} are masked" if masked else ""
         raise UserError(
             f"profile: sample {sample + 1} of {row_name} {row + 1} is {heights[row, sample]}: all "
-            f"must be finite{gone}; fill gaps in first"
+            f"must be finite{masked_text}; fill gaps in first"
         )
 
 
 def check_load(key: str, profile: Profile, load: np.ndarray) -> None:
-    """Raise UserError for loads F_N/(4 G L h) that no force in N on lines in m makes.
+    """Raise UserError for loads F_N/(4 G L h) that indicate wrong units of force or modulus.
 
-    L : the measured length. key : of the force, for the message.
+    L is the measured length. key : of the force, for the message.
     """
     low, high = float(np.min(load)), float(np.max(load))
-    if not (LOADS[0] <= low and high <= LOADS[1]):
+    if not (LOAD_LIMITS[0] <= low and high <= LOAD_LIMITS[1]):
         raise UserError(
             f"{key}: F_N/(4 G L h) runs from {low:.3g} to {high:.3g} on L = "
             f"{profile.measured_length:.3g} m with h = {profile.roughness:.3g} m, but must lie "
-            f"between {LOADS[0]:g} and {LOADS[1]:g}: give the force in N, the modulus in Pa"
+            f"between {LOAD_LIMITS[0]:g} and {LOAD_LIMITS[1]:g}: give the force in N and "
+            "the modulus in Pa"
         )
 
 
-def check_slope(what: str, hint: str, profile: Profile) -> None:
-    """Raise UserError for a slope that no surface in one unit has."""
-    if not SLOPES[0] <= profile.slope <= SLOPES[1]:
+def check_slope(prefix: str, hint: str, profile: Profile) -> None:
+    """Raise UserError for a slope that indicates different units of heights and length."""
+    if not SLOPE_LIMITS[0] <= profile.slope <= SLOPE_LIMITS[1]:
         raise UserError(
-            f"{what}: the rms slope of the heights is {profile.slope:.3g}, but must lie between "
-            f"{SLOPES[0]:g} and {SLOPES[1]:g}: {hint}"
+            f"{prefix}: the rms slope of the heights is {profile.slope:.3g}, but must lie between "
+            f"{SLOPE_LIMITS[0]:g} and {SLOPE_LIMITS[1]:g}: {hint}"
         )
 
 
-def _told(detrend: str, periodic: str) -> str:
-    """Return in words what was done to lines."""
+def _preparation_text(detrend: str, periodic: str) -> str:
+    """Return the preparation of lines in words."""
     removed = "nothing" if detrend == "none" else f"its {detrend}"
     made = {
         "none": "taken as one period, whether its ends meet or not",
         "mirror": "mirrored: the period is the line and then the line reversed, and normal_force "
         "presses on either half",
-        "taper": f"brought to its mean by a cosine over {TAPERED:.0%} of its length at either end",
+        "taper": f"brought to its mean by a cosine over {TAPER_SHARE:.0%} of its length at each "
+        "end",
     }
     return f"{removed} removed from each line, which is {made[periodic]}"
 
 
-def _profile(heights: np.ndarray, length: float, copies: int, notes: str) -> Profile:
-    own = np.array(heights, dtype=float, order="C")
-    own.setflags(write=False)
-    kind = "" if own.ndim == 2 else "map "
-    digest = hashlib.sha256(f"{kind}{own.shape}".encode() + own.tobytes()).hexdigest()
-    return Profile(own, length, length / copies, notes, digest)
+def _read_only_profile(heights: np.ndarray, length: float, copies: int, notes: str) -> Profile:
+    values = np.array(heights, dtype=float, order="C")
+    values.setflags(write=False)
+    kind = "" if values.ndim == 2 else "map "
+    digest = hashlib.sha256(f"{kind}{values.shape}".encode() + values.tobytes()).hexdigest()
+    return Profile(values, length, length / copies, notes, digest)
 
 
-DETRENDS = {"none": None, "mean": 0, "line": 1, "parabola": 2}  # degree of what is removed
-PERIODICS = {"none": 1, "mirror": 2, "taper": 1}  # how often a line goes into the period
-TAPERED = 0.1  # of the length, at either end
-FLAT = 1e-9  # of the largest height: what levelling leaves of a straight line by rounding
+DETRENDS = {"none": None, "mean": 0, "line": 1, "parabola": 2}  # degree of the removed polynomial
+PERIODICS = {"none": 1, "mirror": 2, "taper": 1}  # measured lengths in one period
+TAPER_SHARE = 0.1  # of the length, at either end
+FLAT_TOLERANCE = 1e-9  # of the largest height: rounding in a levelled straight line
 
 
 def level(heights: np.ndarray, detrend: str) -> np.ndarray:
-    """Return the heights, shape (lines, n), less the polynomial fitted to each line."""
+    """Subtract the polynomial fitted to each line from heights of shape (lines, n)."""
     degree = DETRENDS[detrend]
     if degree is None:
         return heights
@@ -255,7 +263,7 @@ def level(heights: np.ndarray, detrend: str) -> np.ndarray:
 
 
 def _level_map(heights: np.ndarray, detrend: str) -> np.ndarray:
-    """Return a map less the polynomial in x and y that is fitted to it: mean, plane, parabola."""
+    """Subtract the fitted polynomial in x and y from a map: mean, plane or parabola."""
     degree = DETRENDS[detrend]
     if degree is None:
         return heights
@@ -271,37 +279,37 @@ def _level_map(heights: np.ndarray, detrend: str) -> np.ndarray:
 
 
 def make_periodic(heights: np.ndarray, periodic: str) -> np.ndarray:
-    """Return one period of each line, shape (lines, n), or (lines, 2 n) where it is mirrored.
+    """Return one period of each line, shape (lines, n), or (lines, 2 n) if mirrored.
 
     ``mirror`` appends the line reversed. ``taper`` brings both ends to the mean height by a
-    cosine over a tenth of the length. ``none`` leaves a step where the ends do not meet.
+    cosine over a tenth of the length. ``none`` leaves a step if the ends differ.
     """
     if periodic == "mirror":
         return np.concatenate([heights, heights[:, ::-1]], axis=1)
     if periodic == "taper":
         samples = heights.shape[1]
         from_end = np.minimum(np.arange(samples), np.arange(samples)[::-1]) + 0.5
-        window = np.sin(0.5 * np.pi * np.minimum(1.0, from_end / (TAPERED * samples))) ** 2
+        window = np.sin(0.5 * np.pi * np.minimum(1.0, from_end / (TAPER_SHARE * samples))) ** 2
         mean = heights.mean(axis=1, keepdims=True)
         return mean + window * (heights - mean)
     return heights
 
 
 def spikes(heights: np.ndarray) -> int:
-    """Return how many samples stand out from both neighbours by over 10 usual differences.
+    """Return the number of samples that deviate from their neighbours by over 10 sigma.
 
-    The usual difference is the median, over the line, of a sample's distance from the mean of its
-    neighbours; where that is zero, nothing can be said.
+    The deviation is from the mean of both neighbours. Sigma follows from its median over the line;
+    lines where the median is zero are not examined.
     """
     curvature = heights[:, 1:-1] - 0.5 * (heights[:, :-2] + heights[:, 2:])
     usual = np.median(np.abs(curvature), axis=1, keepdims=True) / 0.6745  # sigma, if normal
     return int(np.count_nonzero((usual > 0.0) & (np.abs(curvature) > 10.0 * usual)))
 
 
-def check_not_flat(what: str, heights: np.ndarray, raw: np.ndarray) -> None:
-    """Raise UserError for a line, or a whole map, that is a plateau, without any roughness."""
-    axes = _of_each(heights)
-    flat = heights.std(axis=axes) <= FLAT * np.abs(raw).max(axis=axes)
+def check_not_flat(prefix: str, heights: np.ndarray, raw: np.ndarray) -> None:
+    """Raise UserError for a line, or a map, without roughness."""
+    axes = _line_axes(heights)
+    flat = heights.std(axis=axes) <= FLAT_TOLERANCE * np.abs(raw).max(axis=axes)
     if flat.any():
         line = f"line {int(np.argmax(flat)) + 1} of {flat.size} " if heights.ndim == 2 else ""
-        raise UserError(f"{what}: {line}is flat: needs heights that differ by more than a trend")
+        raise UserError(f"{prefix}: {line}is flat: needs heights that differ by more than a trend")

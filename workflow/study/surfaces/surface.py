@@ -1,4 +1,4 @@
-"""What the lines of a study are: random self-affine, measured, or random like measured ones."""
+"""Lines of a study: random self-affine lines, measured lines, or random lines like them."""
 
 from functools import lru_cache
 from typing import NamedTuple
@@ -9,29 +9,29 @@ from ....kernels import amplitudes, equivalent_of_cut, matching_rolloff
 from ..effects import FOUNDATION, HALF_SPACE
 from .profile import Profile
 
-LINES = ("measured", "random-phase", "equivalent", "self-affine")
-OF_MAPS = ("measured", "random-phase")  # those of them that maps can be
+LINE_KINDS = ("measured", "random-phase", "equivalent", "self-affine")
+MAP_KINDS = ("measured", "random-phase")  # available for maps
 
 
 class Surface(NamedTuple):
-    """What the lines are, in SI units."""
+    """Definition of the lines, in SI units."""
 
-    length: float  # m; of a measured line, before it was mirrored
+    length: float  # m; of a measured line before mirroring
     normalisation: str = "modal"
     snap_spacing: bool = False
     rolloff: float = 0.0  # m, the wavelength above which the spectrum is flat; 0: none
     cutoff: float = 0.0  # m, the shortest wavelength; 0: twice the spacing
-    profile: Profile | None = None  # what was measured
-    lines: str = "measured"  # with a profile: its lines, or random ones like them (LINES)
-    hurst: float = 1.0  # of lines that are self-affine like the measured ones
-    body: str = FOUNDATION  # what is behind it
+    profile: Profile | None = None  # measured lines
+    lines: str = "measured"  # with a profile: one of LINE_KINDS
+    hurst: float = 1.0  # of self-affine lines like the measured ones
+    body: str = FOUNDATION  # behind the surface
 
     @property
     def copies(self) -> float:
-        """Return how much longer than the measured one the period of a half-space's map is.
+        """Return the ratio of the period of a half-space's map to the measured length.
 
-        Mirrored both ways it carries four times the force on twice the length, so that F_N/L
-        doubles. On a line both double.
+        A map mirrored in both directions carries four times the force on twice the length, so that
+        F_N/L doubles. For a line both double, and 1 is returned.
         """
         if self.profile is None or self.body == FOUNDATION:
             return 1.0
@@ -39,18 +39,18 @@ class Surface(NamedTuple):
 
     @property
     def pressed_area(self) -> float:
-        """Return the area (m^2) that a nominal pressure acts on to make up the normal force.
+        """Return the area (m^2) on which the nominal pressure yields the normal force.
 
-        A half-space is a square of side L. Of a line of elements each length lambda_r, the longest
-        wave of its roughness, stands for a square of that side, so that F_N = sigma_0 lambda_r L.
+        A half-space is a square of side L. On a line of elements, every length lambda_r, the
+        longest wave of the roughness, represents a square of that side: F_N = sigma_0 lambda_r L.
         """
         longest = self.length if self.body == HALF_SPACE else self.rolloff or self.length
         return longest * self.length
 
     def modes(self, elements: int) -> tuple[float, int]:
-        """Return the wave numbers of roll-off and cut-off, in 2 pi/L; 0 where there is none.
+        """Return the wave numbers of roll-off and cut-off, in 2 pi/L; 0 without one.
 
-        A cut-off at what the elements resolve is none.
+        A cut-off at or above the highest resolved wave number counts as absent.
         """
         rolloff = self.length / self.rolloff if self.rolloff else 0.0
         last = int(self.length / self.cutoff * (1.0 + 1e-9)) if self.cutoff else elements // 2
@@ -58,11 +58,11 @@ class Surface(NamedTuple):
 
     @property
     def amplitudes(self) -> np.ndarray | None:
-        """The mode amplitudes (m) of random lines like measured ones; None: lines are others.
+        """Mode amplitudes (m) of random lines like measured ones; None for other lines.
 
         ``random-phase`` lines have the mean power spectrum of the measured ones, ``equivalent``
-        ones that of the line which stands for the isotropic surface they were cut from, and
-        ``self-affine`` ones their rms height and slope, by a long-wave roll-off.
+        ones that of the line that represents the isotropic surface they were cut from. The
+        ``self-affine`` ones have their rms height and slope, by a long-wave roll-off.
         """
         profile = self.profile
         if profile is None or self.lines == "measured":
@@ -73,37 +73,37 @@ class Surface(NamedTuple):
             return equivalent_of_cut(profile.amplitudes)
         elements = profile.heights.shape[-1]
         slope = profile.slope * profile.spacing / profile.roughness
-        return profile.roughness * _like(self.hurst, elements, slope)
+        return profile.roughness * _self_affine_amplitudes(self.hurst, elements, slope)
 
     @property
     def spectrum(self) -> np.ndarray | None:
-        """The mode amplitudes (m) of the lines, measured or like measured ones; None: others."""
+        """Mode amplitudes (m) of measured lines or lines like them; None for other lines."""
         modes = self.amplitudes
         return self.profile.amplitudes if self.profile is not None and modes is None else modes
 
     @property
     def description(self) -> str:
-        """What the lines are, in words; empty without a file."""
+        """Description of measured lines in words; empty without a file."""
         if self.profile is None:
             return ""
-        like = {
+        prefixes = {
             "measured": "",
             "random-phase": "random lines of the power spectrum of ",
             "equivalent": "random lines equivalent to the isotropic surface that was cut, of ",
             "self-affine": f"self-affine lines, H = {self.hurst:g}, of rms height and slope of ",
         }
-        return like[self.lines] + self.profile.notes
+        return prefixes[self.lines] + self.profile.notes
 
     @property
     def identity(self) -> str:
-        """What measured lines, and those made like them, are known by; empty without a file."""
+        """Identity of measured lines, or lines like them, in records; empty without a file."""
         if self.profile is None:
             return ""
-        own = f" H = {self.hurst!r}" if self.lines == "self-affine" else ""
-        return f"{self.profile.digest} {self.lines}{own}"
+        exponent = f" H = {self.hurst!r}" if self.lines == "self-affine" else ""
+        return f"{self.profile.digest} {self.lines}{exponent}"
 
 
 @lru_cache
-def _like(hurst: float, elements: int, slope: float) -> np.ndarray:
-    """Return the amplitudes (h) of self-affine lines of a slope (h/dx): found by halving."""
+def _self_affine_amplitudes(hurst: float, elements: int, slope: float) -> np.ndarray:
+    """Return the amplitudes (h) of self-affine lines of a slope (h/dx), found by bisection."""
     return amplitudes(hurst, elements, "modal", matching_rolloff(hurst, elements, slope))

@@ -1,4 +1,4 @@
-"""The table [surface]: random self-affine lines, or lines that were measured."""
+"""The table [surface]: settings of random self-affine lines and of measured lines."""
 
 from collections.abc import Mapping
 from functools import partial
@@ -22,10 +22,10 @@ from ..settings import (
 from .gaps import GAPS
 from .profile import DETRENDS, PERIODICS, read_map, read_profile
 from .raw_lines import LineFile, metres
-from .surface import LINES, OF_MAPS, Surface
+from .surface import LINE_KINDS, MAP_KINDS, Surface
 
 
-def _columns(key: str, value: object) -> tuple:
+def _as_columns(key: str, value: object) -> tuple:
     """Return columns as a tuple: whole numbers from 0, or two names of variables."""
     columns = tuple(value) if isinstance(value, list) else ()
     numbers = all(type(column) is int and column >= 0 for column in columns)
@@ -38,7 +38,7 @@ def _columns(key: str, value: object) -> tuple:
     return columns
 
 
-def _units(key: str, value: object) -> tuple[str, ...]:
+def _as_units(key: str, value: object) -> tuple[str, ...]:
     """Return the units of positions and heights as a tuple."""
     units = tuple(value) if isinstance(value, list) else ()
     known = all(isinstance(unit, str) and metres(unit) is not None for unit in units)
@@ -50,7 +50,7 @@ def _units(key: str, value: object) -> tuple[str, ...]:
     return units
 
 
-RANDOM = {
+RANDOM_KEYS = {
     "length": Key(
         positive,
         "The length L of the periodic line.",
@@ -80,7 +80,7 @@ RANDOM = {
         "about 2^H.",
         "m",
         default=0.0,
-        usual="none: the power law goes on to the length, as in the paper",
+        usual="none: the power law extends to the length, as in the paper",
     ),
     "cutoff": Key(
         positive,
@@ -92,7 +92,7 @@ RANDOM = {
         usual="twice the spacing, as in the paper",
     ),
 }
-MEASURED = {
+FILE_KEYS = {
     "file": Key(
         as_text,
         "A file of measured lines beside `study.toml`: text of any suffix, `.npy`, `.nc`, or what "
@@ -102,7 +102,7 @@ MEASURED = {
         usual="none: lines are random",
     ),
     "columns": Key(
-        _columns,
+        _as_columns,
         "The columns of positions and of the heights of one line or more, from 0, or in netCDF "
         "the names of the two variables.",
         default=(),
@@ -111,7 +111,7 @@ MEASURED = {
         schema={"type": "array", "minItems": 1, "items": {"type": ["integer", "string"]}},
     ),
     "units": Key(
-        _units,
+        _as_units,
         "The units of positions and heights. They are never guessed.",
         default=(),
         values='two units of length as `["mm", "um"]`',
@@ -147,9 +147,9 @@ MEASURED = {
         default="mirror",
     ),
 }
-LIKE = {  # which a comparison may set as well
+LINE_KIND_KEYS = {  # also for the tables of a comparison
     "lines": Key(
-        partial(choice, known=LINES),
+        partial(choice, known=LINE_KINDS),
         "Whether the measured lines slide, random lines of the same mean power spectrum, random "
         "lines equivalent to the isotropic surface that they are cuts of, or self-affine lines of "
         "the same rms height and slope. A cut has half the mean square slope of the equivalent "
@@ -164,40 +164,40 @@ LIKE = {  # which a comparison may set as well
         default=1.0,
     ),
 }
-WITH_FILE = MEASURED | LIKE
-SURFACE = RANDOM | WITH_FILE
+MEASURED_KEYS = FILE_KEYS | LINE_KIND_KEYS
+SURFACE = RANDOM_KEYS | MEASURED_KEYS
 
 
 def read_surface(given: Mapping[str, Any], folder: Path, body: str = FOUNDATION) -> Surface:
-    """Return the surface of the checked values of a table. Raises UserError.
+    """Return the surface for the checked values of a table. Raises UserError.
 
-    Files are found from ``folder``; ``body`` takes their lines one by one, or all as a map.
+    Paths are relative to ``folder``. The ``body`` uses the lines of a file singly, or as a map.
     """
     if "file" in given:
-        settings = filled("surface", given, MEASURED)
-        for key in filter(RANDOM.__contains__, given):
+        settings = filled("surface", given, FILE_KEYS)
+        for key in filter(RANDOM_KEYS.__contains__, given):
             raise UserError(
                 f"surface.{key} = {given[key]!r:.40}: leave it out with surface.file, "
                 "measured lines"
             )
         if body == HALF_SPACE:
-            _check_maps("surface", given)
+            _check_map_kind("surface", given)
         name = settings["file"]
-        how = (settings[key] for key in ("columns", "units", "step", "gaps"))
+        reading = (settings[key] for key in ("columns", "units", "step", "gaps"))
         if settings["step"] is None and len(settings["columns"]) == 1:
             raise UserError(
                 f"surface.columns = {list(settings['columns'])!r}: must be that of positions and "
                 "those of heights, as [0, 1]; of heights alone with surface.step"
             )
-        asked = LineFile(folder / name, name, *how)
-        read = read_map if body == HALF_SPACE else read_profile
-        profile = read(asked, settings["detrend"], settings["periodic"])
-        like = {key: value for key, value in given.items() if key in LIKE}
-        return lines_like("surface", Surface(profile.measured_length, profile=profile), like)
-    for key in filter(WITH_FILE.__contains__, given):
+        file = LineFile(folder / name, name, *reading)
+        reader = read_map if body == HALF_SPACE else read_profile
+        profile = reader(file, settings["detrend"], settings["periodic"])
+        line_kind = {key: value for key, value in given.items() if key in LINE_KIND_KEYS}
+        return lines_like("surface", Surface(profile.measured_length, profile=profile), line_kind)
+    for key in filter(MEASURED_KEYS.__contains__, given):
         value = list(given[key]) if isinstance(given[key], tuple) else given[key]  # as in TOML
         raise UserError(f"surface.{key} = {value!r:.40}: goes with surface.file alone")
-    surface = Surface(**filled("surface", given, RANDOM))
+    surface = Surface(**filled("surface", given, RANDOM_KEYS))
     for key in ("rolloff", "cutoff"):
         if given.get(key, 0.0) > surface.length:
             raise UserError(
@@ -212,32 +212,32 @@ def read_surface(given: Mapping[str, Any], folder: Path, body: str = FOUNDATION)
     return surface
 
 
-def _check_maps(where: str, table: Mapping[str, Any]) -> None:
-    """Raise UserError for lines that a half-space, which has maps, knows nothing of."""
-    lines = table.get("lines", LINES[0])
-    if lines not in OF_MAPS:
-        raise UserError(f"{where}.lines = {lines!r}: a half-space has maps, {' or '.join(OF_MAPS)}")
+def _check_map_kind(where: str, table: Mapping[str, Any]) -> None:
+    """Raise UserError for kinds of lines that a half-space does not support."""
+    lines = table.get("lines", LINE_KINDS[0])
+    if lines not in MAP_KINDS:
+        raise UserError(f"{where}.lines = {lines!r}: a half-space needs {' or '.join(MAP_KINDS)}")
 
 
 def lines_like(where: str, surface: Surface, table: Mapping[str, Any]) -> Surface:
-    """Return a surface whose lines are those that checked values ask for, measured or like them.
+    """Return a surface with the requested kind of lines: measured lines, or lines like them.
 
-    ``where`` is the name of the table. Raises UserError.
+    ``where`` is the name of the table of checked values. Raises UserError.
     """
     for key in table if surface.profile is None else ():
         raise UserError(f"{where}.{key} = {table[key]!r:.40}: goes with surface.file alone")
     if surface.profile is not None and surface.profile.heights.ndim > 2:
-        _check_maps(where, table)
-    found = surface._replace(**table)
+        _check_map_kind(where, table)
+    changed = surface._replace(**table)
     try:
-        _ = found.amplitudes
+        _ = changed.amplitudes
     except ValueError as error:
-        raise UserError(f"{where}.hurst = {found.hurst!r}: {error}") from None
-    return found
+        raise UserError(f"{where}.hurst = {changed.hurst!r}: {error}") from None
+    return changed
 
 
 def check_cutoff(surface: Surface, spacings: tuple[float, ...]) -> None:
-    """Raise UserError where elements do not resolve the shortest wavelength of their lines."""
+    """Raise UserError if elements do not resolve the shortest wavelength of their lines."""
     for key, wavelength in (("cutoff", surface.cutoff), ("rolloff", surface.rolloff)):
         for spacing in spacings:
             if wavelength and wavelength < 2.0 * spacing * (1.0 - 1e-9):

@@ -60,7 +60,9 @@ def test_netcdf_of_several_variables_needs_names(tmp_path):
     np.testing.assert_allclose(read(path, ("x", "friction")).heights, Z * 1e-9, rtol=1e-6)
     with pytest.raises(UserError, match="holds the variables x, height, friction: name positions"):
         read(path, ("x", "depth"))
-    with pytest.raises(UserError, match="'height' holds no positions of the samples of 'x'"):
+    with pytest.raises(
+        UserError, match="'height' does not hold the positions of the samples of 'x'"
+    ):
         read(path, ("height", "x"))
 
 
@@ -168,7 +170,8 @@ def test_files_that_surface_topography_cannot_read_are_refused(tmp_path, monkeyp
     module = SimpleNamespace(read_topography=refuse)
     monkeypatch.setitem(sys.modules, "SurfaceTopography", module)
     with pytest.raises(
-        UserError, match=r"surface.file = 'scan.di': cannot be read: .*knows it \('no channel'\)"
+        UserError,
+        match=r"surface.file = 'scan.di': cannot be read: .*recognises it \('no channel'\)",
     ):
         read(instrument(tmp_path))
 

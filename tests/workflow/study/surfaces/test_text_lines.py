@@ -179,7 +179,7 @@ def test_a_step_goes_before_positions(tmp_path):
         (
             "t (s),z (um)\n{0}",
             {"columns": (0, 1)},
-            "the unit 's' of column 0 t is no unit of length: give surface.c",
+            "the unit 's' of column 0 t is not a unit of length: give surface.c",
         ),
         ("x (um),z (um)\n{0}7\n", {}, "line 26 of 'f.dat' reads '7': must hold 2 entries"),
     ],
