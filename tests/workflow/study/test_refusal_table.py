@@ -35,7 +35,7 @@ CHECKED = (
 ELSEWHERE = {"find_study", "read_grid_study", "_lines_in_blocks"}
 # Refusals of arrays, netCDF, profiles from Python and missing packages are tested in
 # tests/workflow/study/surfaces; their terms are among the other refusals.
-ELSEWHERE |= {"_npy", "_variables", "_with_surface_topography"}
+ELSEWHERE |= {"_read_npy", "_variables", "_read_with_surface_topography"}
 ELSEWHERE |= {
     "profile_of_array",
     "map_of_array",
