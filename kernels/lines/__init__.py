@@ -1,4 +1,4 @@
-"""Rigid lines: their construction, and the checks and origin that all lines share.
+"""Rigid lines: their construction, and the checks and origin common to all lines.
 
-A line of another kind has its own file, which ends in ``Line.from_samples``.
+A new kind of line is a new file that ends in ``Line.from_samples``.
 """

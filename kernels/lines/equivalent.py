@@ -48,9 +48,9 @@ def equivalent_of_cut(amplitude: np.ndarray) -> np.ndarray:
     """Return the mode amplitudes of the line equivalent to a surface, from those of a cut.
 
     amplitude : of the modes of straight cuts through an isotropic surface, shape (floor(N/2),), as
-    from measured_amplitudes. A ring of wave vectors of one length q is seen along a cut as waves of
-    all lengths q cos(phi), which the conversion takes back from the shortest waves on (the
-    transform of Abel, in bands of wave numbers). The mean square slope doubles.
+    from measured_amplitudes. Along a cut, a ring of wave vectors of length q appears as waves of
+    all lengths q cos(phi). The conversion removes these from the shortest waves on (Abel transform
+    in bands of wave numbers). The mean square slope doubles.
     """
     edges = _band_edges(amplitude.size)
     power = 0.5 * amplitude**2
@@ -66,13 +66,13 @@ def equivalent_of_cut(amplitude: np.ndarray) -> np.ndarray:
 
 
 def _band_edges(modes: int) -> np.ndarray:
-    """Return where bands of modes begin, and the end: single modes, then a few per cent wide."""
+    """Return the edges of bands of modes: single modes, then bands a few per cent wide."""
     wide = np.unique(np.round(np.geomspace(1.0, modes + 1.0, 1 + 40 * len(str(modes)))).astype(int))
     return wide - 1
 
 
 def _shares(bounds: np.ndarray) -> np.ndarray:
-    """Return the share of a ring in band i that a cut shows in band j, shape (bands, bands)."""
+    """Return the share of ring i that a cut shows in band j, shape (bands, bands)."""
     shares = np.zeros((bounds.size - 1, bounds.size - 1))
     for band in range(bounds.size - 1):
         radii = np.linspace(bounds[band], bounds[band + 1], 9)[1::2]  # within the band

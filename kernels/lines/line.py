@@ -28,9 +28,8 @@ class Line(NamedTuple):
     ) -> "Line":
         """Prepare given heights (in h) and slopes (in h/dx) of a periodic line.
 
-        band_limited : as the field.
-        Raises ValueError where a sample is not finite, where a height has no slope, and for
-        heights that cannot be in units of their rms roughness.
+        band_limited : as the field. Raises ValueError for samples that are not finite, for a height
+        without a slope, and for heights too large to be in units of their rms roughness.
         """
         if z.shape != slope.shape or z.ndim != 1 or z.size == 0 or steps_per_spacing < 1:
             raise ValueError("a line needs one slope per height, one sample per spacing or more")
@@ -58,10 +57,9 @@ class Line(NamedTuple):
     ) -> Iterator["Line"]:
         """Yield the QUARTET of lines whose phases are all turned by 0, pi, pi/2 and 3 pi/2.
 
-        Arguments as in self_affine, which is the first. Turned uniform phases are as uniform, so
-        all four are as probable; they are z, -z, the Hilbert transform of z and minus that. They
-        are not independent of each other (docs/errors.md says what they are worth); lines of other
-        phases are.
+        Arguments as in self_affine, which is the first. Turned uniform phases are uniform, so all
+        four lines are equally probable: z, -z, the Hilbert transform of z and its negative. They
+        depend on each other (docs/errors.md quantifies this); lines of other phases do not.
         """
         modes = amplitude * np.exp(1j * phases)
         for turned in (modes, 1j * modes):
@@ -87,7 +85,7 @@ class Line(NamedTuple):
 
 
 def _check(highest: float, lowest: float, slope: np.ndarray) -> None:
-    """Raise ValueError for heights (in h) and slopes that no line has."""
+    """Raise ValueError for invalid heights (in h) and slopes."""
     if not (math.isfinite(highest) and math.isfinite(lowest) and np.isfinite(slope).all()):
         raise ValueError("the line holds samples that are not finite numbers")
     height = max(highest, -lowest)

@@ -14,9 +14,8 @@ MIN_LINE_SAMPLES = 4  # a shorter line has no meaningful slope
 def measured_modes(heights: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """Return amplitudes (in the unit of the heights) and phases of the line through samples.
 
-    heights : shape (n,), one period. Both are of shape (floor(n/2),). The samples determine of
-    the Nyquist mode of an even n its cosine alone.
-
+    heights : shape (n,), one period. Both results have shape (floor(n/2),). For even n the samples
+    determine only the cosine of the Nyquist mode.
     Raises ValueError for samples that are not finite, and for fewer than 4 of them.
     """
     spectrum = _coefficients(heights)

@@ -1,9 +1,9 @@
-"""A line between its samples, by polynomials of seventh degree.
+"""A line between its samples, by polynomials of degree seven.
 
-Interval j lies between the samples j and j + 1. In it the line is the polynomial that has the
-height and three derivatives of both: of a wave of eight samples, the shortest at m = 4, to 1e-7 of
-its height. It is traversed against the motion, as by the elements: t runs from 0 at sample j + 1 to
-1 at sample j.
+Interval j lies between the samples j and j + 1. In it the line is the polynomial with the height
+and three derivatives of both samples. For a wave of eight samples, the shortest at m = 4, its error
+is 1e-7 of the height. Elements traverse it against the motion: t runs from 0 at sample j + 1 to 1
+at sample j.
 """
 
 import numpy as np
@@ -58,7 +58,7 @@ def coefficients_between(z, slope, bend, h, k, j):
     k is j + 1, or 0 for the last interval.
     """
     s, c, e = -h * slope[k], 0.5 * h * h * bend[0, k], -h * h * h / 6.0 * bend[1, k]
-    # What the height and its derivatives, over 1, 2 and 6, lack at t = 1.
+    # Remainders at t = 1 of the height and of its derivatives over 1, 2 and 6.
     rise = z[j] - z[k] - s - c - e
     steep = -h * slope[j] - s - 2.0 * c - 3.0 * e
     curved = 0.5 * h * h * bend[0, j] - c - 3.0 * e
@@ -77,7 +77,7 @@ def coefficients_between(z, slope, bend, h, k, j):
 
 @inlined_kernel
 def bernstein_coefficients(c):
-    """Return eight numbers between whose extremes the polynomial stays from t = 0 to 1."""
+    """Return eight numbers whose extremes bound the polynomial from t = 0 to 1."""
     c0, c1, c2, c3, c4, c5, c6, c7 = c
     # Coefficients divided by the binomial ones, so that only sums remain.
     c1, c2, c3, c4 = c1 * (1.0 / 7.0), c2 * (1.0 / 21.0), c3 * (1.0 / 35.0), c4 * (1.0 / 35.0)
@@ -96,7 +96,7 @@ def bernstein_coefficients(c):
 
 @kernel
 def septic_height(c, t):
-    """Return the value of a polynomial; by pairs (G. Estrin), which wait for each other less."""
+    """Return the value of a polynomial, by G. Estrin's scheme with its short dependency chains."""
     square = t * t
     low = (c[0] + t * c[1]) + square * (c[2] + t * c[3])
     return low + square * square * ((c[4] + t * c[5]) + square * (c[6] + t * c[7]))

@@ -71,10 +71,10 @@ def rms_slope(amplitude: np.ndarray, elements: int) -> float:
 
 
 def matching_rolloff(hurst: float, elements: int, slope: float) -> float:
-    """Return the roll-off (2 pi/L) that gives self-affine lines of rms height h a given slope.
+    """Return the roll-off (2 pi/L) at which self-affine lines of rms height h have a given slope.
 
-    slope : rms slope in h/dx. The longer the flat part of the spectrum, the steeper the lines.
-    Raises ValueError for a slope below that without roll-off or above that of white noise.
+    slope : rms slope in h/dx, which increases with the flat part of the spectrum. Raises ValueError
+    for a slope below that without roll-off or above that of white noise.
     """
 
     def slope_of(rolloff: float) -> float:
@@ -113,7 +113,7 @@ def sample_line(
 def sample_modes(
     modes: np.ndarray, elements: int, steps_per_spacing: int
 ) -> tuple[np.ndarray, np.ndarray]:
-    """Return what sample_line returns of the complex modes A_k e^(i phi_k), shape (floor(N/2),)."""
+    """Return heights and slopes as sample_line, from modes A_k e^(i phi_k), shape (floor(N/2),)."""
     samples = elements * steps_per_spacing
     both = np.zeros((2, samples // 2 + 1), dtype=complex)  # of heights and of slopes
     heights, slopes = both[:, 1 : modes.size + 1]

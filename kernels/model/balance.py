@@ -9,9 +9,9 @@ from ..compile.jit import dispatch_on_type
 
 @dispatch_on_type
 def balance_history(control, c, d, first, rings):
-    """Return what ``balance`` needs of the previous step, or None.
+    """Return the part of the previous state that ``balance`` needs, or None.
 
-    c, d, first, rings : at the end of that step (motion/slide.py). They change next.
+    c, d, first, rings : at the end of that step (motion/slide.py), before they change.
     """
 
 
@@ -27,8 +27,7 @@ def balance(control, law, z, c, history, d, step):
 
 @dispatch_on_type.refcount_free
 def balance_rows(control, law, rows, d, step):
-    """Return the same for elements with internal variables.
+    """Return (d, passes) for elements with internal variables; see ``balance``.
 
-    rows : SpringRows (scene/spring_rows.py). They note the highest indentation that was looked at
-    on the way.
+    rows : SpringRows (scene/spring_rows.py), which record the highest evaluated indentation.
     """

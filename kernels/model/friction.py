@@ -86,10 +86,9 @@ def elastic_correction(z, slope, w, d, speed, rate, steps):
     """Return the error of the sum of p z' in quadrature for steady sliding.
 
     int (D - z) z' dx = [-(D - z)^2 / 2] with D = d + d', here cell by cell around the samples.
-    Summed by samples its error does not fall with the speed, as steady friction does; below one
-    sample per tau it drowns it. A sample at an edge that is not resolved is left as it is.
-
-    ``rate`` : as found by quadrature for ``speed``; ``steps`` : samples per spacing.
+    Summed by samples, its error does not fall with the speed, unlike steady friction, and exceeds
+    it below one sample per tau. A sample at an unresolved edge is not corrected. ``rate`` : from
+    quadrature at ``speed``; ``steps`` : samples per spacing.
     """
     missing = 0.0
     for j in _touching(z, w, d):
@@ -114,10 +113,10 @@ def elastic_correction(z, slope, w, d, speed, rate, steps):
 
 @kernel
 def _reach(z, slope, w, d, formed, j, k):
-    """Return how far from touching sample j the contact reaches towards free neighbour k.
+    """Return the extent of contact from touching sample j towards the free neighbour k.
 
-    In samples; the leading edge lies where z - w crosses d, the trailing edge where the
-    pressure (d - z) + vbar z' of the steady state vanishes; both by linear interpolation.
+    In samples. The leading edge lies where z - w crosses d, the trailing edge where the pressure
+    (d - z) + vbar z' of the steady state vanishes; both by linear interpolation.
     """
     if k == (j + 1) % z.size:
         c = z[j] - w[j]
@@ -128,10 +127,10 @@ def _reach(z, slope, w, d, formed, j, k):
 
 @kernel
 def trailing_edge_reach(here, there):
-    """Return how far behind a touching sample the pressure, linear in between, vanishes.
+    """Return the extent of contact behind a touching sample, where the linear pressure vanishes.
 
-    In samples, cut off where that is not resolved. here, there : pressure at that sample and at
-    its free neighbour.
+    In samples, clipped if unresolved. here, there : pressure at that sample and at its free
+    neighbour.
     """
     fall = here - there
     return min(max(here / fall, MIN_EDGE_REACH), MAX_EDGE_REACH) if fall > 0.0 else 0.5
@@ -139,7 +138,7 @@ def trailing_edge_reach(here, there):
 
 @kernel
 def _covered(z, slope, w, d, formed, j):
-    """Return the part of touching sample j that the contact covers: 1 except at its edges.
+    """Return the share of touching sample j that is in contact: 1 except at edges.
 
     The pressure may be finite at an edge, so counting whole samples is a first-order error.
     """
@@ -152,7 +151,7 @@ def _covered(z, slope, w, d, formed, j):
 
 @kernel
 def lagged_slope(slope, lag):
-    """Return the slope where the force of a step acts, shape (n,), periodic, linear in between.
+    """Return the slope at which the force of a step acts, shape (n,), periodic, linear in between.
 
     slope : at the samples, shape (n,), in h/dx. lag : of the law (rheology/law.py), in steps.
     """
@@ -176,10 +175,10 @@ def step_average(weight, c, d):
 
 @kernel
 def weighted_sums(threshold, covered, slope, d):
-    """Return the sums of eq. 5: of forces, of forces times slopes, and of what is in contact.
+    """Return the sums of eq. 5: of forces, of forces times slopes, and of touching samples.
 
-    The forces are p = d - threshold, where that is positive. covered : how much of each sample the
-    contact covers, or None where that is 1. All of shape (n,).
+    The forces are p = d - threshold, where positive. covered : share of each sample in contact, or
+    None for 1. All of shape (n,).
     """
     normal = tangential = contact = 0.0
     for i in range(threshold.size):

@@ -33,7 +33,7 @@ def march(law, control, z, weight, state, kept_steps, cap):
         lengths[s] = stop[s] - start[s]
     first = piece_bounds(lengths)
     rings = start_rings(law, z, state, start, stop)
-    # What lies above cap in short gaps cannot touch at any height: low, it costs w no digits.
+    # Samples above cap in short gaps cannot touch; a low height keeps the digits of w.
     z, weight, w = gather(z, start, stop), gather(weight, start, stop), gather(state.w, start, stop)
     c, d = np.empty(z.size), state.d
     for i in range(z.size):

@@ -1,4 +1,4 @@
-"""Motion of the line: marched samples, time steps, and elements on their way between samples.
+"""Motion of the line: marched samples, time steps, and elements between samples.
 
-A motion of another kind is a file here that starts and shifts as slide.py does.
+A new kind of motion is a new file here that starts and shifts as slide.py does.
 """

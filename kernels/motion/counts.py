@@ -45,8 +45,8 @@ def count_steps(
 ) -> np.ndarray:
     """Return the number of steps of each leg, or an upper bound; arguments as in ``steps_of``.
 
-    Shape (legs,), whole numbers as floats, which may be beyond any integer. Raises ValueError for a
-    leg without meaning.
+    Shape (legs,), whole numbers as floats, which may exceed any integer. Raises ValueError for an
+    invalid leg.
     """
     counts: list[float] = []
     m = steps_per_spacing
@@ -72,7 +72,7 @@ def count_steps(
 
 
 def _crossings(begin: float, end: float) -> float:
-    """Return how many steps end at whole samples between two positions, and at the end."""
+    """Return the number of steps that end at whole samples between two positions, or at the end."""
     low, high = min(begin, end), max(begin, end)
     if not math.isfinite(high - low):
         return math.inf
@@ -91,7 +91,7 @@ def _of_hold(leg: Hold, m: int, speed: float, shortest: float) -> float:
 
 
 def _of_path(leg: Leg, m: int) -> tuple[float, float]:
-    """Return a bound of the steps along a path, and how far it goes, in samples."""
+    """Return an upper bound of the steps along a path, and its length in samples."""
     fewest = min_cycle_steps(m)
     if isinstance(leg, Oscillation):  # all cycles are alike
         fastest = abs(leg.speed) + 2.0 * math.pi * leg.frequency * leg.amplitude
@@ -107,7 +107,7 @@ def _of_path(leg: Leg, m: int) -> tuple[float, float]:
 
 
 def _bound(path: Path, m: int) -> tuple[float, float]:
-    """Return the same of a path: a step per sample, one per share of a piece, and those at rest."""
+    """Return an upper bound of the steps of a path: per sample, per share of a piece, at rest."""
     with np.errstate(over="ignore", invalid="ignore"):
         places = path.where(path.breaks)
     pieces = np.abs(np.diff(places))

@@ -1,7 +1,7 @@
-"""A periodic surface at a fraction of a sample: the Fourier shift, exact where it is band-limited.
+"""A periodic surface between its samples: the Fourier shift, exact if it is band-limited.
 
-Linear interpolation would make the mean of z^2 depend on the fraction: a force of the lattice
-that drowns the response to a motion of less than a sample.
+Linear interpolation would make the mean of z^2 depend on the fraction of a sample. The resulting
+force of the lattice would hide the response to a motion of less than a sample.
 """
 
 from functools import lru_cache
@@ -10,7 +10,7 @@ import numpy as np
 
 
 class FourierShift:
-    """The heights and slopes of a line, or of a map along x, moved by a fraction of a sample."""
+    """Heights and slopes of a line, or of a map along x, shifted by a fraction of a sample."""
 
     def __init__(self, z: np.ndarray, slope: np.ndarray, steps_per_spacing: int) -> None:
         """Take heights (in h) and slopes (in h/dx), shape (n,), or (rows, n) of a map."""
@@ -20,10 +20,10 @@ class FourierShift:
         self.nyquist = np.pi * steps_per_spacing  # its wave number, per dx
 
     def by(self, fraction: float) -> tuple[np.ndarray, np.ndarray]:
-        """Return (heights, slopes) with the surface ``fraction`` of a sample further towards +x.
+        """Return (heights, slopes) with the surface shifted by ``fraction`` of a sample towards +x.
 
-        At whole samples the wave of two samples looks the same whatever its phase: heights tell
-        its cosine, slopes its sine.
+        At whole samples the wave of two samples looks the same for any phase: heights determine its
+        cosine, slopes its sine.
         """
         moved = self.spectra * np.exp(1j * self.phase * fraction)
         if self.samples % 2 == 0:
@@ -36,16 +36,16 @@ class FourierShift:
 
 
 class FractionalShifts:
-    """A surface at fractions of a sample: as it is given, or shifted, the last few at hand."""
+    """A surface at fractions of a sample, with a cache of the latest shifts."""
 
     def __init__(self, z: np.ndarray, slope: np.ndarray, steps_per_spacing: int) -> None:
-        """Take a surface as FourierShift does."""
+        """Create an empty cache; arguments as in FourierShift."""
         self.given = z, slope, steps_per_spacing
         self.shifted: FourierShift | None = None
         self.at = lru_cache(maxsize=4)(self._at)
 
     def _at(self, fraction: float) -> tuple[np.ndarray, np.ndarray]:
-        """Return (heights, slopes) a fraction of a sample further towards +x."""
+        """Return (heights, slopes) shifted by a fraction of a sample towards +x."""
         if fraction == 0.0:
             return self.given[:2]
         if self.shifted is None:

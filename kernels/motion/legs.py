@@ -1,8 +1,8 @@
-"""A programme of motion: legs one after the other, and the time steps that march through them.
+"""A programme of motion: consecutive legs, and the time steps that march through them.
 
-Lengths along the line are in units of the element spacing dx, times in units of tau, speeds are
-v tau / dx and positive towards +x. Positions of steps count samples, m to a spacing: a step ends
-at a whole sample wherever it can, and at a fraction of one where a leg ends, where the line turns
+Lengths along the line are in units of the element spacing dx, times in units of tau. Speeds are
+v tau / dx, positive towards +x. Positions of steps count samples, m per spacing. A step ends at a
+whole sample wherever possible. It ends at a fraction of one where a leg ends, where the line turns,
 and in oscillations of a few samples (fourier.py).
 """
 
@@ -67,7 +67,7 @@ Programme = tuple[Leg, ...]
 
 
 class Steps(NamedTuple):
-    """The time steps of a programme, all arrays of shape (S,)."""
+    """The time steps of a programme; all arrays have shape (S,)."""
 
     position: np.ndarray  # of the line at the end of each step, in samples, not wrapped
     dt: np.ndarray  # in tau
@@ -83,11 +83,12 @@ def steps_of(
 ) -> Steps:
     """Return the steps of a programme.
 
-    steps_per_spacing : m, samples (and steps of constant sliding) to a spacing. It also sets how
-    finely holds, ramps and oscillations are stepped through.
-    position, speed : of the line before the first leg, in samples and in dx/tau; the speed before
-    a hold sets its first steps. shortest : step, in tau; shorter ones are lost in rounding.
-    Raises ValueError for a leg without meaning, and for shorter steps.
+    steps_per_spacing : m, samples (and steps of constant sliding) per spacing. It also sets the
+    resolution of holds, ramps and oscillations.
+    position, speed : of the line before the first leg, in samples and in dx/tau. The speed before
+    a hold sets its first steps. shortest : shortest step, in tau; rounding hides shorter ones.
+
+    Raises ValueError for an invalid leg, and for steps that are too short.
     """
     places, times, legs = [np.empty(0)], [np.empty(0)], [np.empty(0, np.int64)]
     for number, leg in enumerate(programme):
@@ -106,7 +107,7 @@ def steps_of(
 
 
 def last_speed(leg: Leg) -> float:
-    """Return the speed at which a leg ends, in dx/tau."""
+    """Return the speed at the end of a leg, in dx/tau."""
     if isinstance(leg, Slide):
         return leg.speed
     if isinstance(leg, Hold):
@@ -119,9 +120,9 @@ def last_speed(leg: Leg) -> float:
 
 
 def speed_at_start(programme: Programme) -> float:
-    """Return the speed at which a programme begins, in dx/tau: 0 if it begins with a hold.
+    """Return the initial speed of a programme, in dx/tau: 0 if it begins with a hold.
 
-    Of an oscillation it is the mean speed: that of the steady state before it.
+    For an oscillation it is the mean speed, that of the steady state before it.
     """
     leg = programme[0]
     if isinstance(leg, Slide | Oscillation):
@@ -132,7 +133,7 @@ def speed_at_start(programme: Programme) -> float:
 
 
 def leg_duration(leg: Leg) -> float:
-    """Return how long a leg takes, in tau."""
+    """Return the duration of a leg, in tau."""
     match leg:
         case Slide():
             return leg.distance / abs(leg.speed)
@@ -145,7 +146,7 @@ def leg_duration(leg: Leg) -> float:
 
 
 def check_leg(leg: Leg) -> None:
-    """Raise ValueError for a leg without meaning."""
+    """Raise ValueError for an invalid leg."""
     numbers = np.concatenate([np.atleast_1d(np.asarray(value, float)) for value in leg])
     if not np.isfinite(numbers).all():
         raise ValueError(f"{leg}: every number must be finite")

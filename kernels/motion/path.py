@@ -1,7 +1,7 @@
-"""The time steps along a path X(t): they end where the line has moved by whole samples.
+"""Time steps along a path X(t), which end where the line has moved by whole samples.
 
-A path turns and ends between samples, in general; there a step ends at a fraction of one. Where
-whole samples come too seldom, steps in between are equal in time.
+A path generally turns and ends between samples; there a step ends at a fraction of a sample. Where
+whole samples are too far apart in time, the steps between them are equal in time.
 """
 
 import math
@@ -45,7 +45,7 @@ def growing_steps(duration: float, first: float, ratio: float) -> np.ndarray:
 
 
 def step_ends(begin: float, end: float) -> np.ndarray:
-    """Return where steps from one position to another end: whole samples, and the end itself."""
+    """Return the ends of steps from one position to another: whole samples, and the end itself."""
     end = snap_to_sample(end)
     low, high = min(begin, end), max(begin, end)
     inner = np.arange(math.ceil(low + MIN_PARTIAL_STEP), math.floor(high - MIN_PARTIAL_STEP) + 1.0)
@@ -98,7 +98,7 @@ def _times(path: Path, moved: np.ndarray, begin: float, end: float) -> np.ndarra
 def _resolved(
     path: Path, place: np.ndarray, time: np.ndarray, begin: float, start: float, fewest: int
 ) -> tuple[np.ndarray, np.ndarray]:
-    """Split the steps of a piece that last more than their share of it, equally in time."""
+    """Divide the steps of a piece that exceed their share of its time, equally in time."""
     longest = (time[-1] - begin) / fewest
     before = np.concatenate([[begin], time[:-1]])
     parts = np.maximum(np.ceil((time - before) / longest * (1.0 - 1e-12)), 1.0).astype(np.int64)
@@ -129,7 +129,7 @@ def oscillation_path(speed: float, amplitude: float, frequency: float, cycles: i
 
 
 def piecewise_path(times: tuple[float, ...], speeds: tuple[float, ...], m: int) -> Path:
-    """Return the path whose speed is linear between samples in time."""
+    """Return the path of a speed that is linear between samples in time."""
     t, v = np.asarray(times, float), np.asarray(speeds, float)
     duration = np.diff(t)
     reached = np.append(0.0, np.cumsum(0.5 * duration * (v[:-1] + v[1:])))

@@ -1,8 +1,8 @@
 """Sliding by whole samples: with an element at every sample nothing is interpolated.
 
-A step moves each element to the next sample of the line, against the motion. State and
-thresholds are kept at the samples of the stretches that can touch (stretches.py). Elements in
-the gaps between them just decay; a ring per gap hands them from one stretch to the next.
+A step moves each element to the next sample of the line, against the motion. State and thresholds
+are kept at the samples of the stretches that can touch (stretches.py). Elements in the gaps between
+stretches decay; one ring per gap passes them from one stretch to the next.
 """
 
 from typing import NamedTuple
@@ -15,9 +15,9 @@ from .stretches import piece_bounds
 
 
 class Rings(NamedTuple):
-    """Displacements with which elements cross the gaps.
+    """Displacements of the elements that cross the gaps.
 
-    Ring s covers the gap above stretch s. The element to arrive in t steps is in slot
+    Ring s covers the gap above stretch s. The element that arrives in t steps is in slot
     t % (gap + 1), decayed to its arrival.
     """
 
@@ -28,7 +28,7 @@ class Rings(NamedTuple):
 
 @kernel
 def start_rings(law, z, state, start, stop):
-    """Return the Rings at the start: elements in flight decay anew from where they are."""
+    """Return the Rings at the start: elements in gaps decay from their present displacements."""
     n = z.size
     lengths = np.empty(start.size, np.int64)
     for s in range(start.size):
@@ -48,10 +48,10 @@ def start_rings(law, z, state, start, stop):
 
 @kernel
 def shift(law, z, c, d, first, rings, step):
-    """Move every element to the next sample: thresholds c of the step before contact.
+    """Move every element to the next sample, and fill c with the thresholds before contact.
 
-    z : line, c : thresholds of the step before, both at the samples of the stretches, stretch s
-    from first[s] on. d : the indentation that step ended with. step : number, from 1 on.
+    z : line, c : thresholds of the step before, both at the samples of the stretches; stretch s
+    begins at first[s]. d : indentation at the end of the step before. step : number, from 1 on.
     """
     if step > 1:  # the rings start with all that has left before
         _depart(z, c, d, first, rings, step - 1)
@@ -64,7 +64,7 @@ def shift(law, z, c, d, first, rings, step):
 
 @kernel
 def _depart(z, c, d, first, rings, step):
-    """Send the elements that leave their stretches over the gaps, at the end of a step."""
+    """Send elements that leave their stretches across the gaps, at the end of a step."""
     for s in range(first.size - 1):
         below = s - 1 if s > 0 else first.size - 2
         leaving = z[first[s]] - max(c[first[s]], d)

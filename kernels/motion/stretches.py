@@ -1,7 +1,7 @@
-"""The stretches of a line that can touch: only they are carried along.
+"""Stretches of a line that can touch; only their samples are marched.
 
-A sample above a cap that the indentation never reaches cannot touch the element under it:
-between two stretches elements merely decay (slide.py).
+An element cannot touch a sample above a cap that the indentation never reaches. Between two
+stretches elements only decay (slide.py).
 """
 
 import numpy as np
@@ -33,7 +33,7 @@ def touchable(z, cap):
 
 @kernel
 def gather(values, start, stop):
-    """Return the values of all stretches [start, stop) one after the other."""
+    """Return the values of all stretches [start, stop), concatenated."""
     size = 0
     for s in range(start.size):
         size += stop[s] - start[s]
@@ -48,7 +48,7 @@ def gather(values, start, stop):
 
 @kernel
 def piece_bounds(lengths):
-    """Return where each of consecutive pieces begins, and the end of the last."""
+    """Return the beginnings of consecutive pieces, and the end of the last."""
     out = np.zeros(lengths.size + 1, np.int64)
     for s in range(lengths.size):
         out[s + 1] = out[s] + lengths[s]

@@ -1,7 +1,7 @@
-"""The line along the steps of a programme, as the elements of a foundation at rest see it.
+"""The line along the steps of a programme, as seen by the resting elements of a foundation.
 
-At whole samples the line is the one that is given, read from another sample on; at fractions it
-is shifted by Fourier (fourier.py), once for all steps of a stage that need the same fraction.
+At whole samples the given line is read with an offset. At fractions it is shifted by Fourier
+(fourier.py), once for all steps of a stage with the same fraction.
 """
 
 from collections.abc import Iterator
@@ -32,9 +32,9 @@ class Track(NamedTuple):
 def tracks(
     z: np.ndarray, slope: np.ndarray, m: int, steps: Steps, start: float, time: float
 ) -> Iterator[Track]:
-    """Yield the track of some steps after the other, until all have passed.
+    """Yield the tracks of consecutive stages of the steps.
 
-    z, slope : line, shape (n,), in h and h/dx. m : samples to a spacing. start, time : before the
+    z, slope : line, shape (n,), in h and h/dx. m : samples per spacing. start, time : before the
     first step, in samples and in tau.
     """
     n, shifted = z.size, None

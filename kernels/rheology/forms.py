@@ -1,4 +1,4 @@
-"""The two forms of a material, by the name of the time scheme that each of them gives."""
+"""The two forms of a material, by the name of the time scheme that uses each."""
 
 from collections.abc import Callable
 from functools import lru_cache

@@ -157,9 +157,9 @@ def _slide_one(law, y, d, heights, forces):
 
 @inlined_kernel
 def _foretell(ahead, y, block):
-    """Add to the forces of a block what internal variables y (K,) alone would make of them.
+    """Add the contribution of internal variables y (K,) alone to the forces of a block.
 
-    ahead (K, BLOCK_SAMPLES) : that of each, were it one.
+    ahead (K, BLOCK_SAMPLES) : contribution of each variable of value one.
     """
     fours = y.size // 4 * 4
     for k in range(0, fours, 4):

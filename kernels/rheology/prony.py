@@ -1,17 +1,18 @@
 """One step of Kelvin units and a glassy spring in series: the scheme "exponential".
 
-The units move exactly under a force that is linear in the step, from kappa of the old force and
-1 - kappa of the new one to the new one. Let a unit force start in the step: unit k answers with
-J_k (1 - E_k), as late as late_k before the end, in all ramp = sum J_k (1 - E_k) late_k.
+The units move exactly under a force that is linear in the step. It begins at kappa times the old
+force plus 1 - kappa times the new one, and ends at the new one. Under a unit force that starts in
+the step, unit k moves by J_k (1 - E_k), with a delay of late_k, and ramp = sum J_k (1 - E_k)
+late_k.
 
-- A linear force (kappa = 1) is second order, but the old force comes back with a gain that tends
-  to one where all answers are as late as each other: it would ring.
-- A constant one (kappa = 0) is right there, where forces jump at touch-down, as in a Kelvin
-  element. Otherwise no one time within the step is that of the force: first order.
+- A linear force (kappa = 1) is second order. If all delays are equal, however, the old force
+  returns with a gain close to one, and the solution oscillates.
+- A constant force (kappa = 0) is accurate in that case, where forces jump at touch-down, as in a
+  Kelvin element. Otherwise the force has no single time within the step: first order.
 
-So kappa = min(1, 4 prompt / ramp), prompt being what is answered at once: J_g, and of each unit
-J_k (1 - E_k) (1 - late_k / max late). The gain is then 4/5 at most. Units much faster than the
-step count as a glassy spring does, so that branches need not be resolved.
+Therefore kappa = min(1, 4 prompt / ramp). The prompt response is that of the glassy spring, J_g,
+and of each unit, J_k (1 - E_k) (1 - late_k / max late). The gain is then 4/5 at most. Units much
+faster than the step count as a glassy spring, so branches need not be resolved.
 """
 
 import math

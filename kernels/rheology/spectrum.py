@@ -29,10 +29,10 @@ MIN_DASHPOT_STEP = 1e-10
 
 
 def min_step(spectrum: Spectrum) -> float:
-    """Return the shortest step (in tau) in which the force is not lost in rounding.
+    """Return the shortest step (in tau) in which rounding does not hide the force.
 
-    Without a dashpot a step is never stiffer than the glass, and the branch that relaxes first
-    decides: slower ones add up what they are given.
+    Without a dashpot a step is at most as stiff as the glass, and the fastest branch decides;
+    slower branches accumulate their input.
     """
     return (
         MIN_DASHPOT_STEP

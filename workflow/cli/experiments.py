@@ -1,4 +1,4 @@
-"""The commands ``prony`` and ``fit``: what measurements determine of a material and of the law."""
+"""The commands ``prony`` and ``fit``: material and law from measurements."""
 
 import argparse
 import math
@@ -12,7 +12,7 @@ from .exit_status import DONE
 
 
 def run_prony(options: argparse.Namespace) -> int:
-    """Fit, print a table [material], write the branches if asked to; return the exit status."""
+    """Fit, print a table [material], write the branches if requested; return the exit status."""
     if options.branches is not None and options.branches < 1:
         raise UserError(f"--branches {options.branches}: must be at least 1")
     if not -1.0 < options.poisson <= INCOMPRESSIBLE:
@@ -45,7 +45,7 @@ def run_prony(options: argparse.Namespace) -> int:
 def _at_one_temperature(
     options: argparse.Namespace, measured: Moduli
 ) -> tuple[Moduli, tuple[str, ...]]:
-    """Return the moduli, shifted to one temperature where they are of several, and lines of it."""
+    """Return the moduli, shifted to one temperature if they have several, and a description."""
     asked = laboratory.Shifting(options.reference, options.law, options.vertical)
     if measured.temperatures is not None:
         return laboratory.master_curve(options.file, measured, asked)
@@ -58,7 +58,7 @@ def _at_one_temperature(
 
 
 def columns_of(words: str, counts: tuple[int, ...] = (3,)) -> tuple[int, ...]:
-    """Return so many numbers of columns that are given as 0,1,2. Raises UserError."""
+    """Return a number of columns given as 0,1,2. Raises UserError."""
     each = words.split(",")
     if len(each) not in counts or not all(word.strip().isdecimal() for word in each):
         raise UserError(f"--columns {words}: must be three numbers from 0, as 0,1,2")
@@ -66,7 +66,7 @@ def columns_of(words: str, counts: tuple[int, ...] = (3,)) -> tuple[int, ...]:
 
 
 def _temperatures(words: str) -> tuple[float, ...]:
-    """Return temperatures in °C that are given as -20,0,20. Raises UserError."""
+    """Return temperatures in °C given as -20,0,20. Raises UserError."""
     try:
         found = tuple(map(float, words.split(",")))
     except ValueError:

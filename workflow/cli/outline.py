@@ -17,7 +17,7 @@ Outline = tuple[list[str], dict[str, Any]]  # lines to print, and the same as da
 
 
 def outline_grid(study: Study, result: Path, sample_seconds: float | None = None) -> Outline:
-    """Return what a study of a grid would do and cost.
+    """Return the work and cost of a study of a grid.
 
     sample_seconds : time to spend on timing random batches; None computes nothing.
     """
@@ -65,7 +65,7 @@ def outline_grid(study: Study, result: Path, sample_seconds: float | None = None
 
 
 def outline_measured(study: Measured, result: Path, sample_seconds: float | None = None) -> Outline:
-    """Return what a study would measure and how long it would take; measures nothing."""
+    """Return the measurements of a study and their predicted time; measures nothing."""
     if sample_seconds is not None:
         raise UserError(f"--sample: {study.name} is not made of batches to sample; leave it out")
     lines, seconds = study.script.outline(study.settings)
@@ -81,10 +81,10 @@ def _predicted(seconds: float) -> tuple[str, dict[str, Any]]:
 
 
 def _sampled(plan: Plan, seconds: float | None, facts: dict[str, Any]) -> list[str]:
-    """Return the line of a sample of the cost, and enter it into the facts."""
+    """Return the line of the sampled cost, and add it to the facts."""
     if seconds is None:
         return []
-    from ..run import sample_cost  # imports what no other plan needs
+    from ..run import sample_cost  # slow to import, and not needed by other plans
 
     sample = sample_cost(plan, seconds)
     facts |= {"sampled_core_seconds": sample.seconds, "samples": sample.draws}
@@ -100,7 +100,7 @@ def _range(values: np.ndarray, digits: int = 4) -> str:
 
 
 def _realizations(plan: Plan) -> Iterator[str]:
-    """Yield the number of realizations, and of each variant what accuracy they are to reach."""
+    """Yield the number of realizations, and the requested accuracy of each variant."""
     study, block_size = plan.study, plan.study.realizations_per_block
     total = plan.records * block_size
     if not any(variant.goals for variant in plan.variants):
@@ -146,7 +146,7 @@ def _percent(errors: np.ndarray) -> str:
 
 
 def _model_error(plan: Plan) -> list[str]:
-    """Return what the choice of the body does to mu_1."""
+    """Return the effect of the body on mu_1."""
     if "steady" not in plan.study.scene.quantities:
         return []
     first = plan.variants[0]
@@ -161,7 +161,7 @@ def _model_error(plan: Plan) -> list[str]:
 
 
 def _files_read(study: Study) -> list[dict[str, Any]]:
-    """Return what files were read as, and the numbers of measured lines in m."""
+    """Return descriptions of the files, and the numbers of measured lines in m."""
     files: list[dict[str, Any]] = [
         {"what": kind, "told": text} for kind, text in study.descriptions
     ]

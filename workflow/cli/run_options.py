@@ -1,4 +1,4 @@
-"""The command ``run``: what it prints, its exit status."""
+"""The command ``run``: its output and exit status."""
 
 import argparse
 import math
@@ -62,7 +62,7 @@ def run_grid(options: argparse.Namespace, study: Study, result: Path) -> int:
 
 
 def announced_plan(study: Study) -> Plan:
-    """Return the plan of a study, with a message first where planning takes long."""
+    """Return the plan of a study; print a message first if planning takes long."""
     points = math.prod(study.shape) * len(study.variants)
     seconds = SECONDS_PER_POINT * points
     if seconds > ANNOUNCED_SECONDS:
@@ -71,7 +71,7 @@ def announced_plan(study: Study) -> Plan:
 
 
 def resume_line(event: str) -> str:
-    """Return a line that tells how to resume a run that ended early."""
+    """Return a line with the command that resumes an interrupted run."""
     command = f"{program()} {shlex.join(sys.argv[1:])}"
     return f"{event}; what is finished is kept, to resume run again: {command}"
 

@@ -1,14 +1,14 @@
-"""Laws of error and scatter, by which a wanted accuracy is turned into steps and realizations.
+"""Laws of error and scatter, which turn a requested accuracy into steps and realizations.
 
 All are relative and measured with the scheme ``exponential``, r = 1.2. Errors: 224 random problems,
 H 0 ... 1, Fbar 1e-3 ... 25, x 0.03 ... 3200, N 320 ... 10 000, against the finest m (64 to 512) on
-the same lines; upper bounds that 9 in 10 problems keep, also of 480 others on which they were tried
-(tests/tools/wide.py, docs/accuracy.md). Scatter: standard errors times the root of the number
-of lines, which come in quartets; 290 problems, Fbar 1e-3 ... 25, x 0.25 ... 600, N 320 ... 3200,
-over 16 quartets; right within 1.7 for two in three.
+the same lines. They are upper bounds for 9 in 10 problems, and for 480 others (tests/tools/wide.py,
+docs/accuracy.md). Scatter: standard errors times the root of the number of lines, which come in
+quartets; 290 problems, Fbar 1e-3 ... 25, x 0.25 ... 600, N 320 ... 3200, over 16 quartets. Two in
+three are within a factor of 1.7.
 
-They take a problem, or many of them together (problems.py), and steps for each. refine : whether
-contacts of steady sliding are followed between the samples.
+The functions take a problem, or many of them together (problems.py), and steps for each. refine :
+whether contacts of steady sliding are located between the samples.
 """
 
 from collections.abc import Callable
@@ -27,7 +27,7 @@ FEW = 2.0  # patches of contact that carry the load
 
 
 def known(problem: Problem, body: str = FOUNDATION) -> Numbers:
-    """Return whether the laws of a body hold: Kelvin elements under load, forwards, one step."""
+    """Return whether the laws of a body hold: Kelvin elements under load, one step forwards."""
     plain = problem.spectrum == KELVIN and not problem.programme and not problem.surface.measured
     plain = plain and problem.surface.body == body
     numbers = np.stack([problem.load, problem.speed, problem.ratio])
@@ -43,16 +43,16 @@ class Coarseness(NamedTuple):
     sliding: float  # exponent of 1 + 1/vbar
     elements: float  # unit of the number of elements
     rough: float  # exponent of that number, times H
-    whole: float  # error that every contact has besides, times m^2
+    whole: float  # additional error of every contact, times m^2
 
 
 STEADY = Coarseness(0.060, -0.32, 0.41, 0.92, 88.0, -1.22, 0.03)
 JUMP = Coarseness(0.158, -0.26, 0.61, 0.68, 94.0, -1.36, 0.06)
-FOLLOWED = 1e-5  # error of both where contacts are followed, beyond it in 3 of 1000 jumps of a line
+FOLLOWED = 1e-5  # error of both with located contacts; 3 of 1000 jumps of a line exceed it
 
 
 def coarse_error(law: Coarseness, problem: Problem, steps: Numbers, refine: bool = True) -> Numbers:
-    """Return the error of an estimate: second order, or of followed contacts."""
+    """Return the error of an estimate: second order, or that of located contacts."""
     _, elements, load, speed, _ = problem[:5]
     contacts = load**law.load * (1.0 + viscous_pressure(problem) / load) ** law.pressed
     line = (elements / law.elements) ** (law.rough * problem.hurst)
@@ -62,23 +62,23 @@ def coarse_error(law: Coarseness, problem: Problem, steps: Numbers, refine: bool
 
 
 def _slides(problem: Problem) -> Numbers:
-    """Return whether contacts move on within a relaxation time: x >= 1."""
+    """Return whether contacts are renewed within a relaxation time: x >= 1."""
     return speed_ratio(problem) >= 1.0
 
 
 def relaxation_rate_error(problem: Problem, steps: Numbers, refine: bool = True) -> Numbers:
-    """Return the error of b as expected before anything is computed; see ``rate_error``.
+    """Return the predicted error of b; see ``rate_error``.
 
-    A march is on the samples of the line, whether contacts of steady states are followed or not.
+    A march uses the samples of the line, whether contacts of steady states are located or not.
     """
     return rate_error(problem, steps, contact_width(problem) * steps, expected_rate(problem))
 
 
 def rate_error(problem: Problem, steps: Numbers, samples: Numbers, rate: Numbers) -> Numbers:
-    """Return the error of b from the steps of the march and the samples of the contacts.
+    """Return the error of b from the steps of the march and the samples per contact.
 
-    samples : per contact. rate : b. The edges of contacts, and that the line is straight between
-    two samples, matter where contacts slide past, from x = 1 on.
+    samples : per contact. rate : b. The edges of contacts and the straight line between samples
+    matter where contacts slide past, from x = 1 on.
     """
     share = _share(problem, steps, rate)
     stepping = 0.02 * (share / allowed_share(problem)) ** 1.5
@@ -88,37 +88,37 @@ def rate_error(problem: Problem, steps: Numbers, samples: Numbers, rate: Numbers
 
 
 def shape_error(steps: Numbers) -> Numbers:
-    """Return the error of a march that the line is straight between two samples."""
+    """Return the error of a march due to the straight line between two samples."""
     return 0.5 / np.asarray(steps) ** 2.0
 
 
 def first_order_rate_error(problem: Problem, steps: Numbers, rate: Numbers) -> Numbers:
-    """Return what the implicit Euler scheme adds to the error of b.
+    """Return the additional error of b due to the implicit Euler scheme.
 
-    It lets a mode of rate b decay at ln(1 + s)/s of it, s the share of a relaxation time that a
-    step takes; up to four times as far off in a spectrum of them.
+    A mode of rate b decays at ln(1 + s)/s of it, where s is the share of a relaxation time in a
+    step. In a spectrum of modes the error is up to four times as large.
     """
     share = _share(problem, steps, rate)
     return 4.0 * (1.0 - np.log1p(share) / share)
 
 
 def _share(problem: Problem, steps: Numbers, rate: Numbers) -> Numbers:
-    """Return the share of a relaxation time that a step takes, at the slower speed."""
+    """Return the share of a relaxation time in a step, at the slower speed."""
     fastest = np.maximum(rate, expected_rate(problem))
     return fastest / (problem.speed * np.minimum(1.0, problem.ratio) * steps)
 
 
 def allowed_share(problem: Problem) -> Numbers:
-    """Return the share of a relaxation time that a step may take for 2 % of b."""
+    """Return the share of a relaxation time in a step at which the error of b is 2 %."""
     return np.minimum(1.0, 0.27 * np.minimum(speed_ratio(problem), 1.0) ** -0.8)
 
 
 def contact_width(problem: Problem) -> Numbers:
-    """Return how wide the contacts are that carry half of the load, in dx; above x = 1.
+    """Return the width of the contacts that carry half of the load, in dx; valid above x = 1.
 
-    Where one peak carries all, its front alone touches, over 2 sqrt(R F_N / (8 G v tau)): the
-    first law. Where many do, all are narrower the higher H and the shorter the line: the second.
-    Of 88 measured ones narrower than 15 dx eight in ten are within a factor 1.5.
+    If one peak carries the load, only its front touches, over 2 sqrt(R F_N / (8 G v tau)): the
+    first law. If many do, contacts are narrower for higher H and shorter lines: the second law. Of
+    88 measured widths below 15 dx, eight in ten are within a factor of 1.5.
     """
     hurst, elements, load, speed, _ = problem[:5]
     line, fast = np.log(elements), np.log(speed)
@@ -129,11 +129,11 @@ def contact_width(problem: Problem) -> Numbers:
 
 
 def touchable_share(hurst: Numbers, load: Numbers, viscous_pressure: Numbers) -> Numbers:
-    """Return the share of the line below the indentation, which a march has to visit.
+    """Return the share of the line below the indentation, which a march visits.
 
-    At rest it grows with the load; at speed a smaller area carries it, load over viscous pressure.
-    Measured on 1500 random problems, Fbar 1e-4 ... 30, vbar 0.02 ... 1000, N 700 ... 12000: half of
-    them within 20 %, nine of ten within a factor of 2.2.
+    At rest it grows with the load; at speed a smaller area carries the load, which is load over
+    viscous pressure. Of 1500 random problems, Fbar 1e-4 ... 30, vbar 0.02 ... 1000, N 700 ...
+    12000, half are within 20 % and nine in ten within a factor of 2.2.
     """
     rest = np.exp(-0.40 + 0.78 * hurst) * load**0.635
     speed = np.exp(1.58 + 0.44 * hurst) * (load / viscous_pressure**0.72) ** 1.06
@@ -141,11 +141,11 @@ def touchable_share(hurst: Numbers, load: Numbers, viscous_pressure: Numbers) ->
 
 
 def window_rate(problem: Problem) -> Numbers:
-    """Return a rate whose relaxation time is at most that of the curve, to march by.
+    """Return the rate that sets the window of a march, at least that of the curve.
 
-    x^(1 - H) where many patches carry the load. Where one or two do, they are gone when they have
+    It is x^(1 - H) if many patches carry the load. One or two patches are renewed once they have
     slid their own width. Of 92 measured problems with x > 1, N to 3000, 94 % fell to 5 % within
-    four such times, the others within 4.2, as with x^(1 - H) alone, up to 100 times longer.
+    four such times, the others within 4.2; with x^(1 - H) alone it took up to 100 times longer.
     """
     rate = expected_rate(problem)
     with np.errstate(all="ignore"):  # loads of zero, where no law holds
@@ -156,9 +156,9 @@ def window_rate(problem: Problem) -> Numbers:
 
 
 def relaxing_share(problem: Problem) -> Numbers:
-    """Return which share of the jump relaxes; beyond its sign and above 1e-3.
+    """Return the share of the jump that relaxes, beyond its sign and above 1e-3.
 
-    Of the same problems 112 were below 0.01, 105 of them by this law, and 4 others by it alone.
+    In 112 of the same problems it was below 0.01; the law finds 105 of them, and 4 others.
     """
     hurst, elements, load, _, _ = problem[:5]
     x = speed_ratio(problem)
@@ -168,7 +168,7 @@ def relaxing_share(problem: Problem) -> Numbers:
 
 
 def mu_1_scatter(problem: Problem) -> Numbers:
-    """Return the scatter of mu_1 (and mu_2); next to full contact it is less."""
+    """Return the scatter of mu_1 (and mu_2), which is smaller near full contact."""
     hurst, elements, load, _, _ = problem[:5]
     contacts = (
         load**-0.09 * (1.0 + load) ** -1.57 * (1.0 + viscous_pressure(problem) / load) ** 0.08
@@ -190,7 +190,7 @@ def relaxation_rate_scatter(problem: Problem) -> Numbers:
     x = speed_ratio(problem)
     contacts = load**0.43 * (1.0 + load) ** -0.61 * (1.0 + viscous_pressure(problem) / load) ** 0.53
     sliding = 0.090 * contacts * np.exp(0.77 * hurst) * elements ** (0.34 * hurst - 0.05)
-    # Below x = 1 creep: b is next to 1, but for heavy loads, where hardly anything relaxes.
+    # Below x = 1 (creep) b is about 1, except under heavy loads, where hardly anything relaxes.
     creep = np.where((load > 0.1) & (x > 0.2), 0.6, np.minimum(0.1, 0.5 * x))
     return np.where(x < 1.0, creep, sliding)
 

@@ -1,4 +1,4 @@
-"""Errors that the estimates of a run are predicted to have, by the laws of error."""
+"""Predicted errors of the estimates of a run, by the laws of error."""
 
 import math
 from typing import NamedTuple
@@ -24,8 +24,8 @@ class PredictedErrors(NamedTuple):
 def predicted_errors(plan: Plan) -> dict[str, PredictedErrors]:
     """Return the errors of each estimate of a study, at problems for which the laws hold.
 
-    Empty where the laws hold for no problem: they are known for Kelvin bodies on random surfaces.
-    No bound is known before a run for b of the first-order scheme.
+    The result is empty if they hold for no problem: they are known for Kelvin bodies on random
+    surfaces. For b of the first-order scheme no bound is known before a run.
     """
     variant = plan.variants[0]
     some = variant.tasks[:: math.ceil(len(variant.tasks) / MAX_PROBLEMS)]

@@ -28,13 +28,13 @@ from .problems import Numbers, expected_rate, viscous_pressure
 
 JACKKNIFE_GROUPS = 32  # of the jackknife at most; fewer blocks are groups of their own
 MIN_BLOCKS, MIN_RATE_BLOCKS = 2, 8  # of a point; with fewer, b is rarely significant
-FIRST_SHARE = 0.3  # of the predicted need: what is measured then says how many more
-TRIED = 3  # steps, each twice the one before, that are fine enough; finer ones never pay
+FIRST_SHARE = 0.3  # of the predicted need; measured errors then determine the rest
+TRIED = 3  # fine enough steps to compare, each twice the one before; finer ones never pay
 STATES = 28.0  # updates of the march that drawing and both steady states of a sample are worth
 
 
 class Goal(NamedTuple):
-    """The settings by which a problem, or each of a stack, reaches the accuracy."""
+    """Settings with which a problem, or each of a stack, reaches the accuracy."""
 
     steps: Numbers  # per spacing
     bias: dict[str, Numbers]  # bound of the relative discretisation error of each estimate judged
@@ -54,11 +54,11 @@ class Goal(NamedTuple):
 
 
 def goal_of(problem: Problem, scene: Scene, numerics: Numerics) -> Goal:
-    """Return the cheapest way to the accuracy, by the laws of error_laws.py and cost.py.
+    """Return the cheapest settings for the accuracy, by the laws of error_laws.py and cost.py.
 
-    Discretisation may take up to half of the accuracy; where no line that fits a worker is that
-    fine, the finest that does. A number of steps given by the user stands, and its error is not
-    counted: the accuracy is then that of the discretisation chosen. Nor is b counted where next to
+    Discretisation may use up to half of the accuracy. If no line that fits into a worker is fine
+    enough, the finest of those is used. A number of steps given by the user is kept, and its error
+    is not counted: the accuracy is then that of the given discretisation. b is not judged if almost
     nothing is expected to relax.
     """
     names = accuracy_estimates(scene.quantities)
@@ -105,12 +105,12 @@ def goal_of(problem: Problem, scene: Scene, numerics: Numerics) -> Goal:
 
 
 def _need(wanted: float, bias: dict[str, Numbers], scatter: dict[str, Numbers]) -> Numbers:
-    """Return how many realizations bring every standard error down to what the bias leaves."""
+    """Return the realizations that reduce every standard error to what the bias leaves."""
     return np.max([(scatter[name] / allowed(wanted, bias[name])) ** 2 for name in bias], axis=0)
 
 
 def allowed(wanted: float, bias: Numbers) -> Numbers:
-    """Return the relative standard error that is left beside a bias, at least half of all."""
+    """Return the relative standard error allowed besides a bias, at least half of the accuracy."""
     return np.maximum(wanted - bias, 0.5 * wanted)
 
 
@@ -147,7 +147,7 @@ MAX_SAMPLES_PER_LINE = 6_000_000  # keeps a worker below 1 GiB
 MIN_STEPS = 8  # of a march
 BIAS = 0.02  # relative discretisation error that "auto" keeps
 GENERAL_STEPS = 8  # where elements have internal variables, or a programme is marched
-RENEWAL = 0.04  # of the line, slid until contacts are others
+RENEWAL = 0.04  # of the line, after which contacts are renewed
 FIRST_ORDER = 8  # times the steps, that a scheme of first order takes
 MOST_FOR_CONTACTS = 64
 
@@ -170,16 +170,16 @@ def least_steps(problem: Problem, scene: Scene) -> Numbers:
 def steps_per_spacing(problem: Problem, scene: Scene, numerics: Numerics) -> Numbers:
     """Return m: the given number, or for "auto" the smallest with a bias below BIAS.
 
-    Steady friction and jumps do so with 4 (quick/contacts/between_samples.py), a relaxation where
-    steps and contacts are resolved (error_laws.py). For contacts alone m goes up to
-    MOST_FOR_CONTACTS and as far as a line fits into a worker; what is coarse then is marked in the
-    result. First order schemes take FIRST_ORDER times as many.
+    For steady friction and jumps it is 4 (quick/contacts/between_samples.py). A relaxation needs
+    resolved steps and contacts (error_laws.py). To resolve contacts m is at most MOST_FOR_CONTACTS,
+    and the line must fit into a worker; the result marks points that remain coarse. First-order
+    schemes take FIRST_ORDER times as many.
     """
     steps: Numbers = numerics.steps_per_spacing
     if steps is None and problem.surface.body == HALF_SPACE:
         steps = steps_for(problem, BIAS)
     elif steps is None and problem.surface.measured:
-        steps = MIN_SMOOTH_STEPS  # no law tells more of lines whose spectrum is their own
+        steps = MIN_SMOOTH_STEPS  # no law covers measured spectra
     elif steps is None and (problem.programme or problem.spectrum != KELVIN):
         steps = GENERAL_STEPS
     elif steps is None:
@@ -212,7 +212,7 @@ def fits_worker(problem: Problem, steps: int) -> bool:
 
 
 def check_resolution(problem: Problem, steps: Numbers, numerics: Numerics) -> None:
-    """Raise UserError where a line does not fit into a worker, or rounding would show.
+    """Raise UserError for a line that does not fit into a worker, and if rounding would show.
 
     The kernels refuse the same speeds (kernels/quick/cases.py).
     """
@@ -240,7 +240,7 @@ def check_resolution(problem: Problem, steps: Numbers, numerics: Numerics) -> No
 
 
 def _shorter(problem: Problem, elements: int) -> str:
-    """Return in words what makes fewer samples of a line."""
+    """Return advice, in words, to reduce the samples of a line."""
     if not problem.surface.measured:
         return "set a smaller number, a higher velocity or a larger spacing"
     most = MAX_SAMPLES_PER_LINE // elements
@@ -252,7 +252,7 @@ def _shorter(problem: Problem, elements: int) -> str:
 
 
 def _check_map(elements: np.ndarray, steps: np.ndarray, samples: Numbers) -> None:
-    """Raise UserError where a map does not fit into a worker."""
+    """Raise UserError for a map that does not fit into a worker."""
     side = elements * steps
     if np.any(samples > MOST_SAMPLES):
         most = int(MOST_SAMPLES**0.5)
@@ -266,8 +266,8 @@ def _check_map(elements: np.ndarray, steps: np.ndarray, samples: Numbers) -> Non
 def horizon_steps(problem: Problem, numerics: Numerics, steps: Numbers) -> Numbers:
     """Return the number of steps to march: ``horizon`` expected relaxation times, at least 8.
 
-    Where there are internal variables, at least ``horizon`` times the distance over which contacts
-    are renewed.
+    With internal variables it is at least ``horizon`` times the distance over which contacts are
+    renewed.
     """
     time = numerics.horizon / window_rate(problem)
     need = time * steps * abs(problem.speed) * abs(problem.ratio)

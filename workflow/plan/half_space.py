@@ -1,17 +1,16 @@
 """Requirements of a half-space: steps per spacing, errors and cost, by measured laws.
 
-They take a problem, or many of them together, as the laws of the foundation do (error_laws.py,
-cost.py). A map has (N m)^2 samples, eight in its shortest wave where m = 4.
+The functions take a problem, or many of them together, like the laws of the foundation
+(error_laws.py, cost.py). A map has (N m)^2 samples, eight in its shortest wave at m = 4.
 
 Errors: 15 problems at H = 0.7, N = 16, sigma_0/(E* grad z) 0.01 ... 0.2, x 0.3 ... 30, four maps
-each with m = 2, 4, 8 against m = 16. That of mu_1 was 1 to 2.4 % at m = 4 and at most 0.5 % at m =
-8, whatever load and x. That of the jump is as small where patches of contact hold many samples, and
-up to 2 over their number where they do not.
+each with m = 2, 4, 8 against m = 16. The error of mu_1 was 1 to 2.4 % at m = 4 and at most 0.5 % at
+m = 8, for any load and x. The error of the jump is as small if contact patches hold many samples,
+otherwise up to 2 over their number.
 
 Scatter: standard errors times the root of the number of maps; 264 problems, sigma_0/(E* grad z)
-0.002 ... 0.6, x 0.1 ... 30, H 0 ... 1, one or two longest waves a side, N 8 ... 64; right within
-1.6 for two in three. That of b follows no law.
-
+0.002 ... 0.6, x 0.1 ... 30, H 0 ... 1, one or two longest waves per side, N 8 ... 64. Two in three
+are within a factor of 1.6. The scatter of b follows no law.
 """
 
 from functools import partial
@@ -38,9 +37,9 @@ LEAST_FREE = 0.1  # in contacts of more the scatter was not measured
 
 
 def steps_for(problem: Problem, wanted: float) -> Numbers:
-    """Return the least m whose errors of mu_1 and jump are below the wanted one, as far as it fits.
+    """Return the smallest m whose errors of mu_1 and jump are below the requested one, if it fits.
 
-    A power of two times four, MOST_STEPS and MOST_SAMPLES at most.
+    It is four times a power of two, at most MOST_STEPS; maps have at most MOST_SAMPLES.
     """
     steps = np.full(np.shape(problem.load), LEAST_OF_MAPS)
     for _ in range(2):
@@ -66,25 +65,25 @@ def map_error(name: str, steps: Numbers, samples: Numbers) -> Numbers:
 
 
 def expected_samples(problem: Problem, steps: Numbers) -> Numbers:
-    """Return the samples of a patch of contact to expect, within a factor of two or more of it."""
+    """Return the expected samples per contact patch, within a factor of two or more."""
     load = nominal_pressure(problem) / line_slope(problem)
     patch = 1500.0 * load**0.9 / (1.0 + speed_ratio(problem) / 2.5)
     return np.maximum(patch, 3.0) * np.asarray(steps) ** 2.0 / 16.0
 
 
 def expected_error(name: str, problem: Problem, steps: Numbers, refine: bool = True) -> Numbers:
-    """Return the error that is expected before anything is computed.
+    """Return the predicted error.
 
-    refine : what is refined on lines has no meaning on maps.
+    refine : ignored, as contacts of maps are not located between the samples.
     """
     return map_error(name, steps, expected_samples(problem, steps))
 
 
 def expected_area(problem: Problem) -> Numbers:
-    """Return the share of the square in real contact to expect; nine in ten are 0.7 to 1.2 of it.
+    """Return the expected share of real contact; nine in ten are 0.7 to 1.2 of it.
 
-    Under next to no load it is that of Persson's theory, 2.26 sigma_0/(E* grad z), where sliding
-    does not stiffen the elastomer.
+    Under very light loads it is that of Persson's theory, 2.26 sigma_0/(E* grad z), if sliding does
+    not stiffen the elastomer.
     """
     load = nominal_pressure(problem) / line_slope(problem)
     stiffer = np.hypot(1.0, speed_ratio(problem) / (0.83 + 0.77 * problem.hurst))

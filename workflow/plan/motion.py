@@ -62,9 +62,9 @@ class Scale(NamedTuple):
 
 
 def with_scene(base: Problem, scene: Scene, scale: Scale, depth: float) -> Problem:
-    """Return a problem with what a scene adds to it at a point, where it has a programme.
+    """Return a problem with the contribution of a scene at a point, if it has a programme.
 
-    depth : prescribed indentation, m; NaN where the study has none.
+    depth : prescribed indentation, m; NaN if the study has none.
     """
     if not scene.programme:
         return base
@@ -103,10 +103,10 @@ def _drive(spring: Spring | None, scale: Scale) -> Drive | None:
 
 
 def _speeds(scene: Scene, scale: Scale) -> tuple[float, float]:
-    """Return the speed before the first velocity step, and that after it over it.
+    """Return the speed before the first velocity step, and the ratio of the speed after it.
 
-    Without a step the speed is that at which the programme begins, or, where it begins at rest,
-    the first that it has.
+    Without a step it is the initial speed of the programme or, if it begins at rest, its first
+    speed.
     """
     segments = scene.segments
     steps = scene.velocity_steps
@@ -159,8 +159,8 @@ def _leg(segment: Segment, scale: Scale) -> kernels.Leg:
 def check_programme(problem: Problem, steps: Any, origin: Origin) -> None:
     """Raise UserError for more than MAX_PROGRAMME_STEPS steps or steps lost in rounding.
 
-    So too for a drive that never moves the line. steps : numbers of them per spacing, of problems
-    that share this programme.
+    It is also raised for a drive that never moves the line. steps : numbers of steps per spacing,
+    of problems that share this programme.
     """
     programme = problem.programme
     if problem.drive:
@@ -184,8 +184,8 @@ def check_programme(problem: Problem, steps: Any, origin: Origin) -> None:
 def _check_pull(problem: Problem, drive: Drive) -> None:
     """Raise UserError if the force of a drive is negligible, or lost in rounding.
 
-    A line at rest under the load bears no friction, and creeps under any force that is told. What
-    rounding adds to a force must lie well below what is left over when forces are balanced.
+    A line at rest under the load bears no friction, and creeps under any resolved force. The
+    rounding of a force must lie well below the residual of the force balance.
     """
     legs = list(drive_legs(problem.programme, 0.0))
     stretch = max(np.abs(course.place).max() for course in legs)
@@ -207,7 +207,7 @@ def _check_pull(problem: Problem, drive: Drive) -> None:
 
 
 def kernel_quantities(study: Study) -> Quantities:
-    """Return what the kernels are asked for; a relaxation starts from the jump."""
+    """Return the quantities requested from the kernels; a relaxation starts from the jump."""
     requested = study.scene.quantities
     curve = any(name in requested for name in ("relaxation", "peak", "rate_state"))
     return Quantities(
@@ -223,10 +223,10 @@ FINER = 4  # lines that are run with halved steps too
 
 
 def recording_of(study: Study, label: str) -> Recording:
-    """Return what is kept of the marches of a variant.
+    """Return the Recording of the marches of a variant.
 
-    Of measured lines, and of those like them, no law tells the discretisation error: where "auto"
-    chooses the steps, it is read from what halved steps change on a few of them.
+    The discretisation error of measured lines, and of lines like them, follows no law. If "auto"
+    chooses the steps, the error is measured by halving the steps on a few of them.
     """
     requested, numerics, surface = (
         study.scene.quantities,

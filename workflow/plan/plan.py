@@ -1,4 +1,4 @@
-"""The plan: which problems, which batches, what they cost. Pure data; computes nothing."""
+"""The plan of a study: problems, batches and predicted cost. Pure data; computes nothing."""
 
 import math
 from typing import NamedTuple
@@ -26,7 +26,7 @@ BYTES_PER_CURVE_SAMPLE = 80  # the same, curves
 
 
 class Plan(NamedTuple):
-    """Everything a study will do."""
+    """Work and predicted cost of a study."""
 
     study: Study
     variants: list[Variant]
@@ -46,7 +46,7 @@ class Plan(NamedTuple):
 
     @property
     def records(self) -> int:
-        """Number of records (task, block) of the whole study, predicted where there are goals."""
+        """Number of records (task, block) of the whole study, predicted if there are goals."""
         return sum(sum(map(self.expected.__getitem__, v.rows)) for v in self.variants)
 
     def longest_line(self) -> int:
@@ -73,7 +73,7 @@ class Plan(NamedTuple):
         return WORKER_BYTES + finer * max(sizes) + steps
 
     def longest_programme(self) -> float:
-        """Return the largest number of steps of any programme, at most; 0 without one."""
+        """Return an upper bound of the steps of any programme; 0 without one."""
         marched = (
             max_leg_counts(task.problem, task.steps_per_spacing, variant.recording.origin).sum()
             for variant in self.variants
@@ -110,16 +110,16 @@ class Plan(NamedTuple):
 
 
 def _bytes_per_sample(variant: Variant) -> float:
-    """Return what a worker needs at its peak for each sample of a line, or of a map."""
+    """Return the peak memory of a worker per sample of a line, or of a map."""
     if variant.lines.body == HALF_SPACE:
         return MAP_BYTES + BRANCH_BYTES * len(variant.tasks[0].problem.spectrum.moduli)
     return BYTES_PER_SAMPLE
 
 
 def make_plan(study: Study, origin: Origin = ZERO_ORIGIN) -> Plan:
-    """Return the plan of a study. Raises UserError where a problem would be too large.
+    """Return the plan of a study. Raises UserError for a problem that is too large.
 
-    origin : where a programme that is resumed begins.
+    origin : start of a resumed programme.
     """
     quantities = kernel_quantities(study)
     with garbage_collection_paused():  # saves a fifth of the time with 1e5 tasks

@@ -1,9 +1,9 @@
 """Exact similarity: many points of the grid are one dimensionless problem, computed once.
 
-mu/grad z, d/h and t/tau depend on H, N = L/dx, Fbar = F_N/(4 G L h), vbar = v1 tau/dx and
-r = v2/v1 alone; h and F_N enter only as F_N/h. A scene adds the spectrum of the material over G
-and tau, the modes of the lines and its programme. Axes that change material, lines or scene
-(study/axes.py) make each of those anew; all else follows from them.
+mu/grad z, d/h and t/tau depend only on H, N = L/dx, Fbar = F_N/(4 G L h), vbar = v1 tau/dx and
+r = v2/v1; h and F_N enter only as F_N/h. A scene adds the spectrum of the material over G and tau,
+the modes of the lines and its programme. Axes that change material, lines or scene (study/axes.py)
+change these for each of their values; all other parts follow from them.
 """
 
 import math
@@ -56,17 +56,17 @@ def distinct_problems(study: Study, label: str = "") -> tuple[list[Problem], np.
     every, problems = list(settings), []
     for hurst, elements, load, speed, ratio, setting in indices:
         problem = every[setting]._replace(hurst=hurst, elements=elements, load=load)
-        if not problem.programme:  # which says the speeds itself
+        if not problem.programme:  # which determines the speeds
             problem = problem._replace(speed=speed, ratio=ratio)
         problems.append(problem)
     return problems, np.array(index).reshape(study.shape)
 
 
 def stack_problems(problems: list[Problem]) -> list[tuple[np.ndarray, Problem]]:
-    """Return (numbers of problems, those as one whose fields are arrays): for the laws at once.
+    """Return (number of problems, one problem whose fields are arrays), for the laws.
 
-    They share all but the five numbers of the paper, arrays of shape (P,) in the one problem, and
-    the slopes of their lines, which stand in its surface.
+    The problems share all fields except the five numbers of the paper, arrays of shape (P,), and
+    the slopes of their lines, which are part of the surface.
     """
     rows: dict[tuple, list[int]] = {}
     for row, problem in enumerate(problems):
@@ -137,25 +137,25 @@ def _numbers(study: Study, label: str, others: list[Parts], points: Points) -> l
     else:
         step = np.broadcast_to(at["velocity_step"], speed.shape)
         _check_steps(step, speed)
-    # A ratio follows from no other value; rounding would make a small step another one.
+    # Ratios are given by the user; rounding would change a small step.
     return [canonical(load), canonical(speed), 1.0 + step]
 
 
 def _rounded_spectrum(material: Material) -> Spectrum:
-    """Return the spectrum of a material, rounded like all that is part of a problem."""
+    """Return the spectrum of a material, rounded like every part of a problem."""
     moduli, times, viscosity = material.spectrum()
     return Spectrum(tuple(map(rounded, moduli)), tuple(map(rounded, times)), rounded(viscosity))
 
 
 def speed_ratio(problem: Problem) -> Numbers:
-    """Return x = v1 tau q_max, the abscissa of figure 7: pi vbar where all waves are there."""
+    """Return x = v1 tau q_max, the abscissa of figure 7; pi vbar if all waves are present."""
     if problem.surface.cutoff:
         return abs(problem.speed) * 2.0 * math.pi * problem.surface.cutoff / problem.elements
     return math.pi * abs(problem.speed)
 
 
 def expected_rate(problem: Problem) -> Numbers:
-    """Return the rate b to plan for (eq. 13): x^(1 - H) above x = 1, creep with tau below."""
+    """Return the expected rate b (eq. 13): x^(1 - H) above x = 1, creep with tau below."""
     return relaxation_rate(speed_ratio(problem), problem.hurst, time_below_one=True)
 
 
@@ -183,7 +183,7 @@ def _slope(
 
 
 def _check_steps(step: np.ndarray, speed: np.ndarray) -> None:
-    """Raise UserError for a velocity step that 1 + dv/v1 or the jump would lose in rounding."""
+    """Raise UserError for a velocity step whose 1 + dv/v1 or jump is lost in rounding."""
     least = np.maximum(MIN_RATIO_STEP, LEAST_CHANGE / speed)
     lost = (step != 0.0) & (np.abs(step) < least)
     if lost.any():
@@ -194,7 +194,7 @@ def _check_steps(step: np.ndarray, speed: np.ndarray) -> None:
 
 
 def _check(axis: str, name: str, values: np.ndarray, limits: tuple[float, float]) -> None:
-    """Raise UserError where a dimensionless number leaves its limits; NaN does."""
+    """Raise UserError for a dimensionless number beyond its limits, or NaN."""
     low, high = values.min(), values.max()
     if not (limits[0] <= low and high <= limits[1]):
         raise UserError(

@@ -1,8 +1,8 @@
-"""The error of the model: friction of the foundation over that of a half-space, as measured.
+"""Error of the model: measured friction of the foundation over that of a half-space.
 
-ratio_of_bodies.csv is made by the study `bodies` (studies/bodies/ratio_table.py) under one nominal
+The study `bodies` makes ratio_of_bodies.csv (studies/bodies/ratio_table.py) at one nominal
 pressure, F_N = sigma_0 lambda_r L on the foundation. Between its points the logarithm of the ratio
-is linear in H and in the logarithms of waves, load and x; outside it nothing is said.
+is linear in H and in the logarithms of waves, load and x. Outside the table the ratio is unknown.
 """
 
 import csv
@@ -22,7 +22,7 @@ from .problems import line_slope, speed_ratio
 TABLE = Path(__file__).with_name("ratio_of_bodies.csv")
 KINDS = ("kelvin", "broad")  # one relaxation time, or many
 UNKNOWN = math.nan, math.nan
-ROUNDING = 1e-5  # relative, by which a point may lie outside
+ROUNDING = 1e-5  # relative distance by which a point may lie outside the table
 
 
 class InTable(NamedTuple):
@@ -43,7 +43,7 @@ def nominal_pressure(problem: Problem) -> float:
 
 
 def place_of(problem: Problem, normalisation: str = "modal") -> InTable:
-    """Return where a problem stands, on either body."""
+    """Return the coordinates of a problem in the table, on either body."""
     longest = max(problem.surface.rolloff, 1.0)  # its wave number in 2 pi/L
     last = problem.surface.cutoff or problem.elements // 2
     kind = KINDS[problem.spectrum != KELVIN]

@@ -161,7 +161,7 @@ def variant_of(
 
 
 def _recording(study: Study, label: str, problems: list[Problem], steps: list[int]) -> Recording:
-    """Return the recording of a variant, without halved steps where a worker has no room."""
+    """Return the recording of a variant, without halved steps if a worker lacks the memory."""
     recording = recording_of(study, label)
     pairs = zip(problems, steps, strict=True)
     if recording.refined_blocks and not all(

@@ -50,10 +50,10 @@ ATTEMPTS = 3  # at a result, when shards turn out damaged
 
 
 def run_plan(plan: Plan, result: Path, how: RunOptions) -> Summary:
-    """Compute whatever of the plan is not stored yet and write the result file.
+    """Compute the missing records of a plan, store them, and write the result file.
 
-    An interrupted run keeps all finished batches and writes no result file; so does one with
-    more than ``how.max_failures`` failed problems. With fewer, these are marked in the result.
+    An interrupted run keeps all finished batches and writes no result file; so does one with more
+    than ``how.max_failures`` failed problems. With fewer, these are marked in the result.
     """
     import_dask()
     began = time.monotonic()
@@ -95,7 +95,7 @@ class _Run:
         self.status = StatusWriter(result, store.folder, status, self._extent)
 
     def is_done(self) -> bool:
-        """Return whether the result is there and would be written the same again; then say so."""
+        """Return whether the result exists and would be written again unchanged; report it."""
         if not is_unchanged(self.plan, self.store, self.failures, self.result, self.missing):
             return False
         self.summary.written = self.summary.unchanged = True
@@ -105,18 +105,18 @@ class _Run:
         return True
 
     def seconds(self) -> float:
-        """Return the predicted core-seconds of all that is left, fits as well."""
+        """Return the predicted core-seconds of the remaining work, fits included."""
         groups = (min(blocks, JACKKNIFE_GROUPS) for blocks in self.plan.expected.values())
         return total_seconds(self.missing) + sum(fit_seconds(self.plan, count) for count in groups)
 
     def load_kernels(self) -> None:
-        """Load or compile what is needed, once for all processes of this machine."""
+        """Load or compile the required kernels, once for all processes of this machine."""
         if self.missing and self.how.cluster.where == LOCAL:  # others compile for themselves
             for variant in self.plan.variants:
                 load_kernels(variant.lines.body, variant.numerics.scheme, self.plan.quantities)
 
     def finish(self, workers: Workers) -> None:
-        """Compute, collect and write; the status says how it ended, whatever happens."""
+        """Compute, collect and write; record the outcome in the status in any case."""
         state = "ended early"
         try:
             with self.watch.telling(self._look):
@@ -134,7 +134,7 @@ class _Run:
             self.status.end(state)
 
     def _datasets(self, workers: Workers) -> "Groups":
-        """Compute what is missing, then collect; once more where shards turn out damaged."""
+        """Compute the missing records, then collect; repeat both if shards are damaged."""
         collector = Collector(workers, self.store, self.plan, self.summary, self.watch)
         missing = self.missing if self.plan.first == self.plan.expected else None
         for _ in range(ATTEMPTS):
@@ -156,7 +156,7 @@ class _Run:
         )
 
     def _marked(self, datasets: "Groups", blocks: dict[str, int]) -> "Groups":
-        """Return the datasets with what computed their records, and what they are known by."""
+        """Return the datasets with the makers of their records and the key of the result."""
         sound = {key: count for key, count in blocks.items() if key not in self.store.failed}
         makers = self.store.index.makers_of(sound)
         require_one(makers, self.how.one_kind)
@@ -202,7 +202,7 @@ class _Run:
         return self.interrupt() or self.failures.too_many()
 
     def _look(self, threads: int, in_flight: int) -> None:
-        """Take note of the workers every second."""
+        """Record the workers every second."""
         self.summary.workers = max(self.summary.workers, threads)
         self.status.write(threads, min(threads, in_flight))
 

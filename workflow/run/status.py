@@ -1,7 +1,7 @@
 """Progress of a study, written to the folder of its result during a run.
 
-Reading takes no time per point: the file says how far the journal of the store was, and only
-what the journal has got since is counted.
+Reading takes no time per point: the file states its position in the journal of the store, and only
+later entries are counted.
 """
 
 import hashlib
@@ -50,7 +50,7 @@ class Status:
         return self.left * self.rate
 
     def advance(self, folder: Path) -> bool:
-        """Count what the journal has got since; return whether that is all there is to it."""
+        """Count new entries of the journal; return whether the status is then complete."""
         if journal.size(folder) < self.offset:
             return False
         for entry, offset in journal.entries(folder, self.offset):
@@ -66,16 +66,16 @@ class Status:
         return True
 
     def runs(self, by: str | None) -> bool:
-        """Return whether it is this study that ``by`` runs."""
+        """Return whether the process ``by`` runs this study."""
         return by is not None and by.startswith(f"process {self.pid} on {self.host} since")
 
     @property
     def ended(self) -> str:
-        """Return how the last run ended, where nothing runs."""
+        """Outcome of the last run, if nothing runs."""
         return "was killed" if self.state == "running" else self.state
 
     def lines(self, result: Path, by: str | None) -> list[str]:
-        """Return what the command prints; ``by`` is who runs something in the folder."""
+        """Return the lines that the command prints. by : process that runs in the folder."""
         total = max(self.total, self.done)  # rounds may take more than predicted
         alive = self.runs(by)
         running, workers = (self.running, self.workers) if alive else (0, 0)
@@ -97,41 +97,41 @@ class Status:
 
 
 def result_line(result: Path) -> str:
-    """Return where the result is, or is going to be."""
+    """Return the line with the path of the result."""
     return f"result      {result}{'' if result.is_file() else ' (not written yet)'}"
 
 
 def study_digest(study: Study) -> str:
-    """Return what tells a study with its settings, and our code, from any other."""
+    """Return a digest that identifies a study, its settings and our code."""
     return hashlib.sha256((CODE_HASH + study.text).encode()).hexdigest()[:16]
 
 
 def status_file(result: Path) -> Path:
-    """Return where the status of a study stands."""
+    """Return the path of the status of a study."""
     return result.with_suffix(".status.json")
 
 
 class StatusWriter:
-    """Keeps the status of a run on the disk, replaced as a whole every few seconds."""
+    """Writer of the status of a run, which it replaces as a whole every few seconds."""
 
     def __init__(
         self, result: Path, folder: Path, status: Status, extent: Callable[[], tuple[int, float]]
     ) -> None:
-        """``extent`` counts records that are settled, and the predicted seconds of the rest."""
+        """Create the writer. extent : counts settled records and seconds of the others."""
         self.path, self.folder = status_file(result), folder
         self.status, self.extent = status, extent
         self.status.pid, self.status.host = os.getpid(), socket.gethostname()
         self.status.offset = journal.size(folder)
         self.written = -WRITE_SECONDS
-        self.complaint = ""  # the last reason why it could not be written
+        self.complaint = ""  # the last warning
 
     def write(self, workers: int, running: int) -> None:
-        """Write the status if it is time for it."""
+        """Write the status if it is due."""
         if time.monotonic() - self.written >= WRITE_SECONDS:
             self.end("running", workers, running)
 
     def end(self, state: str, workers: int = 0, running: int = 0) -> None:
-        """Write how the run stands, or how it ended; a disk that refuses it does no harm."""
+        """Write the state or the outcome of the run; warn if the disk refuses."""
         self.written = time.monotonic()
         try:
             self._bring_up_to_date(state, workers, running)
@@ -150,7 +150,7 @@ class StatusWriter:
 
 
 def read_status(study: Study, result: Path, folder: Path) -> Status:
-    """Return how far a study is: as its last run left it, up to now, or counted anew."""
+    """Return the progress of a study: the updated status of its last run, or counted records."""
     try:
         with open_plain(status_file(result)) as file:
             content = json.loads(file.read(LONGEST))
@@ -174,7 +174,7 @@ def _counted(study: Study, folder: Path) -> Status:
 
 
 def status_lines(study: Study, result: Path, folder: Path) -> tuple[list[str], dict[str, object]]:
-    """Return what the command ``status`` prints, as lines and as data."""
+    """Return the output of the command ``status``, as lines and as data."""
     status, by = read_status(study, result, folder), holder(folder)
     lines = status.lines(result, by)
     alive = status.runs(by)

@@ -69,7 +69,7 @@ class Summary:
         self.files += time.monotonic() - began
 
     def say_accuracy(self, plan: Plan, result: Path) -> None:
-        """Note at how many points a result that is written has the accuracy asked for, if any."""
+        """Record at how many points a written result has the requested accuracy, if any."""
         if any(variant.goals for variant in plan.variants):
             with ExitStack() as stack:
                 for label, dataset in results.open_result(plan.study, result, stack).items():
@@ -122,7 +122,7 @@ class Summary:
 
 
 def accuracy_lines(label: str, dataset: "xr.Dataset") -> list[str]:
-    """Return in words at how many points a dataset has the accuracy that was asked for."""
+    """Return, in words, at how many points a dataset has the requested accuracy."""
     if "accuracy_status" not in dataset:
         return []
     status = dataset.accuracy_status.values

@@ -13,10 +13,10 @@ from ..simulate import Batch, BatchResult, block_means
 from ..study import LOCAL, THIS_MACHINE, Cluster
 from ..system import Watch, own_versions
 
-SECONDS_HERE = 10.0  # of predicted work that this process does by itself
+SECONDS_HERE = 10.0  # predicted work below which this process computes without workers
 SECONDS_PER_FIT = 3e-5  # and replicate
 
-# What yields (item, function(item)): stream(function, items, watch, retry).
+# stream(function, items, watch, retry) yields (item, function(item)).
 Stream = Callable[..., Iterator[tuple[Any, Any]]]
 
 
@@ -24,7 +24,7 @@ class RunOptions(NamedTuple):
     """Options of a run; no number of the result depends on them.
 
     batch_seconds : predicted length of a batch; by default it grows with the study.
-    work : what computes a batch; a test may let it do something else.
+    work : function that computes a batch; tests replace it.
     """
 
     cluster: Cluster = THIS_MACHINE
@@ -38,7 +38,7 @@ class RunOptions(NamedTuple):
     work: Callable[[Batch], BatchResult] = block_means
 
     def here(self, seconds: float) -> bool:
-        """Return whether this process does work of ``seconds`` (predicted) without workers."""
+        """Return whether this process computes work of ``seconds`` (predicted) without workers."""
         workers_requested = (
             self.cluster.where != LOCAL or self.workers is not None or self.dashboard
         )
@@ -61,7 +61,7 @@ class Workers(NamedTuple):
 def open_workers(how: RunOptions, seconds: float, watch: Watch) -> Iterator[Workers]:
     """Yield the workers for work of ``seconds`` (predicted).
 
-    Raises UserError where workers cannot be had.
+    Raises UserError if no workers are available.
     """
     if how.here(seconds):
         yield Workers(stream_here, how.work)
@@ -86,10 +86,10 @@ def stream_here(
     watch: Watch,
     retry: Callable[[Any, Exception, bool], list[Any]] | None = None,
 ) -> Iterator[tuple[Any, Any]]:
-    """Yield (item, function(item)), one after the other; none any more once watch() is true.
+    """Yield (item, function(item)), one after the other, until watch() is true.
 
-    As cluster.stream does with workers: an item that raises twice is handed to ``retry``, which
-    returns what to do instead; without it the error ends the stream.
+    As in cluster.stream, an item that raises twice is passed to ``retry``, which returns its
+    replacements; without ``retry`` the error ends the stream.
     """
     source, again = iter(items), list[Any]()
     watch.look(1, 0)
