@@ -121,7 +121,7 @@ docs: $(READY) ## Build the documentation as a site with a search: site/index.ht
 wheel: $(TOOLS) ## Build dist/*.whl, with machine code for x86-64-v3: where it fits none is compiled
 	$(BIN)/python -m tests.tools.wheel
 
-bench: $(TOOLS) ## Print what effects cost, as ratios (accuracy: make study-accuracy)
+bench: $(TOOLS) ## Print ratios of CPU times: beside C and tamaas, and by effect (accuracy: make study-accuracy)
 	$(BIN)/python -m tests.tools.bench
 
 mutation: $(TOOLS) ## Change code, see whether tests notice [ARGS="workflow/store --count 100 --seed 12"]

@@ -1,19 +1,28 @@
-"""`make bench`: what a case costs beside other ways to compute it, and what effects cost.
+"""`make bench`: what the program costs beside other programs, and what effects cost.
 
-Times are the least CPU times of several; compare them with each other, not between machines. What
-accuracy costs is the study of that name: `make study-accuracy`.
+Times are the least CPU times of several; ratios are of times measured in turns in one run. Compare
+them with each other, not between machines. What accuracy costs is the study of that name: `make
+study-accuracy`.
 """
 
 import contextlib
 import math
+import resource
+import shutil
+import subprocess
+import sys
+import tempfile
 from collections.abc import Callable
 from functools import partial
+from pathlib import Path
 
 import numpy as np
 
 from elastomer_friction.kernels import (
     KELVIN,
+    SCHEMES,
     Case,
+    ConstantForce,
     Hold,
     Line,
     Oscillation,
@@ -21,60 +30,117 @@ from elastomer_friction.kernels import (
     Ramp,
     SceneCase,
     Slide,
-    Spectrum,
+    lagged_slope,
     march,
     run_case,
     run_scene,
     scene_steps,
+    steady_sliding,
 )
 from elastomer_friction.kernels.drive import Drive, run_pulled
-from tests.tools.contact_costs import contact_costs
-from tests.tools.march_costs import fastest, in_turns, march_costs
-from tests.tools.narrow_costs import narrow_costs
-from tests.tools.rivals.limits import limit_table
-from tests.tools.rivals.problem import Problem, Row, a_line
-from tests.tools.scene_costs import (
+from elastomer_friction.studies.stability.probe import random_line
+from tests.tools.rivals.compiled import Compiled
+from tests.tools.rivals.rows import (
     HURST,
     LOAD,
     SPEED,
+    TURNS,
     M,
     a_scene,
     branches,
-    scene_costs,
-    steady_costs,
+    in_turns,
+    print_contacts,
+    print_scenes,
+    print_velocity_steps,
 )
-from tests.tools.task_costs import task_costs
 
-OF_SCENES = (HURST, 500, M)
+ELEMENTS = 500  # of the line of scenes
 SLIDE = (Slide(SPEED, 100.0),)
 MARCHED = round(100.0 * M)  # steps
 REPEATS, ONCE = 10, 1e-9  # turns, and seconds that one call fills
+ALL_SAMPLES = "march, all samples"
+STEP_ELEMENTS, LINES = 2000, 8  # of velocity steps
+POINTS = {  # name: (H, Fbar, x)
+    "H = 0.7, x = 17": (0.7, 0.05, 17.0),
+    "H = 0.3, x = 50": (0.3, 0.05, 50.0),
+    "H = 0.7, x = 1": (0.7, 0.05, 1.0),
+}
+EVERYTHING = "steady states, jump, relaxation"
+EFFECTS = {
+    "steady states": Quantities(True, False, False),
+    "steady states, jump": Quantities(True, True, False),
+    EVERYTHING: Quantities(),
+    "the same, indentation rate dropped": Quantities(indentation_rate=False),
+}
+CREEP = str(Path(__file__).parents[2] / "docs" / "creep.toml")
+TASKS = {  # what it imports, and the words of the command
+    "--help": ("argparse", ("--help",)),
+    "run fig2": ("numba, numpy, xarray, netCDF4", ("run", "fig2", "--scale", "smoke")),
+    "figure fig2": (
+        "xarray, netCDF4, matplotlib.pyplot",
+        ("figure", "fig2", "--scale", "smoke"),
+    ),
+    "animate docs/creep.toml": (
+        "numba, xarray, netCDF4, matplotlib.pyplot",
+        ("animate", CREEP),
+    ),
+}
 
 
-def pulled(line: Line, spectrum: Spectrum, stiffness: float) -> tuple[Callable, Callable]:
-    """Return a run of a slider on a spring, stiff over load times slope, and one that is moved."""
-    start = "steady" if stiffness >= 1.0 else "relaxed"
-    scene = a_scene(SLIDE, spectrum, start=start)
-    drive = Drive(stiffness * LOAD * math.sqrt(float(np.mean(line.slope**2))))
-    return partial(run_pulled, line, scene, drive), partial(run_scene, line, scene)
+def cpu_seconds(arguments: tuple[str, ...], folder: Path) -> float:
+    """Return the least CPU time of Python with these arguments, with all that it starts."""
+    taken = []
+    for _ in range(TURNS):
+        if "run" in arguments:
+            shutil.rmtree(folder / "results", ignore_errors=True)
+        before = resource.getrusage(resource.RUSAGE_CHILDREN)
+        subprocess.run([sys.executable, *arguments], cwd=folder, check=True, capture_output=True)
+        after = resource.getrusage(resource.RUSAGE_CHILDREN)
+        taken.append(after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime)
+    return min(taken)
 
 
-def drive_costs() -> None:
+def print_tasks() -> None:
+    """Print what small tasks cost beside importing what they cannot do without."""
+    print("\nSmall tasks in new processes: CPU-s, and the ratio to that of importing\n")
+    print("| task | imports | CPU-s | ratio |\n|---|---|---|---|")
+    with tempfile.TemporaryDirectory() as place:
+        for name, (needed, words) in TASKS.items():
+            bare = cpu_seconds(("-c", f"import {needed}"), Path(place))
+            taken = cpu_seconds(("-m", "elastomer_friction", *words), Path(place))
+            print(f"| {name} | {needed} | {taken:.2f} | {taken / bare:.2f} |", flush=True)
+
+
+def print_drives() -> None:
     """Print what a programme costs where a spring pulls, over the same of a line that is moved."""
-    print(f"\nPull over slide (N = {OF_SCENES[1]}, m = {M})\n")
+    print(f"\nPull over slide (N = {ELEMENTS}, m = {M})\n")
     print("| material | stiff spring, slides through | soft spring, creeps |\n|---|---|---|")
+    line = random_line(HURST, ELEMENTS, M, 1, 0)
+    rms_slope = math.sqrt(float(np.mean(line.slope**2)))
     for name, spectrum in (("Kelvin", KELVIN), ("K = 13", branches(13))):
         ratios = []
-        for stiffness in (1.0, 2e-3):
-            runs = pulled(a_line(*OF_SCENES), spectrum, stiffness)
-            pull, slide = in_turns(runs, REPEATS, ONCE)
+        for stiffness, start in ((1.0, "steady"), (2e-3, "relaxed")):  # over load times slope
+            scene = a_scene(SLIDE, spectrum, start=start)
+            drive = Drive(stiffness * LOAD * rms_slope)
+            pulled = partial(run_pulled, line, scene, drive)
+            pull, slide = in_turns((pulled, partial(run_scene, line, scene)), REPEATS, ONCE)
             ratios.append(pull / slide)
         print(f"| {name} | {ratios[0]:.2f} | {ratios[1]:.2f} |")
 
 
+def plain_march(line: Line) -> Callable[[], object]:
+    """Return a march of Kelvin elements that leaves no sample out, as long as SLIDE."""
+    law = SCHEMES["exponential"](1.0 / (M * SPEED))
+    load = LOAD * line.z.size
+    state, _ = steady_sliding(law, line.z, load)
+    weight = lagged_slope(line.slope, law.lag)
+    kept = np.unique(np.linspace(1, MARCHED, 64, dtype=int))
+    return partial(march, law, ConstantForce(load), line.z, weight, state, kept, math.inf)
+
+
 def scenes() -> dict[str, tuple[Line, SceneCase, str]]:
     """Return lines and scenes by the effect that they show, and what they are compared with."""
-    line, one = a_line(*OF_SCENES), branches(1)
+    line, one = random_line(HURST, ELEMENTS, M, 1, 0), branches(1)
     kelvin, slide = "general path, Kelvin", "slide, K = 1"
     held = {"load": math.nan, "indentation": 1.0}
     frames = {"requested": ("trace", "snapshots"), "frames": np.arange(64)}
@@ -83,7 +149,7 @@ def scenes() -> dict[str, tuple[Line, SceneCase, str]]:
         "edges": np.array([0.0, 1.0, 2.0, 4.0, 8.0, 1000.0]),
     }
     return {
-        kelvin: (line, a_scene(SLIDE, KELVIN), "march, all samples"),
+        kelvin: (line, a_scene(SLIDE, KELVIN), ALL_SAMPLES),
         slide: (line, a_scene(SLIDE, one), kelvin),
         "slide, K = 5": (line, a_scene(SLIDE, branches(5)), kelvin),
         "slide, K = 13": (line, a_scene(SLIDE, branches(13)), kelvin),
@@ -101,74 +167,56 @@ def scenes() -> dict[str, tuple[Line, SceneCase, str]]:
     }
 
 
-def effects_of_scenes() -> None:
-    """Print what a step of every scene costs, over the scene it is compared with.
-
-    Each is the least of several times, taken in turns.
-    """
-    compared, p = scenes(), Problem(Row(*OF_SCENES, math.pi * SPEED, LOAD, MARCHED))
+def print_effects_of_scenes() -> None:
+    """Print what a step of every scene costs, over the scene it is compared with."""
+    compared = scenes()
     runs: dict[str, Callable[[], object]] = {
         name: partial(run_scene, line, scene) for name, (line, scene, _) in compared.items()
     }
     steps = {name: scene_steps(scene, M).dt.size for name, (_, scene, _) in compared.items()}
-    # What corresponds: a Kelvin element slides on, no sample is left out.
-    every, kept = "march, all samples", np.unique(np.linspace(1, MARCHED, 64, dtype=int))
-    runs[every] = partial(march, p.law, p.control, p.line.z, p.weight, p.one, kept, math.inf)
-    steps[every] = MARCHED
+    runs[ALL_SAMPLES] = plain_march(random_line(HURST, ELEMENTS, M, 1, 0))
+    steps[ALL_SAMPLES] = MARCHED
     times = in_turns(runs.values(), REPEATS, ONCE)
     taken = {name: s / steps[name] for name, s in zip(runs, times, strict=True)}
-    print(f"\nWhat a step of a scene costs (N = {OF_SCENES[1]}, m = {M})\n")
+    print(f"\nWhat a step of a scene costs (N = {ELEMENTS}, m = {M})\n")
     print("| effect | ratio | to |\n|---|---|---|")
     for name, (_, _, other) in compared.items():
         print(f"| {name} | {taken[name] / taken[other]:.2f} | {other} |")
 
 
-ELEMENTS = 2000
-LINES = 8
-STEPS = 4
-POINTS = {  # name: (H, Fbar, x)
-    "H = 0.7, x = 17": (0.7, 0.05, 17.0),
-    "H = 0.3, x = 50": (0.3, 0.05, 50.0),
-    "H = 0.7, x = 1": (0.7, 0.05, 1.0),
-}
-EFFECTS = {
-    "steady states": Quantities(True, False, False),
-    "steady states, jump": Quantities(True, True, False),
-    "steady states, jump, relaxation": Quantities(),
-    "the same, indentation rate dropped": Quantities(indentation_rate=False),
-}
-
-
-def outcomes(lines: list[Line], load: float, x: float, span: float, asked: Quantities) -> None:
-    """Run one point on all lines, recording 16 moments over a way of ``span`` (dx)."""
-    kept_steps = np.unique(np.ceil(np.linspace(span / 16, span, 16) * STEPS).astype(np.int64))
-    case = Case(load, x / np.pi, (1.2,), (kept_steps,), "exponential")
+def run_lines(lines: list[Line], case: Case, quantities: Quantities) -> None:
+    """Run a velocity step on all lines."""
     for line in lines:
-        run_case(line, case, asked)
+        run_case(line, case, quantities)
 
 
-def effects() -> None:
-    """Print what each effect costs: what is not asked for must cost nothing."""
-    print(f"\nWhat effects cost (m = {STEPS}), relative to everything a relaxation needs")
+def print_effects_of_steps() -> None:
+    """Print what the quantities of a velocity step cost; others must cost nothing."""
+    print(f"\nWhat effects cost (m = {M}), relative to {EVERYTHING}")
     for point, (hurst, load, x) in POINTS.items():
-        lines = [a_line(hurst, ELEMENTS, STEPS, seed) for seed in range(LINES)]
-        span = 1.5 / x ** (1.0 - hurst) * 1.2 * x / np.pi  # 1.5 tau/b
-        run = partial(outcomes, lines, load, x, span)
-        taken = {name: fastest(partial(run, asked)) for name, asked in EFFECTS.items()}
+        lines = [random_line(hurst, STEP_ELEMENTS, M, seed, 0) for seed in range(LINES)]
+        span = 1.5 / x ** (1.0 - hurst) * 1.2 * x / math.pi  # in dx, 1.5 tau/b
+        kept_steps = np.unique(np.ceil(np.linspace(span / 16, span, 16) * M).astype(np.int64))
+        case = Case(load, x / math.pi, (1.2,), (kept_steps,), "exponential")
+        runs = [partial(run_lines, lines, case, quantities) for quantities in EFFECTS.values()]
+        taken = dict(zip(EFFECTS, in_turns(runs, TURNS, 0.1), strict=True))
         print(f"\n{point}")
         for name, value in taken.items():
-            print(f"  {name:40s}{value / taken['steady states, jump, relaxation']:6.2f}")
+            print(f"  {name:40s}{value / taken[EVERYTHING]:6.2f}")
+
+
+def main() -> None:
+    """Print all tables; those beside C only where there is a compiler."""
+    with contextlib.suppress(FileNotFoundError):
+        compiled = Compiled()
+        print_velocity_steps(compiled)
+        print_scenes(compiled)
+    print_contacts()
+    print_tasks()
+    print_effects_of_steps()
+    print_effects_of_scenes()
+    print_drives()
 
 
 if __name__ == "__main__":
-    with contextlib.suppress(FileNotFoundError):
-        limit_table()
-    march_costs()
-    narrow_costs()
-    scene_costs()
-    steady_costs()
-    contact_costs()
-    task_costs()
-    effects()
-    effects_of_scenes()
-    drive_costs()
+    main()

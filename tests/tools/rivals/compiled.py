@@ -11,7 +11,7 @@ import numpy as np
 from elastomer_friction.kernels.scene.records import Trace
 
 FLAGS = ["-O3", "-march=native", "-ffast-math", "-fPIC", "-shared"]
-SOURCES = ("dense.c", "scene.c", "limits.c")
+SOURCES = ("dense.c", "scene.c")
 NUMBERS = np.ctypeslib.ndpointer(np.float64, flags="C_CONTIGUOUS")
 INTEGERS = np.ctypeslib.ndpointer(np.int64, flags="C_CONTIGUOUS")
 REAL, COUNT = ctypes.c_double, ctypes.c_long
@@ -30,17 +30,16 @@ class Compiled:
             subprocess.run([compiler, *FLAGS, *sources, "-o", str(target), "-lm"], check=True)
             library = ctypes.CDLL(str(target))
         self._steady, self._friction, self._march = library.steady, library.friction, library.march
-        self._follow, self._triad, self._add = library.follow, library.triad, library.multiply_adds
-        for function in (self._steady, self._friction, self._march, self._follow, self._add):
+        self._follow = library.follow
+        for function in (self._steady, self._friction, self._march, self._follow):
             function.restype = REAL
         self._steady.argtypes = [NUMBERS, NUMBERS, COUNT, REAL, REAL, REAL]
         self._friction.argtypes = [NUMBERS, NUMBERS, NUMBERS, COUNT, REAL, REAL, REAL]
         self._march.argtypes = [NUMBERS, NUMBERS, NUMBERS, COUNT, *[REAL] * 4, COUNT, NUMBERS]
         of_form, of_track = [COUNT, REAL, NUMBERS, NUMBERS], [NUMBERS, NUMBERS, INTEGERS, INTEGERS]
-        steps_and_control = [*[NUMBERS] * 3, COUNT, REAL, ctypes.c_void_p]
+        steps_and_control = [*[NUMBERS] * 3, COUNT, REAL]
         state, kept = [REAL, *[NUMBERS] * 5], [INTEGERS, COUNT, NUMBERS]
         self._follow.argtypes = [COUNT, *of_form, *of_track, *steps_and_control, *state, *kept]
-        self._triad.argtypes, self._add.argtypes = [NUMBERS, NUMBERS, COUNT, COUNT], [COUNT]
 
     def steady(self, z, decay, stiffness, load):
         """Return (w, d) of steady sliding; w of shape (n,)."""
@@ -57,21 +56,13 @@ class Compiled:
         self._march(z, weight, w, z.size, d, decay, stiffness, load, steps, mu)
         return mu
 
-    def follow(self, form, track, load, given, elements, kept):
-        """Return a Trace of the kept steps of a scene; given : d at every step, or None."""
-        n, place = elements.p.size, None if given is None else given.ctypes.data
+    def follow(self, form, track, load, elements, kept):
+        """Return a Trace of the kept steps of a scene under a load."""
+        n = elements.p.size
         of_form = form.times.size, form.glass, form.compliances, form.times
         of_track = *track[:5], track.place, track.time, track.dt.size
         room = np.zeros(n), np.empty(n), np.zeros(n + 1)
         state = elements.d, elements.memory.copy(), elements.p.copy(), *room
         values = np.empty((len(Trace._fields), kept.size))
-        self._follow(n, *of_form, *of_track, load, place, *state, kept, kept.size, values)
+        self._follow(n, *of_form, *of_track, load, *state, kept, kept.size, values)
         return Trace(*values)
-
-    def triad(self, a, b, times):
-        """Read two arrays and write the first, so many times."""
-        self._triad(a, b, a.size, times)
-
-    def multiply_adds(self, times):
-        """Do 128 multiplications and as many additions in registers, so many times."""
-        self._add(times)

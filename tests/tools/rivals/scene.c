@@ -111,12 +111,12 @@ static double patch_width(const double *p, long n, double *carried)
     return median;
 }
 
-/* Take elements along a track. z2, slope2: two periods of every line, (lines, 2 n). given: d at every step, or
- * none, where the load n Fbar is. memory: (K, n), p: (n), changed; older, c: room, (n); carried: of patch_width.
+/* Take elements along a track. z2, slope2: two periods of every line, (lines, 2 n). load: n Fbar.
+ * memory: (K, n), p: (n), changed; older, c: room, (n); carried: of patch_width.
  * values: a Trace (kernels/scene/records.py), (9, keeps). Returns the last d. */
 double follow(long n, long K, double glass, const double *J, const double *times, const double *z2, const double *slope2,
             const long *line, const long *begin, const double *dt, const double *place, const double *time, long steps,
-            double load, const double *given, double d, double *memory, double *p, double *older, double *c,
+            double load, double d, double *memory, double *p, double *older, double *c,
             double *carried, const long *kept, long keeps, double *values)
 {
     double E[K], B[K], A[K], decay[K], fresh[K], stale[K], lag = 0.0, stiffness = 1.0, w[CHUNK];
@@ -146,7 +146,7 @@ double follow(long n, long K, double glass, const double *J, const double *times
                 to[j] = z[first + j] - w[j];
         }
         double before = d;
-        d = given ? given[s] : threshold(c, n, load / stiffness, d);
+        d = threshold(c, n, load / stiffness, d);
         double *turn = p;
         p = older;
         older = turn;
