@@ -1,4 +1,4 @@
-"""Base of all rooms: errors for the user, plain files and lazily imported public names.
+"""Base of all rooms: errors for the user, files and their kinds, and lazily imported names.
 
 Imports no other room.
 """
@@ -9,6 +9,7 @@ from .lazy import public_names
 
 if TYPE_CHECKING:
     from .errors import ErrorCollector, UserError, UserErrors, counted, did_you_mean, printable
+    from .file_kinds import archive_kind, decoded, is_text
     from .garbage import garbage_collection_paused
     from .plain_files import MAX_INPUT_BYTES, open_plain, read_plain
 

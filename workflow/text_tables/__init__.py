@@ -9,19 +9,10 @@ from ..ground import public_names
 
 if TYPE_CHECKING:
     from .codes import missing_code
-    from .numerals import archive_kind, decoded, is_text
+    from .columns import Column, ColumnSpec, describe_columns, find_column, select_columns
+    from .headers import UNREAD_NAME, Title, count_named
     from .remarks import quantity_of
-    from .text_table import (
-        Column,
-        ColumnSpec,
-        TextTable,
-        describe_columns,
-        find_column,
-        read_text_table,
-        select_columns,
-        table_of_text,
-    )
-    from .titles import UNREAD_NAME, Title, count_named
+    from .text_table import TextTable, read_text_table, table_of_text
     from .units import FAMILIES, ZERO, Unit, unit_of
 
 __all__, __getattr__, __dir__ = public_names(__name__, __file__)

@@ -3,8 +3,8 @@
 import re
 
 from .cells import split
+from .headers import NUMERAL_TEXT
 from .numerals import is_numeral
-from .titles import NUMERAL_TEXT
 
 REMARK = re.compile(r"[#%/!;\s]*([^:=;\t]+?)\s*[:=]\s*(.*?)\s*[;,\t]*")  # Width: 96 µm
 QUANTITY_TEXT = re.compile(rf"({NUMERAL_TEXT})\s*(\S.*)?")

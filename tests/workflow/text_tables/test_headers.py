@@ -6,13 +6,14 @@ import random
 import numpy as np
 import pytest
 
-from elastomer_friction.workflow.ground import UserError
+from elastomer_friction.workflow.ground import UserError, decoded
 from elastomer_friction.workflow.text_tables import (
     ColumnSpec,
-    decoded,
     select_columns,
     table_of_text,
+    unit_of,
 )
+from elastomer_friction.workflow.text_tables.headers import LINE_PATTERNS, TITLE_PATTERNS, title_of
 
 WANTED = (
     ColumnSpec("a time", "time", r"time|^t$", "s"),
@@ -113,3 +114,26 @@ def test_what_stands_between_units_shifts_none(header, row, time):
     else:
         found = select_columns(table_of_text("key", "f.txt", text), WANTED)
         assert [one.values[0] for one in found] == pytest.approx([time, 1.0, 0.5])
+
+
+@pytest.mark.parametrize("pattern", LINE_PATTERNS, ids=lambda pattern: pattern.meaning)
+def test_the_example_of_a_line_pattern_is_divided_into_two_titles(pattern):
+    titles = table_of_text("key", "f.txt", f"{pattern.example}\n1 2\n2 3\n3 4\n").titles
+    assert len(titles) == 2
+    assert all(title.name for title in titles)
+
+
+@pytest.mark.parametrize("pattern", TITLE_PATTERNS, ids=lambda pattern: pattern.meaning)
+def test_the_example_of_a_title_pattern_has_a_known_unit(pattern):
+    title = title_of(pattern.example)
+    assert title.name
+    assert unit_of(title.unit)
+    assert title.stated == pattern.stated
+
+
+def test_a_line_that_two_patterns_divide_differently_is_refused():
+    """Either two blanks or a bar may separate two titles of this line."""
+    text = "Test  time | speed | friction  [1]\n0 1 0.5\n1 1 0.5\n2 1 0.5\n"
+    assert not table_of_text("key", "f.txt", text).titles
+    with pytest.raises(UserError, match="not clear"):
+        select_columns(table_of_text("key", "f.txt", text), WANTED)

@@ -3,7 +3,8 @@
 import numpy as np
 import pytest
 
-from elastomer_friction.workflow.text_tables import archive_kind, is_text, missing_code
+from elastomer_friction.workflow.ground import archive_kind, is_text
+from elastomer_friction.workflow.text_tables import missing_code
 from elastomer_friction.workflow.text_tables.numerals import is_numeral, marks_of
 
 

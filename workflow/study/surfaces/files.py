@@ -4,9 +4,8 @@ from typing import Any
 
 import numpy as np
 
-from ...ground import UserError, open_plain, read_plain
+from ...ground import UserError, archive_kind, is_text, open_plain, read_plain
 from ...system import unreadable
-from ...text_tables import archive_kind, is_text
 from .positions import rounding
 from .raw_lines import KEY, LineFile, Lines, RawLines, check_numbered, lines_of, plain, row_spacing
 from .text_lines import read_text_lines

@@ -1,0 +1,289 @@
+"""Names and units of columns, recognised by two tables of patterns.
+
+A line above the rows is divided into one title per column by a LinePattern. A title is divided into
+name and unit by a TitlePattern. A line that two patterns divide differently, or none, is unread; so
+is a unit that belongs to no column. Columns without a unit are refused below an unread line.
+"""
+
+import re
+from collections.abc import Iterable
+from itertools import pairwise
+from typing import NamedTuple
+
+from .cells import is_comment, split
+from .numerals import is_numeral
+from .units import is_product, unit_of
+
+MAX_TITLE_LINES = 4  # lines above the rows that may hold titles
+MAX_UNIT_LINES = 200  # lines above the rows that are searched for unread units
+UNREAD_NAME = "?"  # stands for names in an unread line
+
+
+class LinePattern(NamedTuple):
+    """A way to divide a line into titles, unless it contains the delimiter of the rows."""
+
+    separator: str  # between two titles
+    example: str
+    meaning: str
+
+
+LINE_PATTERNS = (
+    LinePattern(r'"[\s;,|]*"', '"x" "z"', "titles in quotes"),
+    LinePattern(r"\t+|\s{2,}", "Test time  v [mm/s]", "two blanks or more between titles"),
+    LinePattern(r"\|", "x [mm] | z [um]", "bars between titles"),
+    LinePattern(r";", "x [mm]; z [um]", "semicolons between titles"),
+    LinePattern(r",", "x [mm], z [um]", "commas between titles"),
+    LinePattern(r"(?<=[\])>}])\s+", "Raw x [mm] Raw z [um]", "a unit in brackets ends each title"),
+    LinePattern(
+        r"(?<!\s/)(?<!\sin)\s+(?!/\s|in\s|[\[(<{])(?![^\[(<{]*[\])>}])",
+        "x [mm] z_um",
+        "names of one word",
+    ),
+)
+
+
+class TitlePattern(NamedTuple):
+    """A way to write the unit of a column after its name."""
+
+    separator: str  # between name and unit
+    stated: bool  # whether it marks a unit; otherwise the unit may be a word of the name
+    example: str
+    meaning: str
+
+
+TITLE_PATTERNS = (
+    TitlePattern(r"\s*/\s*", True, "t / s", "unit after a slash"),
+    TitlePattern(r"\s+in\s+", True, "x in mm", "unit after the word in"),
+    TitlePattern(r"\s*[,;:|]\s*", True, "Fx, N", "unit after a mark"),
+    TitlePattern(r"\s+[-\u2013]\s+|(?<=\S)[-.]\s*", True, "v - mm/s", "unit after a dash or stop"),
+    TitlePattern(r"\s+", False, "Lateral um", "unit as the last words"),
+    TitlePattern(r"_", False, "velocity_mm_s", "unit after an underscore, _ for a quotient"),
+)
+TITLE_WITH_BRACKETS = re.compile(
+    r"(.*?)\s*(?:\[([^\[\]]*)\]|\(([^()]*)\)|<([^<>]*)>|\{([^{}]*)\})([^\[\](){}<>]*)"
+)
+ARGUMENT = re.compile(r"(?<=\S)\((t|ω|omega|w|f|x|y|q|T|i|a|τ|delta|δ|aT|a_T)\)")  # E(t), G'(ω)
+BRACKETED = re.compile(r"[\[(<{].*[\])>}]")
+COMMENT_MARK = re.compile(r"^\s*(?:#+|!+|//|%(?!\s*[;\t|,]))\s?")  # % may be the first unit
+UNITS_LABEL = re.compile(r"units?\s*[:=]\s*", re.IGNORECASE)  # units: mm, um
+NUMERAL_TEXT = r"[-+]?\d[\d.,:]*(?:[eE][-+]?\d+)?"
+SEPARATOR = re.compile("|".join(f"({pattern.separator})" for pattern in TITLE_PATTERNS))
+MARK = re.compile("|".join(p.separator for p in TITLE_PATTERNS[:3]) + r"|\s+[-\u2013]\s+")
+# Last words of names that are not units.
+NAME_WORDS_TEXT = (
+    "abs absolute act actual amplitude angular average avg axis channel cmd coef coeff "
+    "coefficient command commanded corrected d data delta displacement drive elapsed factor "
+    "filt filtered force frequency friction horizontal index lateral length lin load log lp "
+    "mean measured moduli modulus motor nominal normal number of oscillation point pos "
+    "position prime ratio raw ref rel relative sensor set setpoint shear signal slider "
+    "speed stage step storage strain stress target test time tot total value values vel "
+    "velocity vertical x y z \u03b4"
+)
+NAME_WORDS = frozenset(NAME_WORDS_TEXT.split())
+# Units that are also English words.
+ENGLISH_UNIT_WORDS = frozenset(("in", "day", "days", "turn", "turns", "foot", "feet", "none", "at"))
+
+
+class Title(NamedTuple):
+    """Name and unit of a column as written in the file."""
+
+    name: str = ""
+    unit: str = ""  # as written; "" without a unit
+    stated: bool = False  # whether marked as a unit, not only the last word of the name
+
+
+class Header(NamedTuple):
+    """Titles of the columns, and a line that may hold others."""
+
+    titles: tuple[Title, ...] = ()  # of all columns, or empty
+    unread: str = ""  # line with units or names that no title contains
+
+
+def header_of(above: list[str], delimiter: str | None, width: int) -> Header:
+    """Return the header of a table from the lines above its rows.
+
+    The last MAX_TITLE_LINES lines may hold titles. A line of units belongs to the names above it,
+    or below it. Among several lines of names, the one with the most units is used; in a tie, the
+    last one.
+    """
+    near = [line for line in above if re.search(r"\w|%", line)][: -MAX_TITLE_LINES - 1 : -1]
+    lines = [_divided(line, delimiter, width) for line in near]
+    titles, used = _titles(near, lines, width)
+    return Header(titles, _unread_line(above, near, titles, used, width))
+
+
+def _titles(
+    near: list[str], lines: list[list[str]], width: int
+) -> tuple[tuple[Title, ...], list[str]]:
+    """Return the titles of the columns, and the lines with names and units.
+
+    near : lines above the rows, the last one first. lines : their cells.
+    """
+    named = [_titles_in(cells) for cells in lines]
+    for place, cells in enumerate(lines):
+        beside = [n for n in (place + 1, place - 1) if 0 <= n < len(lines)]
+        other = next((n for n in beside if named[n]), None)
+        names = () if other is None else named[other]
+        if not cells or not (_is_labelled(near[place]) or _are_units(cells, bool(names))):
+            continue
+        if any(title.unit for title in names):
+            break
+        if not names:
+            unread = any(_may_be_names(near[n], width) for n in beside)
+            names = (Title(UNREAD_NAME if unread else ""),) * width
+        pairs = zip(names, [_bare_unit(cell) or cell for cell in cells], strict=True)
+        titles = (name._replace(unit=unit, stated=True) if unit else name for name, unit in pairs)
+        return tuple(titles), [near[n] for n in (place, other) if n is not None]
+    counts = [sum(bool(title.unit) for title in titles) for titles in named]
+    best = max((n for n in range(len(named)) if named[n]), key=counts.__getitem__, default=None)
+    return ((), []) if best is None else (named[best], [near[best]])
+
+
+def _is_labelled(line: str) -> bool:
+    return bool(UNITS_LABEL.match(COMMENT_MARK.sub("", line)))
+
+
+def _divided(line: str, delimiter: str | None, width: int) -> list[str]:
+    """Return the cells of a line of titles, one per column; empty for an unread line."""
+    text = UNITS_LABEL.sub("", COMMENT_MARK.sub("", line).strip("\r\n"), count=1)
+    if delimiter is not None and delimiter in text:
+        cells = split(text, delimiter)
+        while len(cells) > width and not cells[-1]:
+            cells.pop()
+        if len(cells) > 2 and cells[0].endswith(":"):  # a label of the line
+            cells[0] = ""
+        short = 2 * len(cells) >= width and _are_units(cells, named=False)
+        fits = len(cells) == width or (short and len(cells) < width)
+        return cells + [""] * (width - len(cells)) if fits else []
+    readings = list[list[str]]()
+    for pattern in LINE_PATTERNS:
+        cells = [cell.strip(' \t";,|') for cell in re.split(pattern.separator, text.strip())]
+        if len(cells) == width and cells not in readings:
+            readings.append(cells)
+    return readings[0] if len(readings) == 1 else []
+
+
+def _titles_in(cells: list[str]) -> tuple[Title, ...]:
+    """Return the titles in the cells of a line; empty if one is not a title, or all are empty."""
+    titles = [title_of(cell) for cell in cells]
+    return () if None in titles or not any(cells) else tuple(t for t in titles if t is not None)
+
+
+def title_of(cell: str) -> Title | None:
+    """Return name and unit of a title; None for other texts such as "T = 25" or "tip 2 µm"."""
+    text = cell.strip()
+    if "=" in text or text.endswith(":") or _holds_quantity(text) or is_numeral(text):
+        return None
+    bracket = TITLE_WITH_BRACKETS.fullmatch(text)
+    if bracket and not ARGUMENT.match(text, bracket.end(1)):
+        inside = next(part for part in bracket.groups()[1:5] if part is not None).strip()
+        return Title(f"{bracket[1]} {bracket[6]}".strip(), inside, stated=bool(inside))
+    if len(text) > 1 and unit_of(text):
+        return Title("", text, stated=True)
+    for match in SEPARATOR.finditer(text):  # the first one leaves the longest unit
+        name, unit = text[: match.start()], text[match.end() :]
+        stated = TITLE_PATTERNS[(match.lastindex or 1) - 1].stated
+        if match[0] == "_":
+            unit = re.sub("_per_|_", "/", unit)
+        is_number = match[0] in ("-", ".") and unit == "1"  # Height-1 is a name
+        if not name or is_number or re.match(r"/|in\s", unit):
+            continue
+        if unit_of(unit):
+            return Title(name, unit, stated)
+        if re.match("[a-zµ]?[A-Z]", unit) and is_product(unit):  # of torque, as mN m
+            return Title(name, unit, stated=True)
+    return Title(text)
+
+
+def _holds_quantity(text: str) -> bool:
+    """Return whether a text contains a number with a unit, such as "2 µm" or "02:10 PM"."""
+    return any(
+        re.fullmatch(NUMERAL_TEXT, one) and (unit_of(other.strip(",;")) or other in ("AM", "PM"))
+        for one, other in pairwise(text.split())
+    )
+
+
+def _bare_unit(cell: str) -> str | None:
+    text = cell.strip()
+    bare = text.strip("[](){}<>").strip()
+    known = bare and (unit_of(bare) or is_product(bare) or BRACKETED.fullmatch(text))
+    return bare if known else None
+
+
+def _are_units(cells: list[str], named: bool) -> bool:
+    """Return whether cells hold only units, with at least one longer than a letter or bracketed.
+
+    named : whether a line of names is beside it; then up to half of its units may be unknown.
+    """
+    filled = [cell for cell in cells if cell.strip()]
+    known = list(filter(_bare_unit, filled))
+    long = any(len(cell) > 1 for cell in known)
+    distinctive = named and (long or any(cell in "1-%#" for cell in known))
+    return (len(known) == len(filled) and long) or (distinctive and 2 * len(known) >= len(filled))
+
+
+def count_named(line: str, patterns: Iterable[str]) -> int:
+    """Return the number of patterns of column names that match a word of a line."""
+    words = COMMENT_MARK.sub("", line).split()
+    return sum(
+        any(re.search(pattern, word, re.IGNORECASE) for word in words) for pattern in patterns
+    )
+
+
+def unread_unit(name: str, names: str) -> str:
+    """Return the part of a name that may be an unknown or misplaced unit; "" without one.
+
+    names : pattern of the words that name such a column; its last word may be one of them.
+    """
+    words = [word for word in re.split(r"[\s.-]+|_(?=\w\w|V\b)", name) if word]
+    last = words[-1] if len(words) > 1 and not words[-1].isdecimal() else ""
+    marked = MARK.search(name)
+    tail = name[marked.start() :] if marked else ""
+    for text in filter(None, (tail, last)):
+        word = MARK.sub("", text, count=1) if text is tail else text
+        flags = re.IGNORECASE if len(text) > 1 else 0  # V is volt, not velocity
+        if word.lower() not in NAME_WORDS and not re.search(names, text, flags):
+            return word
+    return next(filter(_contains_unit, words), "")
+
+
+def _contains_unit(word: str) -> bool:
+    """Return whether a word is a unit or contains one, such as "velocity_mm_s"."""
+    title = None if word.lower().strip(",.;:()") in ENGLISH_UNIT_WORDS else title_of(word)
+    return title is not None and (title.stated or len(title.unit) > 1) and bool(unit_of(title.unit))
+
+
+def _unread_line(
+    above: list[str], near: list[str], titles: tuple[Title, ...], used: list[str], width: int
+) -> str:
+    """Return a line near the rows with units or names that no title contains; "" without one.
+
+    "Cutoff 0.8 mm" does not count, as its unit belongs to a number.
+    """
+    if near and not titles and not is_comment(near[0]) and _may_be_names(near[0], width):
+        return near[0].strip()
+    for line in reversed(above[-MAX_UNIT_LINES:]):
+        if line in used:
+            continue
+        words = _words(COMMENT_MARK.sub("", line)) if line in near[:2] else []
+        units = [word for word in words if unit_of(word) and word not in ENGLISH_UNIT_WORDS]
+        few_units = len(words) > 1 and 2 * len(units) >= len(words)
+        if few_units or any(map(_contains_unit, _bare_words(line))):
+            return line.strip()
+    return ""
+
+
+def _bare_words(line: str) -> list[str]:
+    """Return the words of a line, without numbers and their units."""
+    text = COMMENT_MARK.sub("", line.replace('"', " "))
+    bare = re.sub(rf"(?<![\w^.-]){NUMERAL_TEXT}\s*[^\s,;]+", " ", text)
+    return _words(bare)
+
+
+def _words(text: str) -> list[str]:
+    return [word for word in re.split(r"[\s,;|]+", text) if word]
+
+
+def _may_be_names(line: str, width: int) -> bool:
+    """Return whether a line may name ``width`` columns: enough words, and not a remark."""
+    return len(_words(line)) >= width and title_of(line) is not None and ":" not in line
