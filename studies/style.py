@@ -62,6 +62,12 @@ def computed_study(data: xr.Dataset) -> Study:
     return read_grid_study("", Path(), json.loads(data.attrs["study"]))
 
 
+def shift_factors(data: xr.Dataset) -> np.ndarray:
+    """Return a_T at the temperatures of a result, shape (temperatures,)."""
+    material = computed_study(data).material
+    return np.array([material.shift(t) for t in data.temperature.values])
+
+
 def fitted(points: xr.Dataset) -> xr.Dataset:
     """Return points with a relaxation rate of NaN unless eq. 6 was fitted."""
     rate = points.relaxation_rate.where(points.fit_status == FITTED)

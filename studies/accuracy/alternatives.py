@@ -5,7 +5,6 @@ without a steady solver or an exact jump, and with all elements at every step. E
 measured at the points of the study.
 """
 
-import contextlib
 import math
 import time
 from collections.abc import Callable
@@ -16,14 +15,13 @@ from scipy.optimize import brentq
 
 from elastomer_friction.kernels import Line
 
-from .discretisation import climb, ladder_steps, over_points, reference
+from .discretisation import climb, ladder_steps, over_points, reference, warm_up
 from .points import RATIO, Point, RandomLine, surface
 from .sampling import LineRuns, Method, collected, kept_steps_of
 
 SPIN_UP = 10.0  # e-foldings of the initial state; implicit Euler decays by 1 + dt per step
 RELATIVE_COST = {"tamaas": 10.0}  # of an update; fewer steps per dx fit into the same time
 D_TOLERANCE = 1e-13  # of the search for d, in h
-WARM_UP_POINT = Point(0.5, 0.3, 1.0)
 TEXTS = {
     "error": ("rms error over lines, relative", "1"),
     "seconds": ("CPU time per realization, median", "s"),
@@ -54,9 +52,8 @@ class NumpyMarch:
             d = brentq(excess, low, low + target, xtol=D_TOLERANCE)
             force = np.maximum(reach + d, 0.0)
             self.u = free - force
-            mu[step] = (
-                force * slope
-            ).sum() / force.sum()  # instead of @, which may use several threads
+            # Instead of @, which may use several threads.
+            mu[step] = (force * slope).sum() / force.sum()
         return mu
 
 
@@ -150,13 +147,7 @@ def alternatives(
     """
     elements, finest = settings["elements"], settings["finest"]
     every = max((ladder_steps(point, finest) for point in points), key=len)
-    for name in MARCHES:
-        with contextlib.suppress(ImportError):  # load everything before it is timed
-            run_march(
-                WARM_UP_POINT,
-                [surface(WARM_UP_POINT, 64, seed, i) for i in range(2)],
-                Method(name, 2),
-            )
+    warm_up(MARCHES, run_march)
     datasets = []
     for point in points:
         surfaces = [surface(point, elements, seed, i) for i in range(settings["march_lines"])]
@@ -166,9 +157,8 @@ def alternatives(
         for name in MARCHES:
             most = affordable(name, point, elements, settings["march_updates"])
             affordable_steps = [m for m in every if m <= most]
-            methods.append(
-                climb(point, surfaces, name, affordable_steps, limit, run=run_march)[list(TEXTS)]
-            )
+            errors = climb(point, surfaces, name, affordable_steps, limit, run=run_march)
+            methods.append(errors[list(TEXTS)])
         datasets.append(xr.concat(methods, "solver", join="outer"))
         advance()
     data = over_points(datasets, points, TEXTS).assign_coords(solver=list(SOLVERS))

@@ -4,7 +4,7 @@ The references are Richardson extrapolations.
 """
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from contextlib import suppress
 from typing import NamedTuple
 
@@ -16,6 +16,7 @@ from elastomer_friction.workflow.reduce import fit_relaxation, replicates, stand
 from .points import Point, RandomLine, surface
 from .sampling import GROUP_SIZES, LineRuns, Method, run_lines, sampling_errors, seconds
 
+Run = Callable[[Point, list[RandomLine], Method], LineRuns]  # runs a scheme on lines
 SCHEMES = ("exponential", "implicit-euler")
 MIN_LINES = 20  # a rate needs 18
 TIME_PARTS = ("mu_1 and jump", "everything")
@@ -142,7 +143,7 @@ def climb(
     steps: list[int],
     limit: Reference,
     refine: bool = True,
-    run: Callable[[Point, list[RandomLine], Method], LineRuns] = run_lines,
+    run: Run = run_lines,
 ) -> xr.Dataset:
     """Return the errors and times of a scheme over m, on the lines of the reference.
 
@@ -180,11 +181,12 @@ def climb(
     )
 
 
-def warm_up() -> None:
-    """Compile all kernels before they are timed."""
+def warm_up(schemes: Iterable[str], run: Run = run_lines) -> None:
+    """Compile and load what schemes need before they are timed."""
     point = Point(0.5, 0.1, 3.0)
-    for scheme in SCHEMES:
-        run_lines(point, [surface(point, 64, 0, 0)], Method(scheme, 2))
+    for scheme in schemes:
+        with suppress(ImportError):
+            run(point, [surface(point, 64, 0, 0)], Method(scheme, 2))
 
 
 def discretisations(

@@ -68,7 +68,7 @@ def measure(settings: dict, seed: int, advance: Callable[[float], None]) -> dict
     """Return the datasets of the study, each from the module of its name."""
     chosen = POINTS[: settings["points"]]
     cost = parts(settings)
-    discretisation.warm_up()
+    discretisation.warm_up(discretisation.SCHEMES)
     advance(cost["compiling"])
     share = cost["discretisations"] / len(chosen)
     root, as_sampled = discretisation.discretisations(

@@ -38,13 +38,8 @@ def draw(groups: Groups) -> Figure:
             style = DOTS | {"color": colour, "fmt": marker}
             error_bars(axes[1], shown, name, "speed_ratio", log=True, **style)
     axes[0].axhline(1.0, color="k", lw=0.7, ls="--")
-    axes[0].set(
-        xscale="log",
-        xlabel=X_LABEL,
-        ylabel="stretched exponent $\\beta$",
-        title="(a) stretched exponential",
-    )
-    axes[0].set_ylim(bottom=0.0)
+    axes[0].set(xscale="log", xlabel=X_LABEL, title="(a) stretched exponential")
+    axes[0].set(ylabel="stretched exponent $\\beta$", ylim=(0.0, None))
     axes[0].legend(loc="lower left", fontsize=6, handletextpad=0.2)
     axes[1].set(xscale="log", yscale="log", xlabel=X_LABEL, title="(b) two exponentials")
     axes[1].set_ylim(MIN_RATE, max(axes[1].get_ylim()[1], 1.0 / MIN_RATE))

@@ -22,6 +22,8 @@ CAPTION = (
 )
 PAIRS = {"": "foundation", "broad": "broad_foundation"}  # half-space and foundation, by material
 RATIO = "$\\mu_1$ over the half-space's"
+BESIDE: dict[str, Any] = {"textcoords": "offset points", "ha": "center", "va": "center"}
+BESIDE["fontsize"] = 7.0
 
 
 def draw(groups: Groups) -> Figure:
@@ -93,15 +95,9 @@ def _over_cost(ax: Axes, groups: Groups) -> None:
         bias = float(groups[half].mu_1_bias.mean())
         ax.plot(seconds[half], bias, "s", **style)
         kind = "one time" if half == "" else "five times"
-        text_style: dict[str, Any] = {
-            "textcoords": "offset points",
-            "va": "center",
-            "ha": "center",
-            "fontsize": 7.0,
-        }
         aside, end = ((0, 14), high) if half else ((0, -14), low)
-        ax.annotate(f"foundation,\n{kind}", (seconds[line], end), aside, **text_style)
-        ax.annotate(f"half-space,\n{kind}", (seconds[half], bias), aside, **text_style)
+        ax.annotate(f"foundation,\n{kind}", (seconds[line], end), aside, **BESIDE)
+        ax.annotate(f"half-space,\n{kind}", (seconds[half], bias), aside, **BESIDE)
     ax.set(xscale="log", yscale="log", xlabel="predicted CPU s of a map or line", ylim=(0.006, 3.0))
     ax.set(ylabel="relative error of $\\mu_1$", title="(d) error against cost")
     ax.margins(x=0.25)

@@ -54,13 +54,9 @@ def _fit(ax: Axes, point: xr.Dataset) -> None:
     ax.errorbar(curve.time, deviation, error, **style)
     inside = np.linspace(0.0, float(point.fit_window), 100)
     rate, error = float(point.relaxation_rate), float(point.relaxation_rate_error)
-    ax.plot(
-        inside,
-        UNIT * float(point.amplitude) * np.exp(-rate * inside),
-        color=COLOURS[0],
-        zorder=3,
-        label=f"eq. 6, $b = {rate:.2f} \\pm {error:.2f}$, window shown",
-    )
+    exponential = UNIT * float(point.amplitude) * np.exp(-rate * inside)
+    label = f"eq. 6, $b = {rate:.2f} \\pm {error:.2f}$, window shown"
+    ax.plot(inside, exponential, color=COLOURS[0], zorder=3, label=label)
     ax.axhline(0.0, color="0.6", lw=0.5)
     ax.set(xlabel="time after the jump $(t - t_0)/\\tau$", ylabel="$\\mu - \\mu_2$ ($10^{-4}$)")
     ax.set_title(f"(a) $\\Delta x$ = {float(point.spacing) * 1e6:.3g} µm")

@@ -7,53 +7,46 @@ import numpy as np
 import xarray as xr
 
 from elastomer_friction.studies.style import normalised
+from elastomer_friction.workflow import report
 from elastomer_friction.workflow.kinetic_law import PLATEAU
-from elastomer_friction.workflow.report import (
-    Claim,
-    NotGiven,
-    Results,
-    given,
-    judge,
-    mean_error,
-    needed,
-    percent,
-)
 
 FLAT = 0.9  # share of its largest value from which mu_1 counts as on the plateau
 SLOW = 0.5  # x below which sliding is slow
 
 
-def slow_jump(results: Results) -> Claim:
+def slow_jump(results: report.Results) -> report.Claim:
     """Judge zeta -> 1 at low speed (eq. 9)."""
     return _slow(results, "ζ = (Δµ₀/µ₁)/(Δv/v₁) → 1 at low speed (eq. 9)", _zeta)
 
 
-def slow_steady(results: Results) -> Claim:
+def slow_steady(results: report.Results) -> report.Claim:
     """Judge xi -> 1 at low speed (eq. 9)."""
     return _slow(results, "ξ = ((µ₂ − µ₁)/µ₁)/(Δv/v₁) → 1 at low speed (eq. 9)", _xi)
 
 
-def _slow(results: Results, text: str, law: Callable) -> Claim:
+def _slow(results: report.Results, text: str, law: Callable) -> report.Claim:
     """Judge a ratio by its value in figures 3 and 5; the error needs the curves of figure 3."""
     values, texts, error = [], [], np.nan
     for name in ("fig3", "fig5"):
-        with suppress(NotGiven):
-            dataset = given(results, name, "mu_1", "mu_2", "jump")
+        with suppress(report.NotGiven):
+            dataset = report.given(results, name, "mu_1", "mu_2", "jump")
             ratio, ratio_error = law(dataset.where(dataset.speed_ratio < SLOW))
             known = ratio.values[np.isfinite(ratio.values)]
-            needed(known.size)
+            report.needed(known.size)
             values.append(known)
             texts.append(
                 f"{known.mean():.4f} ({known.min():.4f} … {known.max():.4f}, {known.size} points "
                 f"with x < {SLOW:g}, {name})"
             )
             if ratio_error is not None:
-                error = mean_error(ratio_error)
-    needed(values)
+                error = report.mean_error(ratio_error)
+    report.needed(values)
     deviation = float(np.abs(np.concatenate(values) - 1.0).max())
     unknown = not np.isfinite(error)
     shown = "not known without the curves of fig3" if unknown else f"± {error:.1g}"
-    return Claim(text, "1", "; ".join(texts), shown, judge(deviation, 0.0 if unknown else error))
+    return report.Claim(
+        text, "1", "; ".join(texts), shown, report.judge(deviation, 0.0 if unknown else error)
+    )
 
 
 def _zeta(points: xr.Dataset) -> tuple[xr.DataArray, xr.DataArray | None]:
@@ -84,14 +77,14 @@ def _xi(points: xr.Dataset) -> tuple[xr.DataArray, xr.DataArray | None]:
     return xi, error + fitted.fillna(unknown)
 
 
-def plateau_over_force(results: Results) -> Claim:
+def plateau_over_force(results: report.Results) -> report.Claim:
     """Judge that the plateau of the jump (eq. 11) is one for all normal forces.
 
     Of each force from the speed on at which mu_1 is within FLAT of its largest value, where that
     is over grad z: there region III begins.
     """
-    dataset = given(results, "fig5", "mu_1", "jump")
-    needed(dataset.normal_force.size > 1)
+    dataset = report.given(results, "fig5", "mu_1", "jump")
+    report.needed(dataset.normal_force.size > 1)
     bars = normalised(dataset)
     most = bars.mu_bar.max("velocity")
     begun = ((bars.mu_bar >= FLAT * most) & (most > 1.0)).cumsum("velocity") > 0
@@ -99,19 +92,19 @@ def plateau_over_force(results: Results) -> Claim:
     others = [dim for dim in jump.dims if dim != "normal_force"]
     least, largest = jump.min(others), jump.max(others)
     known = np.flatnonzero(np.isfinite(least.values))
-    needed(known.size > 1)
+    report.needed(known.size > 1)
     force = dataset.normal_force.values[known]
     deviation = float(np.abs(jump / PLATEAU - 1.0).max())
     error = float((dataset.jump_error / np.abs(dataset.jump)).where(begun).median())
     low, high = (int(known[k]) for k in (0, -1))
-    return Claim(
+    return report.Claim(
         "Plateau (Δµ₀/∇z)/(Δv/v₁) = 0.4 at all normal forces (eq. 11)",
         f"{PLATEAU:g}",
         f"{float(least[low]):.3f} … {float(largest[low]):.3f} at F_N = {force[0]:.2g} N, "
         f"{float(least[high]):.3f} … {float(largest[high]):.3f} at {force[-1]:.2g} N, "
         f"{float(jump.min()):.3f} … {float(jump.max()):.3f} in all; {int(jump.count())} points",
-        f"{percent(error, 1)} a point",
-        judge(deviation, error),
+        f"{report.percent(error, 1)} a point",
+        report.judge(deviation, error),
     )
 
 

@@ -14,14 +14,9 @@ CAPTION = (
     "both grow with the velocity, and at high ones both reach a plateau (dashed) that no longer "
     "depends on the force."
 )
-PANELS = (
-    (
-        "jump_over_step",
-        "$\\Delta\\mu_0 / (\\Delta v/v_1)$",
-        0.4,
-        "$0.4\\,\\nabla z$ (eq. 11)",
-        "(a) jump",
-    ),
+JUMP_LABEL = "$\\Delta\\mu_0 / (\\Delta v/v_1)$"
+PANELS = (  # variable, label, plateau over the rms slope, its label, title
+    ("jump_over_step", JUMP_LABEL, 0.4, "$0.4\\,\\nabla z$ (eq. 11)", "(a) jump"),
     ("mu_1", "$\\mu_1$", 1.0, "$\\nabla z$", "(b) steady friction"),
 )
 

@@ -4,40 +4,40 @@ import math
 
 import numpy as np
 
-from elastomer_friction.workflow.report import HOLDS, Claim, Results, given, judge, needed, reworded
+from elastomer_friction.workflow import report
 
 ALPHA_TOLERANCE = 0.2
 
 
-def exponent_converged(results: Results) -> Claim:
+def exponent_converged(results: report.Results) -> report.Claim:
     """Judge alpha = 1 - H above x = 1 (eq. 13), converged in time."""
     return _exponent(results, "", "converged in time")
 
 
-def exponent_paper_step(results: Results) -> Claim:
+def exponent_paper_step(results: report.Results) -> report.Claim:
     """Judge alpha = 1 - H above x = 1 (eq. 13), implicit Euler at one step per spacing."""
     return _exponent(results, "/paper_step", "implicit Euler, one step per Δx")
 
 
-def _exponent(results: Results, group: str, label: str) -> Claim:
+def _exponent(results: report.Results, group: str, label: str) -> report.Claim:
     name = "fig8" if "alpha" in results.get(f"fig8{group}", ()) else "fig7"
-    dataset = given(results, name + group, "alpha")
+    dataset = report.given(results, name + group, "alpha")
     dataset = dataset.isel(hurst=np.isfinite(dataset.alpha.values))
-    needed(dataset.hurst.size)
+    report.needed(dataset.hurst.size)
     off = (dataset.alpha - (1.0 - dataset.hurst)).values
     worst = int(np.abs(off).argmax())
     free = float(np.abs(dataset.alpha_free - (1.0 - dataset.hurst)).max())
     error = float(dataset.alpha_error[worst])
-    verdict = judge(abs(off[worst]), error, ALPHA_TOLERANCE)
+    verdict = report.judge(abs(off[worst]), error, ALPHA_TOLERANCE)
     at_most = math.ceil(100.0 * abs(off[worst]) - 1e-9) / 100.0
-    return Claim(
+    return report.Claim(
         f"α = 1 − H for v₁τq_max > 1 (eq. 13, figure 8), {label}",
         "1 − H",
         f"α − (1 − H) = {off.min():+.3f} … {off.max():+.3f}, largest at "
         f"H = {float(dataset.hurst[worst]):g}; with a free prefactor within {free:.2f}; "
         f"{dataset.hurst.size} H, {int(dataset.alpha_points.sum())} points of {name}",
         f"± {error:.3f}",
-        reworded(verdict, f"{HOLDS} within {at_most:.2f}"),
+        report.reworded(verdict, f"{report.HOLDS} within {at_most:.2f}"),
     )
 
 

@@ -121,17 +121,13 @@ class Family(NamedTuple):
 
 def at_forces(dataset: xr.Dataset) -> Family:
     """Return mu over speed at every normal force, temperature and size."""
-    points = _points(dataset)
-    forces = dataset.normal_force.values
     rows = []
-    for temperature, size, part in _parts(points):
-        for force in forces:
-            points_at_force = part.sel(normal_force=force)
+    for temperature, size, part in _parts(dataset):
+        for force in dataset.normal_force.values:
+            points = part.sel(normal_force=force)
             place = Place(float(force), temperature, size)
-            relative = (points_at_force.mu_1_error / points_at_force.mu_1).values
-            rows.append(
-                (place, points_at_force.speed.values, points_at_force.mu_1.values, relative)
-            )
+            relative = (points.mu_1_error / points.mu_1).values
+            rows.append((place, points.speed.values, points.mu_1.values, relative))
     return _family(rows)
 
 
@@ -141,9 +137,8 @@ def at_indentations(dataset: xr.Dataset) -> Family:
     log mu at an indentation is interpolated between the normal forces of the grid (monotone cubics
     in the mean indentation, which grows with the force at every speed).
     """
-    points = _points(dataset)
     rows = []
-    for temperature, size, part in _parts(points):
+    for temperature, size, part in _parts(dataset):
         part = part.transpose("velocity", "normal_force")
         depth = (part.indentation / part.roughness).values
         relative = (part.mu_1_error / part.mu_1).values
@@ -157,8 +152,8 @@ def at_indentations(dataset: xr.Dataset) -> Family:
     return _family(rows)
 
 
-def _points(dataset: xr.Dataset) -> xr.Dataset:
-    """Return the estimates over force, temperature, spacing and speed, as systems of one spacing.
+def _parts(dataset: xr.Dataset) -> list[tuple[float, float, xr.Dataset]]:
+    """Return (temperature, size, estimates over force and speed) of systems of one spacing.
 
     A spacing dx of the grid stands for a system that is s = dx_max/dx times as long as the
     smallest, at the speed s v and with the friction s^(H-1) mu (study.toml).
@@ -167,17 +162,10 @@ def _points(dataset: xr.Dataset) -> xr.Dataset:
     squeezed = chosen.squeeze(["hurst", "roughness", "velocity_step"])
     size = squeezed.spacing.max() / squeezed.spacing
     slope = size ** (squeezed.hurst - 1.0)
-    return squeezed.assign(
-        mu_1=squeezed.mu_1 * slope,
-        mu_1_error=squeezed.mu_1_error * slope,
-        speed=squeezed.velocity * size,
-    ).assign_coords(size=size)
-
-
-def _parts(points: xr.Dataset) -> list[tuple[float, float, xr.Dataset]]:
-    """Return (temperature, size, points over force and speed)."""
+    scaled = {name: squeezed[name] * slope for name in ("mu_1", "mu_1_error")}
+    points = squeezed.assign(scaled).assign(speed=squeezed.velocity * size)
     return [
-        (float(t), float(points["size"].sel(spacing=dx)), points.sel(temperature=t, spacing=dx))
+        (float(t), float(size.sel(spacing=dx)), points.sel(temperature=t, spacing=dx))
         for t, dx in product(points.temperature.values, points.spacing.values)
     ]
 
@@ -229,10 +217,8 @@ def resolved(dataset: xr.Dataset) -> tuple[xr.Dataset, int]:
 def remaining(dataset: xr.Dataset) -> dict[str, Collapsed]:
     """Return the collapses of the curves of a result, at given forces and at indentations."""
     collapsed = {}
-    for pressing, family in (
-        ("force", at_forces(dataset)),
-        ("indentation", at_indentations(dataset)),
-    ):
+    families = {"force": at_forces(dataset), "indentation": at_indentations(dataset)}
+    for pressing, family in families.items():
         reference = family.curves[family.reference()]
         collapses = {mode: collapse(family.curves, reference, mode) for mode in SHIFT_MODES}
         collapsed[pressing] = Collapsed(family, collapses)

@@ -54,17 +54,10 @@ def draw(groups: Groups) -> Figure:
     _thermal(axes["f"], collapsed["", "force"], collapsed["", "indentation"])
     _residuals(axes["g"], collapsed)
     coarse = sum(count for _, count in sound.values())
-    invalid = ", ".join(
-        str(family_collapse.family.left_out) for family_collapse in collapsed.values()
-    )
-    beyond = ", ".join(
-        str(family_collapse.collapses[ALONG_BOTH].left_out)
-        for family_collapse in collapsed.values()
-    )
-    points = ", ".join(
-        str(sum(c.x.size for c in family_collapse.family.curves))
-        for family_collapse in collapsed.values()
-    )
+    sets = list(collapsed.values())
+    invalid = ", ".join(str(one.family.left_out) for one in sets)
+    beyond = ", ".join(str(one.collapses[ALONG_BOTH].left_out) for one in sets)
+    points = ", ".join(str(sum(c.x.size for c in one.family.curves)) for one in sets)
     rule = (
         "Each curve has one shift, by least squares with at least two thirds of its points over "
         f"the reference (black). Left out are {coarse} points with contacts of fewer than 4 "
@@ -138,24 +131,12 @@ def _thermal(ax: Axes, force: Collapsed, depth: Collapsed) -> None:
     ):
         temperature, fitted, _ = thermal(collapsed)
         difference = fitted - np.log10([material.shift(t) for t in temperature])
-        ax.plot(
-            temperature + offset,
-            difference,
-            marker,
-            color=colour,
-            ms=2.0,
-            mfc="none",
-            mew=0.5,
-            label=label,
-        )
+        style: dict[str, Any] = {"color": colour, "marker": marker, "ls": ""}
+        pairs = style | {"ms": 2.0, "mfc": "none", "mew": 0.5, "label": label}
+        ax.plot(temperature + offset, difference, **pairs)
         for t in np.unique(temperature):
-            ax.plot(
-                t + 2.0 * offset,
-                np.median(difference[temperature == t]),
-                marker,
-                color=colour,
-                ms=4.0,
-            )
+            median = np.median(difference[temperature == t])
+            ax.plot(t + 2.0 * offset, median, ms=4.0, **style)
     ax.axhline(0.0, color="k", lw=0.7, ls="--")
     ax.set_xticks(np.unique(temperature))
     ax.set_xlim(temperature.min() - 10.0, temperature.max() + 10.0)

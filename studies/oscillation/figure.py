@@ -25,7 +25,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from elastomer_friction.kernels.rheology.spectrum import complex_modulus
-from elastomer_friction.studies.style import TEMPERATURE_COLOURS, computed_study
+from elastomer_friction.studies.style import TEMPERATURE_COLOURS, computed_study, shift_factors
 from elastomer_friction.workflow.report import COLOURS, band, foot_line, legend_in_room, log_bars
 from elastomer_friction.workflow.result import Groups
 from elastomer_friction.workflow.study import HoldSegment, Oscillate
@@ -130,11 +130,6 @@ def motions(data: xr.Dataset) -> list[Swing]:
             time += segment.cycles / segment.frequency
             swings.append(Swing(number, segment.amplitude, segment.frequency, time))
     return swings
-
-
-def shift_factors(data: xr.Dataset) -> np.ndarray:
-    """Return a_T at the temperatures of a result, shape (temperatures,)."""
-    return np.array([computed_study(data).material.shift(t) for t in data.temperature.values])
 
 
 def modulus(data: xr.Dataset, name: str, omega: np.ndarray) -> np.ndarray:

@@ -32,13 +32,14 @@ CAPTION = (
 BROAD, KELVIN = "", "kelvin"
 MIDDLE_TIME = 1e-3  # s, tau of the Kelvin element, the middle of the times of the rubber
 RATIO_LABEL = "$v_2/v_1$"
-TITLES = (
-    "(a) direct effect $a$",
-    "(b) evolution effect $b$",
-    "(c) $a - b$",
-    "(d) critical distance $D_c$",
-    "(e) rubber: $D_c$ over the load",
-    "(f) rubber: $D_c$ over $q_\\mathrm{max}$",
+X_LABEL = "$x = v_2 \\, t \\, q_\\mathrm{max}$"
+PANELS = (  # title, x label, y label, scale of y
+    ("(a) direct effect $a$", RATIO_LABEL, "$a/\\nabla z$", "log"),
+    ("(b) evolution effect $b$", RATIO_LABEL, "$b/\\nabla z$", "linear"),
+    ("(c) $a - b$", X_LABEL, "$(a-b)/\\nabla z$", "linear"),
+    ("(d) critical distance $D_c$", X_LABEL, "$D_c \\, q_\\mathrm{max}$", "log"),
+    ("(e) rubber: $D_c$ over the load", "$F_N$ (N)", "$D_c$ (m)", "log"),
+    ("(f) rubber: $D_c$ over $q_\\mathrm{max}$", "$q_\\mathrm{max}$ (1/m)", "$D_c$ (m)", "log"),
 )
 STYLES: dict[str, dict[str, Any]] = {
     BROAD: {"fmt": "o-", "ms": 3.2, "lw": 0.6},
@@ -135,23 +136,12 @@ def _by_step(ax: Axes, data: xr.Dataset, over: str) -> None:
 
 def _dress(axes: np.ndarray, broad: xr.Dataset) -> None:
     """Set scales, labels and reference lines."""
+    for ax, (title, x_label, y_label, scale) in zip(axes.flat, PANELS, strict=True):
+        ax.set(xscale="log", yscale=scale, xlabel=x_label, ylabel=y_label, title=title)
     a, b, weakening, length, load, cutoff = axes.flat
-    a.set(yscale="log", ylim=(3e-3, 1.0), xlabel=RATIO_LABEL, ylabel="$a/\\nabla z$")
-    b.set(xlabel=RATIO_LABEL, ylabel="$b/\\nabla z$")
-    weakening.set(xlabel="$x = v_2 \\, t \\, q_\\mathrm{max}$", ylabel="$(a-b)/\\nabla z$")
-    length.set(yscale="log", xlabel="$x = v_2 \\, t \\, q_\\mathrm{max}$")
-    length.set_ylabel("$D_c \\, q_\\mathrm{max}$")
-    load.set(yscale="log", ylim=(1e-5, 1e-3), xlabel="$F_N$ (N)", ylabel="$D_c$ (m)")
-    cutoff.set(
-        xlim=(1e4, 1e5),
-        ylim=(1e-5, 1e-3),
-        yscale="log",
-        xlabel="$q_\\mathrm{max}$ (1/m)",
-        ylabel="$D_c$ (m)",
-    )
-    for ax, title in zip(axes.flat, TITLES, strict=True):
-        ax.set(xscale="log")
-        ax.set_title(title)
+    a.set_ylim(3e-3, 1.0)
+    load.set_ylim(1e-5, 1e-3)
+    cutoff.set(xlim=(1e4, 1e5), ylim=(1e-5, 1e-3))
     for ax in (a, b):
         ax.set_xticks(np.unique(broad.ratio))
         ax.xaxis.set_major_formatter("{x:.3g}")

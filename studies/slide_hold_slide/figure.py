@@ -21,7 +21,14 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from elastomer_friction.studies.style import MAX_LIGHTNESS, slide_of
-from elastomer_friction.workflow.report import COLOURS, band, error_bars, foot_line, with_unit
+from elastomer_friction.workflow.report import (
+    COLOURS,
+    band,
+    error_bars,
+    foot_line,
+    legend_in_room,
+    with_unit,
+)
 from elastomer_friction.workflow.result import Groups
 
 CAPTION = (
@@ -120,6 +127,4 @@ def _after(ax: Axes, point: xr.Dataset) -> None:
             band(ax, slide.slid, slide.trace_mu.values, slide.trace_mu_error.values, **style)
     ax.set(xscale="log", xlabel="distance since the hold (m)", ylabel="$\\mu$")
     ax.set_title(f"(d) the same, after holds; dotted: $k = {float(point.stiffness[0]):g}$ N/m")
-    low, high = ax.get_ylim()
-    ax.set_ylim(low, high + 0.25 * (high - low))  # room for the legend
-    ax.legend(loc="upper center", ncols=2)
+    legend_in_room(ax, 0.25, loc="upper center", ncols=2)

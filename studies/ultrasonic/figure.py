@@ -8,6 +8,8 @@ same lines at other temperatures. If the amplitude of the displacement is small 
 shortest wave, contacts are not renewed within a cycle and the mean friction does not change.
 """
 
+from typing import Any
+
 import numpy as np
 import xarray as xr
 from matplotlib import pyplot as plt
@@ -15,7 +17,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.ticker import NullFormatter
 
-from elastomer_friction.studies.style import computed_study
+from elastomer_friction.studies.style import computed_study, shift_factors
 from elastomer_friction.workflow.report import COLOURS, foot_line
 from elastomer_friction.workflow.result import Groups
 
@@ -37,9 +39,8 @@ def coulomb(ratio: np.ndarray) -> np.ndarray:
 
 def fastness(data: xr.Dataset) -> np.ndarray:
     """Return a_T v tau q_max at the temperatures of a result, tau of the study at its reference."""
-    material = computed_study(data).material
-    shift = np.array([material.shift(t) for t in data.temperature.values])
-    return shift * float(data.velocity * data.q_max) * material.at_reference.tau
+    tau = computed_study(data).material.at_reference.tau
+    return shift_factors(data) * float(data.velocity * data.q_max) * tau
 
 
 def quasi_steady(data: xr.Dataset, temperature: float, ratio: np.ndarray) -> np.ndarray:
@@ -68,19 +69,12 @@ def draw(groups: Groups) -> Figure:
             (data[f"mu_1{end}"] / data.rms_slope).isel(velocity_amplitude=0, frequency=0)
             for end in ("", "_error")
         )
-        axes[0, 0].errorbar(
-            fastness(data),
-            mu,
-            error,
-            fmt=f"{marker}-",
-            ms=3,
-            lw=0.7,
-            color="0.4",
-            label=LABELS[name],
-        )
+        x = fastness(data)
+        style: dict[str, Any] = {"ms": 3, "lw": 0.7, "color": "0.4", "label": LABELS[name]}
+        axes[0, 0].errorbar(x, mu, error, fmt=f"{marker}-", **style)
         for place, colour in zip(PLACES[name], COLOURS, strict=False):
             at = list(data.temperature.values).index(place)
-            axes[0, 0].plot(fastness(data)[at], mu[at], marker, ms=6, color=colour)
+            axes[0, 0].plot(x[at], mu[at], marker, ms=6, color=colour)
     axes[0, 0].set(xscale="log", xlabel="$a_T\\, v \\tau q_\\mathrm{max}$")
     axes[0, 0].set_ylabel("$\\mu_1/\\nabla z$")
     axes[0, 0].set_title("(a) steady friction; coloured: of (b) and (d)")
@@ -124,15 +118,8 @@ def _share(
     """Draw mean friction over that of steady sliding, with the quasi-steady prediction."""
     at = data.sel(temperature=temperature, frequency=frequency)
     ratio = at.velocity_amplitude.values / float(at.velocity)
-    ax.errorbar(
-        ratio,
-        at.mu_cycle_share,
-        at.mu_cycle_share_error,
-        fmt="o",
-        ms=3.5,
-        color=colour,
-        label=label,
-    )
+    style: dict[str, Any] = {"fmt": "o", "ms": 3.5, "color": colour, "label": label}
+    ax.errorbar(ratio, at.mu_cycle_share, at.mu_cycle_share_error, **style)
     if frequency == data.frequency.values[0]:
         fine = np.geomspace(0.4, 12.0, 100)
         ax.plot(fine, quasi_steady(data, temperature, fine), "--", color=colour, lw=0.8)

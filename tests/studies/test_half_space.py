@@ -6,11 +6,11 @@ import xarray as xr
 
 from elastomer_friction.kernels.half_space.surface import ring_amplitudes
 from elastomer_friction.studies.bodies.figure import ratios
-from elastomer_friction.studies.bodies.rough_rows import HURST, SIDE, Rough, normalised_friction
 from elastomer_friction.studies.sphere.measure import measure
 from elastomer_friction.workflow.reduce.fits import FITTED
 from elastomer_friction.workflow.study.effects import FOUNDATION, HALF_SPACE
 from tests.support.studies import check_drawing, run
+from tests.tools.rough_rows import HURST, SIDE, Rough, normalised_friction
 
 pytestmark = pytest.mark.exhaustive
 

@@ -3,7 +3,8 @@
 import numpy as np
 import pytest
 
-from elastomer_friction.studies.oscillation.figure import modulus, motions, shift_factors, unit
+from elastomer_friction.studies.oscillation.figure import modulus, motions, unit
+from elastomer_friction.studies.style import shift_factors
 
 pytestmark = pytest.mark.exhaustive  # its scenes compile kernels of their own
 

@@ -9,10 +9,55 @@ from pathlib import Path
 import pytest
 from distributed import Client
 
-from tests.support.powers import write_powers
 from tests.support.results import FIGURE
 from tests.support.runs import Run, run
 from tests.support.small import write_study
+
+# A measured study that is small enough to run whole: powers of a number.
+POWERS_STUDY = """
+[study]
+title = "Powers of two"
+seed = 5
+[measure]
+powers = 3
+base = 2.0
+[scales.smoke.measure]
+powers = 1
+"""
+POWERS_MEASURE = """
+from functools import partial
+import pandas as pd
+import xarray as xr
+from elastomer_friction.workflow.study import Key, integer, positive
+from .helper import power
+
+SETTINGS = {"powers": Key(partial(integer, least=1)), "base": Key(positive)}
+
+def outline(settings):
+    return [f"powers      {settings['powers']}"], 0.5 * settings["powers"]
+
+def measure(settings, seed, advance):
+    found = []
+    for exponent in range(settings["powers"]):
+        found.append(power(settings["base"], exponent))
+        advance(0.5)
+    return {"": xr.Dataset({"found": ("n", found)}), "seed": xr.Dataset({"seed": seed})}
+
+def summary(groups):
+    return [f"largest {float(groups[''].found.max()):g}"]
+
+def table(groups):
+    return pd.DataFrame({"found": groups[""].found.values})
+"""
+POWERS_FIGURE = """
+from matplotlib import pyplot as plt
+from .helper import power
+
+def draw(groups):
+    figure, ax = plt.subplots()
+    ax.plot(groups[""].found)
+    return figure
+"""
 
 
 @pytest.fixture
@@ -40,7 +85,13 @@ def study(tmp_path) -> str:
 def powers(tmp_path, monkeypatch) -> Path:
     """Return the folder of a measured study, under studies/ of the working folder."""
     monkeypatch.chdir(tmp_path)
-    return write_powers(tmp_path)
+    folder = tmp_path / "studies" / "powers"
+    folder.mkdir(parents=True)
+    (folder / "study.toml").write_text(POWERS_STUDY)
+    (folder / "measure.py").write_text(POWERS_MEASURE)
+    (folder / "figure.py").write_text(POWERS_FIGURE)
+    (folder / "helper.py").write_text("def power(base, n):\n    return base**n\n")
+    return folder
 
 
 @pytest.fixture(scope="session")

@@ -1,6 +1,6 @@
 """Print the friction of rough surfaces on both bodies, in the cases of an independent prototype.
 
-    python -m elastomer_friction.studies.bodies.rough_rows [ROW ...]
+    python -m tests.tools.rough_rows [ROW ...]
 
 docs/bodies.md has the table. All surfaces have H = 0.7, and a load is sigma_0/(E* grad z). mu is
 over grad z, and also over E''(q_max v)/E* if the elastomer is nearly elastic: one relaxation
@@ -47,7 +47,7 @@ class Rough(NamedTuple):
 
     @property
     def shortest(self) -> int:
-        """Return the number of shortest waves in a side."""
+        """Number of shortest waves in a side."""
         return self.lengths * self.waves
 
     @property
@@ -142,9 +142,11 @@ def normalised_friction(row: Rough, data: xr.Dataset) -> tuple[float, float]:
 
 def kinetics(data: xr.Dataset) -> list[tuple[float, float]]:
     """Return b per tau and the jump over mu_1, with their standard errors."""
-    rate = [float(data[name] * data.tau) for name in ("relaxation_rate", "relaxation_rate_error")]
-    jump = [float(data[name] / data.mu_1) for name in ("jump", "jump_error")]
-    return [(rate[0], rate[1]), (jump[0], jump[1])]
+    rate, jump = (
+        (float(data[name] * scale), float(data[f"{name}_error"] * scale))
+        for name, scale in (("relaxation_rate", data.tau), ("jump", 1.0 / data.mu_1))
+    )
+    return [rate, jump]
 
 
 def table_line(name: str, row: Rough) -> str:
@@ -152,19 +154,15 @@ def table_line(name: str, row: Rough) -> str:
     half = row.run(HALF_SPACE)
     datasets = [half, row.run(FOUNDATION), row.run(FOUNDATION, row.equivalent())]
     frictions = [normalised_friction(row, data) for data in datasets]
-    ratios = [
-        (
-            mu / frictions[0][0],
-            mu / frictions[0][0] * np.hypot(error / mu, frictions[0][1] / frictions[0][0]),
-        )
-        for mu, error in frictions[1:]
-    ]
-    area = float(half.contact_fraction), float(half.contact_fraction_error)
+    mu_half, error_half = frictions[0]
+    pairs = [(float(half.contact_fraction), float(half.contact_fraction_error)), *frictions]
+    for mu, error in frictions[1:]:
+        ratio = mu / mu_half
+        pairs.append((ratio, ratio * np.hypot(error / mu, error_half / mu_half)))
+    if row.step:
+        pairs += kinetics(half) + kinetics(datasets[1])
     cells = [name, *(f"{value:g}" for value in (row.load, row.lengths, row.power, row.x))]
-    of_steps = [pair for data in datasets[:2] if row.step for pair in kinetics(data)]
-    cells += [
-        f"{value:.4f} ± {error:.4f}" for value, error in (area, *frictions, *ratios, *of_steps)
-    ]
+    cells += [f"{value:.4f} ± {error:.4f}" for value, error in pairs]
     return f"| {' | '.join(cells)} |"
 
 
