@@ -1,4 +1,4 @@
-"""A motion v(t) that is given to a law: its numbers checked, its velocity in small changes."""
+"""Checks of a given motion v(t), and its division into small changes of the velocity."""
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -7,7 +7,7 @@ from .ground import UserError
 
 
 class LawError(UserError, ValueError):
-    """Values without meaning for a law."""
+    """Invalid values passed to a law."""
 
 
 def finite_numbers(name: str, values: ArrayLike) -> np.ndarray:
@@ -34,10 +34,10 @@ def given_motion(time: ArrayLike, velocity: ArrayLike) -> tuple[np.ndarray, np.n
 def finely(
     time: np.ndarray, velocity: np.ndarray, least: float, piece: float
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Return times and velocities in small changes, and where the given samples stand in them.
+    """Return times and velocities in small changes, and the indices of the given samples in them.
 
-    A change is the share ``piece`` of the speed at most, or of ``least`` (m/s, NaN: not known),
-    below which friction is linear in the velocity; a jump stays one.
+    A change is at most the share ``piece`` of the speed, or of ``least`` (m/s, NaN: unknown), below
+    which friction is linear in the velocity. A jump is not divided.
     """
     if time.size < 2:
         return time, velocity, np.arange(time.size)

@@ -1,6 +1,7 @@
 """Fits to measurements: the kinetic law from velocity steps, master curves from sweeps.
 
-Text files of a laboratory in; jumps, rates, tau, H, q_max, rate-and-state constants, shifts out.
+The input is text files of a laboratory; the output is jumps, rates, tau, H, q_max, rate-and-state
+constants and shifts.
 """
 
 from typing import TYPE_CHECKING

@@ -1,12 +1,13 @@
-"""Numbers with their standard errors, under noise that is correlated from sample to sample.
+"""Estimates with standard errors for noise that is correlated between samples.
 
-Friction that a machine records is filtered, and vibrates: neighbouring samples are not
-independent, and errors that count them as such are too small. The variance of a mean of n samples
-is 1 + 2 (rho_1 + rho_2 + ...) times that of n independent ones, rho_k the autocorrelation at k
-samples; that of smooth fits is, too, as long as the noise forgets faster than the fit bends.
+A measured friction is filtered, and machines vibrate: neighbouring samples are not independent, and
+errors that treat them as independent are too small. The variance of a mean of n samples is
+1 + 2 (rho_1 + rho_2 + ...) times that of n independent ones, with rho_k the autocorrelation at k
+samples. The same factor holds for smooth fits that bend more slowly than the noise decorrelates.
+
 Source: A. D. Sokal, Monte Carlo Methods in Statistical Mechanics (1997), sec. 3: the sum ends at
-the first lag of five times itself. U. Wolff, Comput. Phys. Commun. 156, 143 (2004), eq. 49: what
-the sum loses as the mean of the same samples is taken out of them.
+the first lag of five times the sum itself. U. Wolff, Comput. Phys. Commun. 156, 143 (2004), eq. 49:
+correction for the mean of the same samples, which is subtracted from them.
 """
 
 import math
@@ -14,12 +15,12 @@ from typing import NamedTuple
 
 import numpy as np
 
-DEVIATIONS = 3.0  # standard errors that are left to chance, as everywhere in this program
-WINDOW = 5.0  # integrated autocorrelation times over which the sum goes
+DEVIATIONS = 3.0  # standard errors allowed for chance, as everywhere in this program
+WINDOW = 5.0  # integrated autocorrelation times in the sum
 
 
 class Estimate(NamedTuple):
-    """An estimate with its standard error; NaN where the data do not determine it."""
+    """An estimate with its standard error; NaN if the data do not determine it."""
 
     value: float = math.nan
     error: float = math.nan
@@ -34,14 +35,14 @@ class Estimate(NamedTuple):
         return Estimate(self.value * factor, self.error * abs(factor))
 
     def if_below(self, largest: float) -> "Estimate":
-        """Return it where its error is below ``largest``, else none."""
+        """Return the estimate if its error is below ``largest``, else an unknown one."""
         return self if self.error < largest else Estimate()
 
 
 def correlation_factor(residual: np.ndarray) -> float:
     """Return the factor on variances, 1 for independent samples; residual : shape (samples,).
 
-    Never less than one, as anticorrelation is no reason to trust a fit more.
+    It is at least one, since anticorrelation does not justify smaller errors.
     """
     n = residual.size
     centred = residual - residual.mean()

@@ -1,4 +1,4 @@
-"""Draw each step with its fits and their residuals, and the rates and jumps over the speed."""
+"""Figure of a fit: each step with its fits and residuals, and rates and jumps over the speed."""
 
 import math
 from pathlib import Path
@@ -21,7 +21,7 @@ MEASURED = "0.6"
 
 
 def draw_fit(fit: Fit, path: Path) -> list[Picture]:
-    """Draw the fit as PNG and PDF. Raises UserError for a disk that refuses."""
+    """Draw the fit as PNG and PDF. Raises UserError if the disk refuses."""
     return write_figure(lambda: figure_of(fit), path)
 
 
@@ -55,7 +55,7 @@ def _step(upper: Axes, lower: Axes, fit: StepFit, ageing: StepFit) -> None:
     step = fit.step
     every = slice(None, None, max(1, step.time.size // MOST_SAMPLES))
     t = step.time[every]
-    # What was measured before has no times here; it is as long as it is.
+    # Samples before the step have no times, so they are drawn at equal distances.
     before = -np.arange(step.before.size, 0, -1) * (step.time[-1] / step.time.size)
     shown = before > -0.3 * step.time[-1]
     upper.plot(before[shown], step.before[shown], ".", ms=1.0, color=MEASURED)
@@ -76,7 +76,7 @@ def _step(upper: Axes, lower: Axes, fit: StepFit, ageing: StepFit) -> None:
 
 
 def _rates(ax: Axes, fit: Fit, rates: Rates) -> None:
-    """Draw k over v2, the power law, and eq. 13 where all of it is determined."""
+    """Draw k over v2, the power law, and eq. 13 if all of its parameters are determined."""
     known = [fitted for fitted in fit.steps if fitted.rate.known]
     v = np.array([fitted.step.v2 for fitted in known])
     k, error = np.array([fitted.rate for fitted in known]).T
@@ -96,7 +96,7 @@ def _rates(ax: Axes, fit: Fit, rates: Rates) -> None:
 
 
 def _jumps(ax: Axes, fit: Fit) -> None:
-    """Draw the jump over the friction meanwhile, and eq. 12 where grad z is determined."""
+    """Draw the jump over the friction after the step, and eq. 12 if grad z is determined."""
     known = [fitted for fitted in fit.steps if fitted.jump.known]
     mu = np.array(
         [math.sqrt(max(fitted.mu_1.value * friction_after(fitted), 0.0)) for fitted in known]

@@ -1,4 +1,4 @@
-"""The material that moduli determine: its branches, how well they fit, and for other programs."""
+"""Material fitted to moduli: its branches, the quality of the fit, and keys for other programs."""
 
 from collections.abc import Callable
 
@@ -15,8 +15,8 @@ LEAST_SHARE = 1e-9  # of the stiffest branch, that a relaxed modulus is
 def fit_material(name: str, measured: Moduli, branches: int | None) -> PronyFit:
     """Return the material of moduli at one temperature. branches : number, or None for the fewest.
 
-    name : of the file, for messages. Raises UserError where the fit is none, or is of no foundation
-    that carries a load.
+    name : of the file, for messages. Raises UserError if the fit fails, or if the material has no
+    relaxed modulus to carry a load.
     """
     fit = fit_prony(measured.omega, measured.values, branches)
     where = f"prony {name}"
@@ -39,7 +39,7 @@ def fit_material(name: str, measured: Moduli, branches: int | None) -> PronyFit:
 
 
 def describe_material(measured: Moduli, fit: PronyFit, requested: int | None) -> list[str]:
-    """Return what was fitted and how well, in sentences."""
+    """Return a description of the fit and its quality, in sentences."""
     omega = measured.omega
     lines = [
         f"{omega.size} times, {1.0 / omega[-1]:.3g} ... {1.0 / omega[0]:.3g} s"
@@ -79,14 +79,14 @@ def describe_material(measured: Moduli, fit: PronyFit, requested: int | None) ->
 
 
 def _per_decade(measured: Moduli, fit: PronyFit) -> np.ndarray:
-    """Return the rms residual in each decade of the frequency that holds one."""
+    """Return the rms residual in each decade of frequency with data."""
     decade = np.floor(np.log10(measured.omega / measured.omega[0]) + 1e-9)
     squares = [np.mean(fit.residual[decade == value] ** 2) for value in np.unique(decade)]
     return np.sqrt(squares)
 
 
 def _shares(fit: PronyFit) -> tuple[float, list[tuple[float, float]]]:
-    """Return G_0 (Pa) at once after a step, and the branches as shares of it."""
+    """Return the instantaneous modulus G_0 (Pa), and the branches as shares of it."""
     whole = fit.shear_modulus + sum(modulus for modulus, _ in fit.branches)
     return whole, [(modulus / whole, time) for modulus, time in fit.branches]
 

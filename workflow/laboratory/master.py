@@ -1,4 +1,4 @@
-"""Make one table of moduli of sweeps at several temperatures, and say how they were shifted."""
+"""One table of moduli from sweeps at several temperatures, with a description of the shifts."""
 
 import math
 from typing import NamedTuple
@@ -19,16 +19,15 @@ class Shifting(NamedTuple):
     """Options of a master curve."""
 
     reference: float | None = None  # °C; None: the temperature of the sweep in the middle
-    law: str | None = None  # one of SHIFT_KEYS; None: the one that describes the shifts
+    law: str | None = None  # one of SHIFT_KEYS; None: the law that fits best
     vertical: bool = False  # whether moduli are shifted too
 
 
 def master_curve(name: str, measured: Moduli, options: Shifting) -> tuple[Moduli, tuple[str, ...]]:
-    """Return the moduli of several temperatures as those at one, and lines of [material].
+    """Return the moduli of several temperatures shifted to one, and lines of [material].
 
     name : of the file, for messages. Raises UserError for a reference that was not measured, for
-    sweeps that do not overlap and for those that are no one curve, and for a law that is none of
-    these shifts.
+    sweeps that do not overlap or do not form one curve, and for a law that does not fit the shifts.
     """
     assert measured.temperatures is not None
     temperatures = np.unique(measured.temperatures)
@@ -77,7 +76,7 @@ def _shift_lines(
     fit: ShiftFit,
     options: Shifting,
 ) -> list[str]:
-    """Return how the sweeps were shifted, in sentences."""
+    """Return a description of the shifts, in sentences."""
     lines = [
         f"{temperatures.size} sweeps at {temperatures[0]:g} ... {temperatures[-1]:g} °C, shifted "
         f"to {reference:g} °C; one Prony series of all leaves {100 * shift.rms:.2g} % rms"

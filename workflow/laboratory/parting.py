@@ -1,7 +1,7 @@
-"""Part a record into stretches of constant velocity, and take the velocity steps between them.
+"""Division of a record into stretches of constant velocity, and the velocity steps between them.
 
-Velocities may be noisy, zero or negative: what is parted is asinh(v/s), the logarithm far above a
-speed s of the noise and linear below it.
+Velocities may be noisy, zero or negative. They are divided by asinh(v/s), which is logarithmic far
+above the speed s of the noise and linear below it.
 """
 
 from itertools import pairwise
@@ -13,16 +13,16 @@ from ..ground import UserError, counted
 from .estimate import DEVIATIONS, noise_of
 from .record import Record
 
-LEAST_CHANGE = 0.02  # of log velocity: the smallest step that is looked for
+LEAST_CHANGE = 0.02  # of log velocity: smallest detected step
 LEAST_SAMPLES = 12  # of a stretch
 CHANCE = 5.0  # standard errors by which the means of two stretches must differ
-LARGEST_SHARE_OF_NOISE = 0.05  # of a velocity that its standard error may be
-SMOOTH = 3.0  # times the noise: the speed below which velocities are parted linearly
-SLOWEST = 1e-9  # share of the fastest: what is slower is parted linearly without noise, too
+LARGEST_SHARE_OF_NOISE = 0.05  # largest relative standard error of a velocity
+SMOOTH = 3.0  # times the noise: speed below which velocities are divided linearly
+SLOWEST = 1e-9  # of the fastest: slower velocities are divided linearly, even without noise
 
 
 class MeasuredStep(NamedTuple):
-    """One velocity step as it was measured."""
+    """One measured velocity step."""
 
     name: str  # of the file, and which step of it
     v1: float  # m/s
@@ -42,9 +42,9 @@ class MeasuredStep(NamedTuple):
 def measured_steps(record: Record, window: float | None = None) -> list[MeasuredStep]:
     """Return the velocity steps of a record, in order.
 
-    window : seconds after each step that are looked at, at most; all by default. A change to or
-    from rest is none, nor one of direction. Raises UserError where there is no step, and for
-    velocities that are not known for their noise.
+    window : maximum time after each step, s; by default all of it. A change to or from rest is not
+    a step, nor is a change of direction. Raises UserError for a record without a step, and for
+    velocities that are lost in noise.
     """
     stretches = _sliding(record)
     pairs = [(one, two) for one, two in pairwise(stretches) if one.sign * two.sign > 0.0]
@@ -58,7 +58,7 @@ def measured_steps(record: Record, window: float | None = None) -> list[Measured
 
 
 def no_steps_of(record: Record) -> list[str]:
-    """Return in sentences which changes of velocity are no steps, and what was turned round."""
+    """Return, in sentences, the changes of velocity that are not steps, and the reversed steps."""
     stretches = _sliding(record)
     rests = sum(stretch.sign == 0.0 for stretch in stretches)
     reversals = sum(one.sign * two.sign < 0.0 for one, two in pairwise(stretches))
@@ -99,7 +99,7 @@ def _sliding(record: Record) -> list[_Stretch]:
 
 
 def _even(v: np.ndarray) -> np.ndarray:
-    """Return asinh(v/s), of even noise: s is above the noise of the slower half of the samples."""
+    """Return asinh(v/s) with even noise: s exceeds the noise of the slower half of the samples."""
     moving = np.abs(v[v != 0.0])
     if not moving.size:
         return v
@@ -112,7 +112,7 @@ def _even(v: np.ndarray) -> np.ndarray:
 def _step_between(
     record: Record, name: str, one: _Stretch, two: _Stretch, window: float | None
 ) -> MeasuredStep:
-    """Return the step from one stretch to the next, turned round where they slide backwards."""
+    """Return the step from one stretch to the next, with reversed signs for sliding backwards."""
     before, after = one.where, two.where
     t, friction = record.time, record.friction
     last, first = t[before.stop - 1], t[after.start]
@@ -151,11 +151,11 @@ def _no_step(record: Record) -> str:
 
 
 def constant_stretches(values: np.ndarray) -> list[slice]:
-    """Return where values are constant but for noise, in order; what lies between is left out.
+    """Return the stretches in which values are constant up to noise, in order, without the rest.
 
-    The values are cut in two where that reduces their scatter most, and the parts again, as long
-    as the means of the parts differ; parts that are short, or in which they go up or down, are a
-    change of velocity that takes its time. Neighbours of one mean are one stretch.
+    The values are divided where that reduces their scatter most, and so are the parts as long as
+    their means differ. Parts that are short, or have a trend, belong to a gradual change of
+    velocity. Neighbours with equal means are merged.
     """
     noise = noise_of(np.diff(values))
     open_parts, done = [(0, values.size)], []
@@ -183,7 +183,7 @@ def constant_stretches(values: np.ndarray) -> list[slice]:
 
 
 def _cut(values: np.ndarray, noise: float) -> int | None:
-    """Return after how many values their mean changes most; None where it does not."""
+    """Return the number of values before the largest change of their mean, or None without one."""
     n = values.size
     if n < 2:
         return None

@@ -1,14 +1,14 @@
-"""Fit a Prony series with few branches to measured moduli G'(omega), G''(omega), or to G(t).
+"""Fit of a Prony series with few branches to measured moduli G'(omega), G''(omega), or to G(t).
 
-G* = G + sum_b g_b i omega t_b/(1 + i omega t_b) and G(t) = G + sum_b g_b exp(-t/t_b), all moduli
->= 0: for given times a least-squares problem with bounds (Lawson & Hanson 1974, chapter 23), whose
-solution on a dense grid of times is sparse. Neighbours are then merged, times are moved, and
-branches are joined as long as the residual stays what the data allow. Residuals are relative,
-(model - data)/|data|. A relaxation test is taken over 1/t, which is then its frequency.
+G* = G + sum_b g_b i omega t_b/(1 + i omega t_b) and G(t) = G + sum_b g_b exp(-t/t_b), with moduli
+>= 0. For given times this is a least-squares problem with bounds (Lawson & Hanson 1974, chapter
+23), whose solution on a dense grid of times is sparse. Neighbouring times are then merged, times
+are refined, and branches are joined while the residual stays within that of the data. Residuals
+are relative, |model - data|/|data|. A relaxation test has the frequency 1/t.
 
-Branches may be ten times slower than the lowest frequency; what is slower counts as relaxed. Where
-the data leave the relaxed modulus open it may be as low as branches a hundred times slower allow,
-and where the best fit has none at all, half of the most that does as well is taken.
+Branches may be up to ten times slower than the lowest frequency; slower ones count as relaxed. If
+the data leave the relaxed modulus open, branches may be a hundred times slower. If the best fit
+then has no relaxed modulus, half of the largest one that fits as well is taken.
 """
 
 from collections.abc import Callable
@@ -19,13 +19,13 @@ from scipy.optimize import least_squares, nnls
 
 PER_DECADE = 8  # times of the dense grid
 TIME_MARGIN = 10.0  # factor by which times extend beyond the frequencies
-LOSS = 1.1  # of the rms residual that fewer branches may cost
+LOSS = 1.1  # growth of the rms residual allowed for fewer branches
 SMALL = 1e-2  # rms residual that needs no improvement
 DEVIATIONS = 3.0  # standard errors
-ROUNDING = 1e-4  # of the rms residual: what the spacing of the grid of times costs
-LIKE = 1.1  # bounds of the relaxed modulus that are as good as one value
-NONE = 1e-6  # share of the most that the relaxed modulus can be: less is none
-SCAN = np.linspace(0.0, 1.0, 41)  # of the relaxed modulus, as a share of the most it can be
+ROUNDING = 1e-4  # of the rms residual: error due to the spacing of the grid of times
+LIKE = 1.1  # ratio of the bounds of a determined relaxed modulus
+NONE = 1e-6  # of the largest possible relaxed modulus: smaller values are zero
+SCAN = np.linspace(0.0, 1.0, 41)  # relaxed modulus over the largest possible one
 
 
 # The share of its modulus that a branch has at a frequency times its time, and d/d log of it.
@@ -45,7 +45,7 @@ def in_relaxation(turn: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
 
 
 class PronyFit(NamedTuple):
-    """A fitted material and how well it describes the data."""
+    """A fitted material and the quality of its fit."""
 
     shear_modulus: float  # relaxed, in the unit of the data
     branches: tuple[tuple[float, float], ...]  # (modulus, time), times ascending
@@ -59,17 +59,17 @@ class PronyFit(NamedTuple):
 
     @property
     def determined(self) -> bool:
-        """Return whether the data determine the relaxed modulus, to a tenth."""
+        """Return whether the data determine the relaxed modulus within a tenth."""
         return self.most <= LIKE * self.least
 
 
 def fit_prony(omega: np.ndarray, moduli: np.ndarray, branches: int | None = None) -> PronyFit:
     """Return the fit of a Prony series to complex moduli at angular frequencies, or to G(t).
 
-    omega : rad/s, shape (n,), positive; of a relaxation test 1/t in 1/s. moduli : G' + i G'',
-    shape (n,); G(t) where they are real. branches : at most so many; by default as few as describe
-    the data as well as many do. Raises ValueError for less than four frequencies, and for moduli
-    that are not positive and finite.
+    omega : rad/s, shape (n,), positive; of a relaxation test 1/t in 1/s. moduli : G' + i G'', shape
+    (n,), or real G(t). branches : maximum number; by default the fewest that fit as well as many
+    do. Raises ValueError for fewer than four frequencies, and for moduli that are not positive and
+    finite.
     """
     omega, moduli = np.asarray(omega, float), np.asarray(moduli)
     good = (omega > 0.0) & np.isfinite(moduli) & (moduli.real > 0.0) & (moduli.imag >= 0.0)
@@ -93,7 +93,7 @@ def fit_prony(omega: np.ndarray, moduli: np.ndarray, branches: int | None = None
     residual = np.linalg.norm(off.reshape(-1, omega.size), axis=0)  # of one or two parts
     pairs = zip((unit * series[1:][positive]).tolist(), times[positive].tolist(), strict=True)
     relaxed = discarded + float(series[0])
-    within = rms <= allowed  # a fit of too few branches says nothing of it
+    within = rms <= allowed  # a fit with too few branches does not determine it
     return PronyFit(
         shear_modulus=unit * relaxed,
         branches=tuple(pairs),
@@ -110,7 +110,7 @@ def fit_prony(omega: np.ndarray, moduli: np.ndarray, branches: int | None = None
 def _few(
     data: "MeasuredModuli", grid: np.ndarray, allowed: float, most: int | None
 ) -> tuple[np.ndarray, np.ndarray, float]:
-    """Return few times, the relaxed modulus and those of branches of them, and the rms.
+    """Return few times, the relaxed modulus and the moduli of their branches, and the rms.
 
     allowed, most : rms and number, as for ``_joined``.
     """
@@ -124,14 +124,14 @@ class MeasuredModuli(NamedTuple):
     """Data of a fit and scales of its residuals; arrays of shape (n,)."""
 
     omega: np.ndarray  # rad/s, or 1/t
-    moduli: np.ndarray  # G* or G(t), less what is taken as relaxed beforehand
+    moduli: np.ndarray  # G* or G(t), minus the given relaxed modulus
     size: np.ndarray  # |G*|
     shares: Shares
 
     def weighted(self, times: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """Return relative moduli per unit of G and of each branch, and their d/d log of times.
+        """Return relative moduli per unit of G and of each branch, and derivatives by log times.
 
-        Real and imaginary parts are rows of their own: shapes (values, 1 + branches) and (values,
+        Real and imaginary parts are separate rows: shapes (values, 1 + branches) and (values,
         branches).
         """
         columns, slopes = self.shares(self.omega[:, None] * times)
@@ -145,7 +145,7 @@ class MeasuredModuli(NamedTuple):
 
 
 def measured_moduli(omega: np.ndarray, moduli: np.ndarray) -> MeasuredModuli:
-    """Return moduli to be fitted: those of a relaxation test where they are real."""
+    """Return moduli to be fitted; real moduli are those of a relaxation test."""
     shares = in_oscillation if np.iscomplexobj(moduli) else in_relaxation
     return MeasuredModuli(omega, moduli, np.abs(moduli), shares)
 
@@ -167,7 +167,7 @@ def solved(
 ) -> tuple[np.ndarray, float]:
     """Return the moduli, shape (1 + branches,), and the rms of the residual.
 
-    relaxed : the relaxed modulus where it is given.
+    relaxed : given relaxed modulus, or None.
     """
     columns, wanted = data.weighted(times)[0], data.wanted
     fixed = np.zeros(0)
@@ -177,7 +177,7 @@ def solved(
     scale = np.linalg.norm(columns, axis=0)
     columns = columns / scale
     square, turned = columns, wanted
-    if columns.shape[0] > 4 * columns.shape[1]:  # as many rows as columns say the same
+    if columns.shape[0] > 4 * columns.shape[1]:  # a triangular factor with the same solution
         basis, square = np.linalg.qr(columns)
         turned = basis.T @ wanted
     moduli, _ = nnls(square, turned, maxiter=100 * scale.size)
@@ -186,7 +186,7 @@ def solved(
 
 
 def _merged(grid: np.ndarray, moduli: np.ndarray) -> np.ndarray:
-    """Return one time for neighbours of the grid with a modulus, half a decade of them at most."""
+    """Return one time for neighbours of the grid with a modulus, over at most half a decade."""
     runs: list[list[int]] = []
     for i in np.flatnonzero(moduli > 0.0).tolist():
         if runs and i == runs[-1][-1] + 1 and len(runs[-1]) < PER_DECADE // 2:
@@ -198,7 +198,7 @@ def _merged(grid: np.ndarray, moduli: np.ndarray) -> np.ndarray:
 
 
 def _moved(data: MeasuredModuli, times: np.ndarray, reach: np.ndarray) -> np.ndarray:
-    """Return times that fit best, near those given; the moduli follow from them.
+    """Return the times near given ones that fit best; the moduli follow from them.
 
     reach : logarithms of the shortest and the longest time.
     """
@@ -232,9 +232,9 @@ def _moved(data: MeasuredModuli, times: np.ndarray, reach: np.ndarray) -> np.nda
 def _joined(
     data: MeasuredModuli, times: np.ndarray, reach: np.ndarray, allowed: float, most: int | None
 ) -> np.ndarray:
-    """Return fewer times: neighbours are joined while the rms stays below what is allowed.
+    """Return fewer times: neighbours are joined while the rms stays below ``allowed``.
 
-    most : as many as are wanted at most, whatever the rms; None: any number.
+    most : maximum number of times, for any rms; None: no maximum.
     """
     while times.size > 1:
         middles = np.sqrt(times[1:] * times[:-1])
@@ -253,9 +253,9 @@ def _joined(
 
 
 def _bounds(data: MeasuredModuli, grid: np.ndarray, best: float) -> tuple[float, float]:
-    """Return the least and the largest relaxed modulus within three standard errors.
+    """Return the smallest and the largest relaxed modulus within three standard errors.
 
-    They are where the sum of squares has grown by nine mean squares.
+    The sum of squares has grown there by nine mean squares.
     """
     allowed = best * np.sqrt(1.0 + DEVIATIONS**2 / data.wanted.size) + ROUNDING
     top = 1.05 * float(np.min(data.size))

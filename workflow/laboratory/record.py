@@ -1,6 +1,6 @@
-"""Read one measured record: time, velocity or displacement, and friction, from a text table.
+"""Reader of a measured record: time, velocity or displacement, and friction, from a text table.
 
-Columns are known by their names and units, else by their order.
+Columns are identified by their names and units, else by their order.
 """
 
 import re
@@ -32,7 +32,7 @@ FRICTION = ColumnSpec(
     r"fric|reibung|^(mu|\u03bc|\u00b5)([\W_\d]|$)|coef|cof",
     "1",
 )
-LARGEST_NOISE = 0.05  # of a velocity that is a difference of displacements, as a share of it
+LARGEST_NOISE = 0.05  # relative, of a velocity from differences of displacements
 WIDEST = 12  # samples over which displacements are differenced
 
 
@@ -43,7 +43,7 @@ class Record(NamedTuple):
     time: np.ndarray  # s, increasing
     velocity: np.ndarray  # m/s, of any sign
     friction: np.ndarray  # coefficient of friction, of any sign
-    description: tuple[str, ...] = ()  # what the file was read as, in sentences
+    description: tuple[str, ...] = ()  # description of the columns, in sentences
 
 
 def read_record(
@@ -56,12 +56,12 @@ def read_record(
     """Return the record of a text file.
 
     columns : numbers, from 0, of time, velocity or displacement, and friction. time, velocity :
-    units, which go before those that the file states; s and m/s where neither does. displacement :
-    its unit, where it stands in place of the velocity and the file does not say so.
+    units, which replace those of the file; the defaults are s and m/s. displacement : unit of a
+    displacement in place of the velocity, if the file does not state it.
 
-    Rows in which a value is missing are passed over; samples of one time are spread to the next.
-    Raises UserError for a file that does not say which columns are meant, for an unknown unit, for
-    times that go back, and for displacements too noisy to be differenced.
+    Rows with a missing value are left out; samples with one time stamp are spread up to the next.
+    Raises UserError for a file that does not determine the columns, for an unknown unit, for times
+    that decrease, and for displacements that are too noisy to be differenced.
     """
     table = read_text_table("fit", path)
     second = _second(table, columns, displacement)._replace(unit=displacement or velocity)
@@ -91,7 +91,7 @@ def read_record(
 def _second(
     table: TextTable, columns: Sequence[int] | None, displacement: str | None
 ) -> ColumnSpec:
-    """Return whether the second column is a velocity or a displacement, by its name and unit."""
+    """Return the quantity of the second column, velocity or displacement, by its name and unit."""
     if displacement:
         return PLACE
     if columns is not None:
@@ -109,7 +109,7 @@ def _second(
 
 
 def _spread(t: np.ndarray) -> np.ndarray:
-    """Return times, those of one stamp spread evenly to the next stamp."""
+    """Return times in which samples of one stamp are spread evenly up to the next stamp."""
     stamps, first, counts = np.unique(t, return_index=True, return_counts=True)
     if stamps.size < 2:
         raise UserError(f"fit: all samples have one time stamp, {stamps[0]:g} s; must increase")
@@ -119,9 +119,10 @@ def _spread(t: np.ndarray) -> np.ndarray:
 
 
 def _differenced(path: Path, t: np.ndarray, place: np.ndarray) -> tuple[np.ndarray, int]:
-    """Return velocities from displacements, and over how many samples they are differences.
+    """Return velocities from displacements, and the number of samples between them.
 
-    So many that the noise of displacements, from their second differences, is a small share.
+    The number is chosen so that the noise of displacements, from their second differences, is
+    small.
     """
     step = float(np.median(np.abs(np.diff(place))))
     noise = float(np.median(np.abs(np.diff(place, 2)))) / (0.6745 * np.sqrt(6.0))

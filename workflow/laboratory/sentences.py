@@ -1,4 +1,4 @@
-"""Say what was fitted; what the data do not determine is named, and no number is given for it."""
+"""Description of a fit; undetermined quantities are named, and no number is given for them."""
 
 import math
 from statistics import fmean
@@ -13,7 +13,7 @@ NAMES = {"mu_2": "friction after, mu_2", "amplitude": "amplitude", "jump": "jump
 
 
 def describe(fit: Fit) -> list[str]:
-    """Return lines for a terminal: each step, then what all determine together."""
+    """Return lines for a terminal: each step, then the joint result of all steps."""
     lines = [*fit.description, ""] if fit.description else []
     for step, ageing in zip(fit.steps, fit.ageing, strict=True):
         lines += _step(step, min(step.rms, ageing.rms))
@@ -24,14 +24,14 @@ def describe(fit: Fit) -> list[str]:
                 for name, estimate, unit in values
                 if estimate.known
             ]
-            if known:  # what a law leaves open is left out
+            if known:  # undetermined constants of a law are left out
                 lines.append(_line(label, f"{', '.join(known)}; residual {law.rms:.2g}"))
         lines.append("")
     return [*lines, *_together(fit)]
 
 
 def _step(fit: StepFit, least: float) -> list[str]:
-    """Return what one step determines; least : residual of the better law."""
+    """Return the description of one step; least : residual of the better law."""
     step, times = fit.step, least / fit.noise if fit.noise else 1.0
     lines = [f"{step.name}: from {step.v1:.4g} to {step.v2:.4g} m/s"]
     levels = (("friction before, mu_1", fit.mu_1), ("jump", fit.jump))
@@ -98,7 +98,7 @@ def _together(fit: Fit) -> list[str]:
 
 
 def _open(fit: Fit, rates: Rates, names: list[str]) -> list[str]:
-    """Return what all steps together do not determine, and what would help."""
+    """Return the quantities that all steps together leave undetermined, and what would help."""
     lines = []
     if names:
         if rates.speeds == 1:
@@ -115,7 +115,7 @@ def _open(fit: Fit, rates: Rates, names: list[str]) -> list[str]:
 
 
 def _whole(fit: Fit, rates: Rates) -> list[str]:
-    """Return which branch of eq. 13 was found, how well, and the law as Python takes it."""
+    """Return the branch of eq. 13, the quality of its fit, and the law as a call in Python."""
     branch = "is 1: contacts creep with tau" if rates.time_below_one else "is x, as eq. 13 has it"
     lines = [_line("below v_2 tau q_max = 1", f"b {branch}; sum of squares {rates.squares:.2g}")]
     table = _steady(fit)
@@ -132,7 +132,7 @@ def _whole(fit: Fit, rates: Rates) -> list[str]:
 
 
 def _steady(fit: Fit) -> list[tuple[float, float]]:
-    """Return speeds and steady friction, means over speeds that are one; where it is positive."""
+    """Return the positive steady friction over the speeds, averaged at equal speeds."""
     both = [(estimate.step.v1, estimate.mu_1) for estimate in fit.steps]
     both += [(estimate.step.v2, estimate.mu_2) for estimate in fit.steps]
     groups: list[list[tuple[float, float]]] = []
@@ -156,7 +156,7 @@ def _line(name: str, text: str) -> str:
 def shown(estimate: Estimate) -> str:
     """Return "0.3012 ± 0.0023": the error with two digits, the value to the same place.
 
-    "not determined" where there is none.
+    An unknown estimate is "not determined".
     """
     value, error = estimate
     if not estimate.known:

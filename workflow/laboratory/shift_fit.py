@@ -1,8 +1,8 @@
-"""Fit a law to the shifts of sweeps with the temperature: WLF, Arrhenius, or the table itself.
+"""Fit of a law to the shifts of sweeps with the temperature: WLF, Arrhenius, or the table itself.
 
 Both laws are linear in one constant: c1 for a given c2, and the activation energy. Residuals are
-those of the differences to the sweep that was not shifted, by their whole covariance, so that it
-does not matter which sweep that was.
+those of the differences to the sweep that was not shifted, with their full covariance, so the
+result does not depend on the choice of that sweep.
 """
 
 from typing import NamedTuple
@@ -12,20 +12,20 @@ from scipy.optimize import minimize_scalar
 
 from ..study import GAS_CONSTANT, Arrhenius, ShiftLaw, ShiftTable, Wlf, inverse_temperature
 
-POLES = np.log(np.geomspace(1.0, 2000.0, 80))  # K below the coldest sweep, at which T_0 is tried
+POLES = np.log(np.geomspace(1.0, 2000.0, 80))  # K below the coldest sweep: trial values of T_0
 LEAST = {"wlf": 4, "arrhenius": 3}  # temperatures: one more than there are constants
-KNOWN_TO = 1e-3  # decades: no shift is known better
-CLOSE = 0.05  # decades by which a law may miss a shift whose error is small
-DEVIATIONS = 3.0  # standard errors by which a law may miss a shift
+KNOWN_TO = 1e-3  # decades: lower bound of the error of a shift
+CLOSE = 0.05  # decades: allowed deviation of a law from a shift with a small error
+DEVIATIONS = 3.0  # standard errors: allowed deviation of a law from a shift
 
 
 class ShiftFit(NamedTuple):
-    """A law, its constants with errors, and how far the shifts lie from it."""
+    """A law, its constants with errors, and its deviation from the shifts."""
 
     law: ShiftLaw
     errors: tuple[float, ...]  # of c1 and c2 in K, or of E_a in J/mol; () for a table
     decades: np.ndarray  # log10 a_T of each sweep, 0 at the reference; shape (sweeps,)
-    worst: float  # decades by which the law misses a shift at most
+    worst: float  # decades: largest deviation of the law from a shift
     scatter: float  # sum of squares over variances, per degree of freedom
     holds: bool  # whether the law misses no shift by more than CLOSE, or DEVIATIONS errors
 
@@ -37,12 +37,12 @@ def fit_shifts(
     reference: float,
     law: str | None = None,
 ) -> ShiftFit:
-    """Return the law of shifts, the one of least scatter that holds, else their table.
+    """Return the law with the least scatter among those that fit the shifts, else their table.
 
     temperatures : °C, ascending, shape (sweeps,). decades : log10 a_T, 0 at one of them.
-    covariance : shape (sweeps, sweeps). reference : °C, at which a_T is to be 1, within the
-    temperatures. law : one of SHIFT_KEYS, to have that one. Raises ValueError for fewer
-    temperatures than it has constants, and for shifts that rise with the temperature.
+    covariance : shape (sweeps, sweeps). reference : °C, where a_T is 1, within the temperatures.
+    law : one of SHIFT_KEYS, to require that law. Raises ValueError for fewer temperatures than the
+    law has constants, and for shifts that rise with the temperature.
     """
     laws = {"wlf": _wlf_fit, "arrhenius": _arrhenius_fit}
     candidates = [n for n in laws if law in (None, n) and temperatures.size >= LEAST[n]]
@@ -70,7 +70,7 @@ class _Weighted(NamedTuple):
     errors: np.ndarray  # of the shifts of all
 
     def off(self, values: np.ndarray) -> np.ndarray:
-        """Return values at all sweeps less that of the sweep at rest, in standard errors."""
+        """Return values at all sweeps minus that of the fixed sweep, in standard errors."""
         return self.root @ (values[self.free] - values[~self.free][0])
 
 
@@ -85,7 +85,7 @@ def _weighted(covariance: np.ndarray) -> _Weighted:
 def _wlf_fit(
     temperatures: np.ndarray, decades: np.ndarray, reference: float, weighting: _Weighted
 ) -> ShiftFit | None:
-    """Return the best WLF law; None where shifts rise with the temperature."""
+    """Return the best WLF law, or None if shifts rise with the temperature."""
     wanted, above = weighting.off(decades), temperatures - reference
     coldest = reference - float(temperatures.min())
 
@@ -106,7 +106,7 @@ def _wlf_fit(
 def _arrhenius_fit(
     temperatures: np.ndarray, decades: np.ndarray, reference: float, weighting: _Weighted
 ) -> ShiftFit | None:
-    """Return the best law of Arrhenius; None where shifts rise with the temperature."""
+    """Return the best law of Arrhenius, or None if shifts rise with the temperature."""
     wanted = weighting.off(decades)
     slope = weighting.off(
         inverse_temperature(temperatures, reference) / (GAS_CONSTANT * np.log(10.0))
@@ -124,7 +124,7 @@ def _fit_of(
     temperatures: np.ndarray,
     decades: np.ndarray,
 ) -> ShiftFit:
-    """Return a law with errors and what it misses; slopes : by its constants, in errors."""
+    """Return a law with errors and its deviations; slopes : by its constants, in errors."""
     values = np.array([law.decades(t) for t in temperatures.tolist()])
     off = weighting.off(values - decades)
     scatter = float(off @ off) / (off.size - len(slopes))

@@ -1,16 +1,17 @@
-"""Fit one velocity step of a machine that yields: its spring is part of the model.
+"""Fit of one velocity step of a compliant machine, whose spring is part of the model.
 
-The record holds the velocity V of the load point, behind a spring of the stiffness k, in units of
-the normal force (1/m). The slider follows at v:
+The record holds the velocity V of the load point, behind a spring of stiffness k in units of the
+normal force (1/m). The slider follows at v:
 
     d mu/dt = k (V - v)                       the spring, without inertia
     mu = mu_1 + a ln(v/v1) + b phi            with phi = ln(v1 theta/D_c), the state of rate_state
 
-so that v follows from mu and phi, and scipy's ``solve_ivp`` integrates both from steady sliding at
-v1. ``least_squares`` fits mu_1, ln a, b, ln D_c and the moment of the step. The moment lies within
-the time that the velocity took to change, and the fit is told so: where the machine is stiff, a
-later step and a larger a give the same friction, and the data alone do not tell one from the other.
-In the limit of a stiff machine a step is eq. 6.
+v follows from mu and phi, and scipy's ``solve_ivp`` integrates both from steady sliding at v1.
+``least_squares`` fits mu_1, ln a, b, ln D_c and the moment of the step. The moment is constrained
+to the time in which the velocity changed: for a stiff machine a later step and a larger a give the
+same friction, so the data alone do not separate them. In the limit of a stiff machine a step is eq.
+6.
+
 Source: C. Marone, Annu. Rev. Earth Planet. Sci. 26, 643 (1998),
 doi:10.1146/annurev.earth.26.1.643, eqs. 3 to 6.
 """
@@ -26,8 +27,8 @@ from ..reduce import state_change
 from .estimate import Estimate, correlation_factor, mean
 from .parting import MeasuredStep
 
-STARTS = np.array([0.01, 0.1, 0.5])  # of the distance slid after the step: D_c that are tried
-SHARES = np.array([0.5, 2.0])  # of the largest change: a ln r that are tried
+STARTS = np.array([0.01, 0.1, 0.5])  # of the distance slid after the step: trial values of D_c
+SHARES = np.array([0.5, 2.0])  # of the largest change: trial values of a ln r
 LARGEST = 40.0  # of ln(v/v1)
 ACCURACY = 1e-7  # of the integration
 COARSE = 200  # samples on which starts are compared
@@ -48,8 +49,8 @@ class Sprung(NamedTuple):
 def fit_behind_spring(step: MeasuredStep, law: str, stiffness: float) -> Sprung:
     """Return the fit of one step; stiffness in 1/m, law : "ruina" or "dieterich"."""
     before = mean(step.before)
-    size = max(before.error, 1e-12)  # of mu_1, which sliding before the step tells, too
-    spread = step.change / math.sqrt(12.0)  # of a moment that may be anywhere in the change
+    size = max(before.error, 1e-12)  # of mu_1, which is also known from sliding before the step
+    spread = step.change / math.sqrt(12.0)  # of a moment uniformly distributed over the change
 
     def residual(p: np.ndarray, every: int = 1) -> np.ndarray:
         after = step.after[::every]
@@ -88,7 +89,7 @@ def fit_behind_spring(step: MeasuredStep, law: str, stiffness: float) -> Sprung:
 
 
 def _bounds(step: MeasuredStep) -> tuple[np.ndarray, np.ndarray]:
-    """Return the ends of mu_1, ln a, b, ln D_c (m) and the moment of the step (s)."""
+    """Return the bounds of mu_1, ln a, b, ln D_c (m) and the moment of the step (s)."""
     size = float(np.ptp(np.concatenate([step.before, step.after]))) / abs(math.log(step.ratio))
     least, most = step.v2 * (step.time[1] - step.time[0]) / 30.0, 30.0 * step.v2 * step.time[-1]
     half = 0.5 * step.change
@@ -111,7 +112,7 @@ def _starts(step: MeasuredStep, mu_1: float) -> list[np.ndarray]:
 def _curve(
     p: np.ndarray, step: MeasuredStep, t: np.ndarray, law: str, stiffness: float
 ) -> np.ndarray:
-    """Return friction at times t after the step by mu_1, ln a, b, ln D_c and its moment."""
+    """Return friction at times t after the step from mu_1, ln a, b, ln D_c and its moment."""
     mu_1, log_a, b, log_length, moment = p
     a, length = math.exp(log_a), math.exp(log_length)
 
@@ -124,5 +125,5 @@ def _curve(
     span = (0.0, float(times[-1]))
     solution = solve_ivp(change, span, [0.0, 0.0], "LSODA", times, rtol=ACCURACY, atol=1e-9)
     if solution.y.shape[1] < t.size:
-        return np.full(t.size, 1e3)  # no machine slides so: far from any data
+        return np.full(t.size, 1e3)  # unphysical: return a value far from any data
     return mu_1 + solution.y[0]

@@ -1,14 +1,14 @@
-"""Fit one velocity step by eq. 6, which is Ruina's law, or by Dieterich's.
+"""Fit of one velocity step by eq. 6, which is Ruina's law, or by Dieterich's law.
 
-One step determines the friction before and after, the jump, and one rate k = b/tau. A state law
-says the same in other words: a = jump/ln r, b = amplitude/ln r, D_c = v2/k with r = v2/v1.
+One step determines the friction before and after, the jump, and one rate k = b/tau. A state law has
+the equivalent constants a = jump/ln r, b = amplitude/ln r, D_c = v2/k with r = v2/v1.
 
-For a given rate the model mu_2 + b g(k t) is linear, so that many rates can be tried; the best one
-is refined by scipy's ``least_squares``. All rates at which the sum of squares has grown by less
-than nine variances are compatible with the data within three standard errors, and what a step
-determines is asked of all of them, not of the best one alone: where nothing relaxes, or more slowly
-than was recorded, any rate will do. The variance is that of the residual, times the factor by which
-correlated noise says less than independent noise.
+For a given rate the model mu_2 + b g(k t) is linear, so many rates are tried, and the best one is
+refined by scipy's ``least_squares``. All rates whose sum of squares exceeds the minimum by less
+than nine variances are compatible with the data within three standard errors. Every estimate is
+judged over all of them: if nothing relaxes, or more slowly than was recorded, any rate is
+compatible. The variance is that of the residual, times the factor for correlated noise.
+
 Source: Li et al. (2014), doi:10.1038/srep05795, eqs. 6 and 8; the laws stand in
 workflow/reduce/rate_state.py.
 """
@@ -29,9 +29,9 @@ RATES = 80  # tried
 SLOWEST = 0.1  # rate times the whole time: slower is a straight line
 FASTEST = 1.0  # rate times the first interval of samples: faster is part of the jump
 STEADY = 0.1  # of the largest change after a step: drift before it that counts
-POOR = 5.0  # times the noise: a residual that no noise is
-SMALL = 1e-12  # of a coefficient of friction: less is rounding
-LARGEST_SHARE = 1.0 / DEVIATIONS  # of a number that its standard error may be
+POOR = 5.0  # times the noise: residual that noise does not explain
+SMALL = 1e-12  # of a coefficient of friction: smaller changes are rounding
+LARGEST_SHARE = 1.0 / DEVIATIONS  # largest relative standard error of an estimate
 
 NOTHING = "nothing relaxes that stands out from the noise"
 TOO_SHORT = "friction still relaxes where the record ends; a longer one is needed"
@@ -64,14 +64,14 @@ class Relaxation(NamedTuple):
     compatible: np.ndarray  # which of them are
     best: np.ndarray  # mu_2 and b at these rates, shape (rates, 2)
     covariances: np.ndarray  # of mu_2 and b at these rates, shape (rates, 2, 2)
-    slack: np.ndarray  # standard errors that the rate itself leaves to chance, shape (rates,)
+    slack: np.ndarray  # standard errors of the rate left to chance, shape (rates,)
 
     def error(self, weights: np.ndarray) -> float:
         """Return the standard error of a sum of mu_2 and b with these weights."""
         return float(np.sqrt(weights @ self.covariance[:2, :2] @ weights))
 
     def spread(self, weights: np.ndarray) -> float:
-        """Return the same from all compatible rates: half their range over three."""
+        """Return the standard error over all compatible rates: half the range over three."""
         values = self.best @ weights
         widths = self.slack * np.sqrt(np.einsum("p,kpq,q->k", weights, self.covariances, weights))
         ends = (values + widths)[self.compatible], (values - widths)[self.compatible]
@@ -118,7 +118,7 @@ def _model(t: np.ndarray, shape: Shape, p: np.ndarray) -> tuple[np.ndarray, np.n
 def _tried(
     t: np.ndarray, values: np.ndarray, shape: Shape, rates: np.ndarray
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Return per rate the sum of squares, mu_2 and b that fit best, and the inverse of J'J."""
+    """Return per rate the sum of squares, the best mu_2 and b, and the inverse of J'J."""
     squares, best, inverses = [], [], []
     for rate in rates:
         _, jacobian = _model(t, shape, np.array([0.0, 1.0, np.log(rate)]))
@@ -134,7 +134,7 @@ def _tried(
 def _refined(
     t: np.ndarray, values: np.ndarray, shape: Shape, start: np.ndarray, reach: np.ndarray
 ) -> tuple[np.ndarray, np.ndarray]:
-    """Return the parameters that fit best near ``start``, and the derivatives there."""
+    """Return the best parameters near ``start``, and the derivatives there."""
     start[2] = np.clip(start[2], reach[0] + 1e-6, reach[1] - 1e-6)
     solution = least_squares(
         lambda p: _model(t, shape, p)[0] - values,
@@ -158,18 +158,18 @@ class StepFit(NamedTuple):
     jump: Estimate
     amplitude: Estimate  # mu* of eq. 6
     rate: Estimate  # k, 1/s
-    why: dict[str, str]  # of estimates that are not determined, why
+    why: dict[str, str]  # reasons for undetermined estimates
     drift: Estimate  # change of friction over ``step.before``, by a straight line
-    levelled: bool  # that drift is taken off, before the step and after it
+    levelled: bool  # whether the drift is subtracted, before and after the step
     noise: float  # of friction, from sample to sample
     rms: float  # of the residual
     factor: float  # on the variances, as the noise is correlated
     curve: np.ndarray  # friction by the fit at ``step.time``
-    stiffness: float | None  # 1/m, of the spring that is part of the fit
+    stiffness: float | None  # 1/m, of the spring in the fit
 
     @property
     def drifts(self) -> bool:
-        """Return whether friction changes before the step by a share of what happens after it."""
+        """Return whether the change of friction before the step is comparable to that after it."""
         size = max(abs(self.curve - self.mu_1.value))
         return abs(self.drift.value) > max(DEVIATIONS * self.drift.error, STEADY * size)
 
@@ -185,10 +185,9 @@ class StepFit(NamedTuple):
 def fit_step(step: MeasuredStep, law: str = "ruina", stiffness: float | None = None) -> StepFit:
     """Fit one step; law : "ruina", which is eq. 6, or "dieterich".
 
-    stiffness : of the machine (1/m), whose spring then is part of the fit; None: it is stiff.
-
-    Where friction drifts before the step, and goes on to do so after it, the drift is taken off:
-    where that leaves less residual. Its error is part of those of the estimates.
+    stiffness : of the machine (1/m), whose spring then is part of the fit; None: it is stiff. If
+    friction drifts before the step, the drift is subtracted before and after it, provided that this
+    reduces the residual. The errors of the estimates include that of the drift.
     """
     plain = _fitted(step, law, stiffness)
     if not abs(plain.drift.value) > DEVIATIONS * plain.drift.error:
@@ -220,13 +219,16 @@ def _levelled(step: MeasuredStep, drift: float) -> MeasuredStep:
 
 
 def _with_drift(estimate: Estimate, off: Estimate) -> Estimate:
-    """Return an estimate with the error of the drift in it; off : that of a drift one error off."""
+    """Return an estimate whose error includes that of the drift.
+
+    off : the same estimate with the drift changed by one standard error.
+    """
     more = off.value - estimate.value if off.known else estimate.error
     return Estimate(estimate.value, math.hypot(estimate.error, more))
 
 
 def _fitted(step: MeasuredStep, law: str, stiffness: float | None) -> StepFit:
-    """Return the fit of one step as it is."""
+    """Return the fit of one step without subtraction of a drift."""
     constant = _constant(step)
     if np.ptp(step.after) <= SMALL:
         return constant
@@ -237,7 +239,7 @@ def _fitted(step: MeasuredStep, law: str, stiffness: float | None) -> StepFit:
 
 
 def _stiff(step: MeasuredStep, law: str, mu_1: Estimate) -> dict[str, Any]:
-    """Return what a step of a stiff machine determines, by the fields of a StepFit."""
+    """Return the estimates of a step of a stiff machine, by the fields of a StepFit."""
     fit = fit_relaxation_curve(step.time, step.after, step_law(law, step.ratio))
     curve = step.after + fit.residual
     rate, open_for = _rate(fit)
@@ -249,7 +251,7 @@ def _stiff(step: MeasuredStep, law: str, mu_1: Estimate) -> dict[str, Any]:
 
 
 def _sprung(step: MeasuredStep, law: str, stiffness: float) -> dict[str, Any]:
-    """Return the same behind the spring of the machine."""
+    """Return the same estimates behind the spring of the machine."""
     fit = fit_behind_spring(step, law, stiffness)
     size = float(np.max(np.abs(fit.curve - fit.mu_1.value)))
     solution = {name: level.if_below(LARGEST_SHARE * size) for name, level in fit.levels.items()}
@@ -265,7 +267,7 @@ def _sprung(step: MeasuredStep, law: str, stiffness: float) -> dict[str, Any]:
 
 
 def _drift(values: np.ndarray) -> Estimate:
-    """Return the change over a stretch of samples, by a straight line through them."""
+    """Return the change over a stretch of samples, from a straight line through them."""
     place = np.linspace(-0.5, 0.5, values.size)
     weight = place @ place
     rise = float(place @ values / weight)
@@ -275,7 +277,7 @@ def _drift(values: np.ndarray) -> Estimate:
 
 
 def _constant(step: MeasuredStep) -> StepFit:
-    """Return the fit of a step after which friction is constant to rounding; of others a start."""
+    """Return the fit of a step with constant friction after it; for other steps an initial fit."""
     mu_1, mu_2 = mean(step.before), Estimate(float(step.after.mean()), 0.0)
     return StepFit(
         step=step,
@@ -296,7 +298,7 @@ def _constant(step: MeasuredStep) -> StepFit:
 
 
 def _rate(fit: Relaxation) -> tuple[Estimate, str]:
-    """Return the rate, or none and why."""
+    """Return the rate, or an unknown one and the reason."""
     slow, fast = bool(fit.compatible[0]), bool(fit.compatible[-1])
     if slow and fast:
         return Estimate(), NOTHING
@@ -313,14 +315,14 @@ def _rate(fit: Relaxation) -> tuple[Estimate, str]:
 def _levels(
     step: MeasuredStep, fit: Relaxation, mu_1: Estimate, curve: np.ndarray, any_rate: bool
 ) -> tuple[dict[str, Estimate], dict[str, str]]:
-    """Return what is linear in mu_2 and b, and why some of it is not determined.
+    """Return the estimates that are linear in mu_2 and b, and reasons for undetermined ones.
 
-    any_rate : the rate is open, and errors are those over all rates that it may have.
+    any_rate : whether the rate is undetermined; errors then include all compatible rates.
     """
     log_ratio = math.log(step.ratio)  # g at the moment of the step, of either law
     # The step came at some time, equally likely, between two samples.
     timing = abs(fit.p[1] * log_ratio) * math.exp(fit.p[2]) * step.change / math.sqrt(12.0)
-    size = float(np.max(np.abs(curve - mu_1.value)))  # of what happens at all
+    size = float(np.max(np.abs(curve - mu_1.value)))  # of the total change
     requested = {
         "mu_2": (np.array([1.0, 0.0]), Estimate(0.0, 0.0)),
         "amplitude": (np.array([0.0, log_ratio]), Estimate(0.0, 0.0)),

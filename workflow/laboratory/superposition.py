@@ -1,16 +1,17 @@
-"""Shift sweeps at several temperatures to one master curve: a_T, b_T and their errors.
+"""Shifts of sweeps at several temperatures to one master curve: a_T, b_T and their errors.
 
-b_T G*(omega, T) = G*(omega a_T, T_ref): times are longer by a_T, and moduli, where that is asked
-for, smaller by b_T. The first guess is the mean distance of neighbouring sweeps along log omega
-where their moduli are alike (the closed-form shifting of Gergesova et al., J. Rheol. 55, 1 (2011),
-doi:10.1122/1.3503529, ISO 18437-6). Then all shifts are varied together until one Prony series on
-a dense grid of times describes all sweeps best: G' and G'' count at once, and what is left over
-gives the errors. As a power law is shifted by either, log10 b_T is taken for 0 within LIKELY
-beforehand. The series drops out by variable projection (Kaufman, BIT 15, 49 (1975)).
+b_T G*(omega, T) = G*(omega a_T, T_ref): times are longer by a_T and, on request, moduli are smaller
+by b_T. The first guess is the mean distance of neighbouring sweeps along log omega at equal moduli
+(the closed-form shifting of Gergesova et al., J. Rheol. 55, 1 (2011), doi:10.1122/1.3503529,
+ISO 18437-6). Then all shifts are varied together until one Prony series on a dense grid of times
+describes all sweeps best. G' and G'' are fitted together, and the residual gives the errors. Since
+either shift moves a power law in the same way, log10 b_T has a prior of 0 within LIKELY. The series
+is eliminated by variable projection (Kaufman, BIT 15, 49 (1975)).
 
-Two packages do alike and were not taken: pyvisco 2.1 brings JupyterLab, Voila and IPython, shifts
-pair by pair by a power law of G' alone, and states no errors; mastercurves 0.2.3 of 2023 is under
-GPL and brings scikit-learn and pandas; its Gaussian process knows no relation of G' and G''.
+Two packages with the same purpose were not used. pyvisco 2.1 requires JupyterLab, Voila and
+IPython, shifts pair by pair by a power law of G' alone, and states no errors. mastercurves 0.2.3 of
+2023 is under GPL and requires scikit-learn and pandas; its Gaussian process ignores the relation of
+G' and G''.
 """
 
 from collections.abc import Sequence
@@ -50,8 +51,8 @@ def superposed(
     """Return the shifts by which sweeps become one curve.
 
     temperatures : °C, of each sweep, ascending, for messages. reference : the number of the sweep
-    that is not shifted. vertical : whether moduli are shifted too. Raises ValueError for
-    neighbours that have no modulus in common.
+    that is not shifted. vertical : whether moduli are shifted as well. Raises ValueError for
+    neighbours without a common modulus.
     """
     first = _first_guess(temperatures, sweeps)
     first -= first[reference]
@@ -101,8 +102,8 @@ def _projected(
 ) -> tuple[np.ndarray, np.ndarray, int]:
     """Return the residual of the best series, its derivatives by shifts, and its branches.
 
-    owner : number of the sweep of each modulus. Derivatives are those at right angles to all that
-    the series can do by itself.
+    owner : number of the sweep of each modulus. The derivatives are orthogonal to all changes that
+    the series can make.
     """
     solution, _ = solved(data, grid)
     columns, slopes = data.weighted(grid)
@@ -119,7 +120,7 @@ def _projected(
 
 
 def _first_guess(temperatures: np.ndarray, sweeps: Sequence[Sweep]) -> np.ndarray:
-    """Return log10 a_T by the mean distances of neighbours at like moduli, 0 at the first."""
+    """Return log10 a_T from mean distances of neighbours at equal moduli, 0 at the first sweep."""
     curves = [(np.sort(np.log10(np.abs(g))), np.sort(np.log10(w))) for w, g in sweeps]
     shifts = [0.0]
     for place, ((cold, mask), (warm, other)) in enumerate(pairwise(curves)):

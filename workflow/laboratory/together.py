@@ -1,16 +1,17 @@
 """Joint fit of all steps: tau, H and q_max from their rates, grad z from their jumps.
 
-The rates at several speeds (eq. 13), those after the steps, at which friction relaxes: with
-s = log v2, y = log k, Q = log q_max, T = log tau they are a line with a kink at s_c = -Q - T, where
-x = v2 tau q_max = 1:
+The rates at several speeds (eq. 13) are those after the steps, at which friction relaxes. With s =
+log v2, y = log k, Q = log q_max, T = log tau they form a line with a kink at s_c = -Q - T, where x
+= v2 tau q_max = 1:
 
     y = s + Q - H max(0, s - s_c)                  as printed: b = x below x = 1
     y = max(s, s_c) + Q - H max(0, s - s_c)        b = 1 below x = 1, see KineticLaw
 
-For a given kink it is linear in Q and H. So all kinks are tried, of both laws, and with each all Q
-and H within three standard errors: what is the same in all of them is determined. Speeds on one
-side of x = 1 alone determine an exponent and one rate; either side tells q_max or tau, the other
-one H, the kink the third.
+For a given kink y is linear in Q and H. All kinks of both laws are therefore tried, each with all Q
+and H within three standard errors. A parameter that is equal in all of them is determined. Speeds
+on one side of x = 1 alone determine an exponent and one rate: q_max or tau below, H above. The kink
+gives the third parameter.
+
 Source: Li et al. (2014), doi:10.1038/srep05795, eqs. 10 to 16.
 """
 
@@ -24,13 +25,13 @@ from .parting import measured_steps, no_steps_of
 from .record import Record
 from .step_fit import LARGEST_SHARE, StepFit, fit_step
 
-LEAST_ERROR = 1e-3  # of the logarithm of a rate or jump: nothing is measured better
-KINK = 2e-3  # distance of the kinks that are tried, between the speeds
-BEYOND = 14.0  # log of speeds: so far beyond the speeds kinks are tried
-ACROSS = np.linspace(0.0, 1.0, 9)  # places between the least and the largest H of a kink
+LEAST_ERROR = 1e-3  # lower bound of the error of the logarithm of a rate or jump
+KINK = 2e-3  # distance of the trial kinks between the speeds
+BEYOND = 14.0  # log of speeds: distance of trial kinks beyond the speeds
+ACROSS = np.linspace(0.0, 1.0, 9)  # trial values of H of each kink
 FLAT = 1e-12  # share of the largest: no dependence
 LARGEST_ERROR_OF_H = 0.15
-APART = 0.02  # log of speeds that are two and not one
+APART = 0.02  # log of speeds: smallest distance of two speeds
 SLOPES = np.geomspace(1e-2, 1e4, 20_001)  # tried, in units of the largest friction
 
 
@@ -71,7 +72,7 @@ class _Kinks(NamedTuple):
 
 
 def fit_rates(fits: list[StepFit], known: Known) -> Rates | None:
-    """Return what the rates of steps determine; None where no step determines its rate."""
+    """Return the parameters that the rates of steps determine, or None without any rate."""
     usable = [fit for fit in fits if fit.rate.known]
     if not usable:
         return None
@@ -84,7 +85,9 @@ def fit_rates(fits: list[StepFit], known: Known) -> Rates | None:
     better = int(bests[1][0] < bests[0][0])
     squares, *values = bests[better]
     free = sum(value is None for value in known)
-    scatter = max(1.0, squares / max(s.size - free, 1))  # rates scatter more than they are known
+    scatter = max(
+        1.0, squares / max(s.size - free, 1)
+    )  # rates scatter more than their standard errors
     ends = np.concatenate([_within(law, squares + DEVIATIONS**2 * scatter, known) for law in laws])
     errors = np.ptp(ends, axis=0) / (2.0 * DEVIATIONS)
     h, q, t = (Estimate(*pair) for pair in zip(values, errors, strict=True))
@@ -124,7 +127,7 @@ def _kinks(s: np.ndarray, y: np.ndarray, w: np.ndarray, known: Known, below: boo
 
 
 def _best(law: _Kinks, known: Known) -> tuple[float, float, float, float]:
-    """Return the least sum of squares, and H, Q and T there."""
+    """Return the smallest sum of squares, and its H, Q and T."""
     _, a1, a2 = law.a
     flat = a2 <= FLAT * a2.max()
     h = np.clip(np.where(flat, 0.5, -a1 / np.where(flat, 1.0, a2)), 0.0, 1.0)
@@ -137,7 +140,7 @@ def _best(law: _Kinks, known: Known) -> tuple[float, float, float, float]:
 
 
 def _within(law: _Kinks, most: float, known: Known) -> np.ndarray:
-    """Return H, Q and T whose sum of squares is ``most`` at most: their ends, shape (n, 3)."""
+    """Return the extremes of H, Q and T whose sum of squares is at most ``most``, shape (n, 3)."""
     a0, a1, a2 = law.a
     steep = np.maximum(a2, FLAT * max(a2.max(), 1.0))
     room = most - a0 + a1**2 / steep
@@ -158,7 +161,8 @@ def _within(law: _Kinks, most: float, known: Known) -> np.ndarray:
 def _power_law(s: np.ndarray, y: np.ndarray, w: np.ndarray) -> tuple[Estimate, float, Estimate]:
     """Return the exponent of k over v2, and k at the weighted mean of log v2.
 
-    Errors are enlarged where the rates scatter more about the power law than they are known to.
+    If the rates scatter about the power law by more than their standard errors, the errors are
+    enlarged.
     """
     middle, mean = float(w @ s / w.sum()), float(w @ y / w.sum())
     across = float(w @ (s - middle) ** 2)
@@ -172,7 +176,7 @@ def _power_law(s: np.ndarray, y: np.ndarray, w: np.ndarray) -> tuple[Estimate, f
 
 
 def _exp(logarithm: Estimate, given: float | None = None) -> Estimate:
-    """Return what has this logarithm, if that is determined; or what is given."""
+    """Return the estimate of a number from that of its logarithm, or the given number."""
     if given is not None:
         return Estimate(given, 0.0)
     value = float(np.exp(np.clip(logarithm.value, -700.0, 700.0)))
@@ -180,9 +184,9 @@ def _exp(logarithm: Estimate, given: float | None = None) -> Estimate:
 
 
 def fit_slope(fits: list[StepFit]) -> Estimate:
-    """Return grad z from the jumps of steps; NaN where they do not determine it.
+    """Return grad z from the jumps of steps; NaN if they do not determine it.
 
-    At low speed the jump is as large as the change of friction, whatever the slope (eq. 10).
+    At low speed the jump equals the change of friction for any slope (eq. 10).
     """
     usable = [fit for fit in fits if fit.jump.known and fit.jump.error > 0.0 < fit.mu_1.value]
     if not usable:
@@ -203,7 +207,7 @@ def fit_slope(fits: list[StepFit]) -> Estimate:
 
 
 def friction_after(fit: StepFit) -> float:
-    """Return mu_2 where a step determines it above zero, else mu_1, to which it is near."""
+    """Return mu_2 if a step determines a positive one, else mu_1, which is close to it."""
     known = fit.mu_2.known and fit.mu_2.value > 0.0
     return fit.mu_2.value if known else fit.mu_1.value
 
@@ -218,10 +222,10 @@ class Fit(NamedTuple):
 
     steps: list[StepFit]  # by eq. 6, which is Ruina's law
     ageing: list[StepFit]  # the same steps by Dieterich's law
-    rates: Rates | None  # None where no step determines its rate
+    rates: Rates | None  # None if no step determines its rate
     slope: Estimate  # grad z
     known: Known
-    description: tuple[str, ...] = ()  # what the files were read as, in sentences
+    description: tuple[str, ...] = ()  # descriptions of the files, in sentences
 
 
 def fit_records(
@@ -232,10 +236,10 @@ def fit_records(
 ) -> Fit:
     """Return the fit of all velocity steps in some records.
 
-    known : what is known from elsewhere, ``Known()`` for nothing. window : seconds after each step
-    that are looked at, at most. stiffness : of the machine over the normal force (1/m), behind
-    whose spring the body slides; None: it does not yield. Raises UserError for a record without a
-    step, or with too few samples after it.
+    known : known parameters, ``Known()`` for none. window : maximum time after each step, s.
+    stiffness : of the machine over the normal force (1/m), behind whose spring the body slides;
+    None: it does not yield. Raises UserError for a record without a step, or with too few samples
+    after it.
     """
     steps = [step for record in records for step in measured_steps(record, window)]
     fits = [fit_step(step, stiffness=stiffness) for step in steps]
