@@ -11,15 +11,8 @@ from typing import NamedTuple
 import numpy as np
 
 from ..ground import UserError
-from ..text_tables import (
-    ColumnSpec,
-    TextTable,
-    describe_columns,
-    find_column,
-    read_text_table,
-    select_columns,
-    unit_of,
-)
+from ..study import ColumnSpec, describe_columns, find_column, select_columns
+from ..text_tables import TextTable, read_text_table, unit_of
 
 TIME = ColumnSpec("a time", "time", r"time|zeit|^t$", "s", "--time")
 VELOCITY = ColumnSpec("a velocity", "velocity", r"vel|speed|geschw|^v([_ ]|$)", "m/s", "--velocity")

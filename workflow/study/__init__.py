@@ -10,6 +10,7 @@ from ..ground import public_names
 if TYPE_CHECKING:
     from .axes import ALL_AXES, COMMON_AXES, Parts, axes_of
     from .cluster import BATCH_SYSTEMS, LOCAL, THIS_MACHINE, Cluster, walltime_seconds
+    from .columns import ColumnSpec, describe_columns, find_column, select_columns
     from .effects import (
         FOUNDATION,
         GAS_CONSTANT,

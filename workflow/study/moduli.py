@@ -14,15 +14,8 @@ from typing import NamedTuple
 import numpy as np
 
 from ..ground import UserError
-from ..text_tables import (
-    Column,
-    ColumnSpec,
-    TextTable,
-    describe_columns,
-    find_column,
-    read_text_table,
-    select_columns,
-)
+from ..text_tables import TextTable, read_text_table
+from .columns import Column, ColumnSpec, describe_columns, find_column, select_columns
 from .sweeps import temperatures_of
 
 FREQUENCIES = ("rad/s", "Hz")

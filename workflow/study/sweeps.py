@@ -10,7 +10,8 @@ from itertools import pairwise
 import numpy as np
 
 from ..ground import UserError
-from ..text_tables import ZERO, Column, ColumnSpec, TextTable, find_column, select_columns, unit_of
+from ..text_tables import ZERO, TextTable, unit_of
+from .columns import Column, ColumnSpec, find_column, select_columns
 
 TEMPERATURE = ColumnSpec("a temperature", "temperature", r"temp(?!(o|s|us)([\W_]|$))|^T[s]?$", "°C")
 TEMPERATURE_TEXT = re.compile(

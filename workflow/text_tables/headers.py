@@ -1,8 +1,9 @@
 """Names and units of columns, recognised by two tables of patterns.
 
-A line above the rows is divided into one title per column by a LinePattern. A title is divided into
-name and unit by a TitlePattern. A line that two patterns divide differently, or none, is unread; so
-is a unit that belongs to no column. Columns without a unit are refused below an unread line.
+A line above the rows is divided into one title per column by one of LINE_PATTERNS. A title is
+divided into name and unit by one of TITLE_PATTERNS. A line that two patterns divide differently, or
+none, is unread; so is a unit that belongs to no column. Columns without a unit are refused below an
+unread line.
 """
 
 import re
@@ -12,53 +13,47 @@ from typing import NamedTuple
 
 from .cells import is_comment, split
 from .numerals import is_numeral
-from .units import is_product, unit_of
+from .units import unit_of
 
 MAX_TITLE_LINES = 4  # lines above the rows that may hold titles
-MAX_UNIT_LINES = 200  # lines above the rows that are searched for unread units
 UNREAD_NAME = "?"  # stands for names in an unread line
 
 
-class LinePattern(NamedTuple):
-    """A way to divide a line into titles, unless it contains the delimiter of the rows."""
+class HeaderPattern(NamedTuple):
+    """A way to separate two titles, or a name and its unit."""
 
-    separator: str  # between two titles
+    separator: str  # regular expression
     example: str
     meaning: str
+    stated: bool = True  # whether it marks a unit; otherwise the unit may be a word of the name
 
 
+# Separators of titles, in lines without the delimiter of the rows.
 LINE_PATTERNS = (
-    LinePattern(r'"[\s;,|]*"', '"x" "z"', "titles in quotes"),
-    LinePattern(r"\t+|\s{2,}", "Test time  v [mm/s]", "two blanks or more between titles"),
-    LinePattern(r"\|", "x [mm] | z [um]", "bars between titles"),
-    LinePattern(r";", "x [mm]; z [um]", "semicolons between titles"),
-    LinePattern(r",", "x [mm], z [um]", "commas between titles"),
-    LinePattern(r"(?<=[\])>}])\s+", "Raw x [mm] Raw z [um]", "a unit in brackets ends each title"),
-    LinePattern(
+    HeaderPattern(r'"[\s;,|]*"', '"x" "z"', "titles in quotes"),
+    HeaderPattern(r"\t+|\s{2,}", "Test time  v [mm/s]", "two blanks or more between titles"),
+    HeaderPattern(r"\|", "x [mm] | z [um]", "bars between titles"),
+    HeaderPattern(r";", "x [mm]; z [um]", "semicolons between titles"),
+    HeaderPattern(r",", "x [mm], z [um]", "commas between titles"),
+    HeaderPattern(r"(?<=[\])>}])\s+", "Raw x [mm] Raw z [um]", "a bracket ends each title"),
+    HeaderPattern(
         r"(?<!\s/)(?<!\sin)\s+(?!/\s|in\s|[\[(<{])(?![^\[(<{]*[\])>}])",
         "x [mm] z_um",
         "names of one word",
     ),
 )
-
-
-class TitlePattern(NamedTuple):
-    """A way to write the unit of a column after its name."""
-
-    separator: str  # between name and unit
-    stated: bool  # whether it marks a unit; otherwise the unit may be a word of the name
-    example: str
-    meaning: str
-
-
+# Separators of a name and its unit.
 TITLE_PATTERNS = (
-    TitlePattern(r"\s*/\s*", True, "t / s", "unit after a slash"),
-    TitlePattern(r"\s+in\s+", True, "x in mm", "unit after the word in"),
-    TitlePattern(r"\s*[,;:|]\s*", True, "Fx, N", "unit after a mark"),
-    TitlePattern(r"\s+[-\u2013]\s+|(?<=\S)[-.]\s*", True, "v - mm/s", "unit after a dash or stop"),
-    TitlePattern(r"\s+", False, "Lateral um", "unit as the last words"),
-    TitlePattern(r"_", False, "velocity_mm_s", "unit after an underscore, _ for a quotient"),
+    HeaderPattern(r"\s*/\s*", "t / s", "unit after a slash"),
+    HeaderPattern(r"\s+in\s+", "x in mm", "unit after the word in"),
+    HeaderPattern(r"\s*[,;:|]\s*", "Fx, N", "unit after a mark"),
+    HeaderPattern(r"\s+[-\u2013]\s+", "v - mm/s", "unit after a dash"),
+    HeaderPattern(r"(?<=\S)[-.]\s*", "v.mm/s", "unit after a hyphen or a full stop"),
+    HeaderPattern(r"\s+", "Lateral um", "unit as the last words", stated=False),
+    HeaderPattern(r"_", "velocity_mm_s", "unit after an underscore", stated=False),
 )
+SEPARATOR = re.compile("|".join(f"({pattern.separator})" for pattern in TITLE_PATTERNS))
+MARK = re.compile("|".join(pattern.separator for pattern in TITLE_PATTERNS[:4]))
 TITLE_WITH_BRACKETS = re.compile(
     r"(.*?)\s*(?:\[([^\[\]]*)\]|\(([^()]*)\)|<([^<>]*)>|\{([^{}]*)\})([^\[\](){}<>]*)"
 )
@@ -67,8 +62,7 @@ BRACKETED = re.compile(r"[\[(<{].*[\])>}]")
 COMMENT_MARK = re.compile(r"^\s*(?:#+|!+|//|%(?!\s*[;\t|,]))\s?")  # % may be the first unit
 UNITS_LABEL = re.compile(r"units?\s*[:=]\s*", re.IGNORECASE)  # units: mm, um
 NUMERAL_TEXT = r"[-+]?\d[\d.,:]*(?:[eE][-+]?\d+)?"
-SEPARATOR = re.compile("|".join(f"({pattern.separator})" for pattern in TITLE_PATTERNS))
-MARK = re.compile("|".join(p.separator for p in TITLE_PATTERNS[:3]) + r"|\s+[-\u2013]\s+")
+QUANTITY = re.compile(rf"(?<![\w^.-]){NUMERAL_TEXT}\s*[^\s,;]+")  # 0.8 mm
 # Last words of names that are not units.
 NAME_WORDS_TEXT = (
     "abs absolute act actual amplitude angular average avg axis channel cmd coef coeff "
@@ -107,43 +101,35 @@ def header_of(above: list[str], delimiter: str | None, width: int) -> Header:
     last one.
     """
     near = [line for line in above if re.search(r"\w|%", line)][: -MAX_TITLE_LINES - 1 : -1]
-    lines = [_divided(line, delimiter, width) for line in near]
-    titles, used = _titles(near, lines, width)
-    return Header(titles, _unread_line(above, near, titles, used, width))
-
-
-def _titles(
-    near: list[str], lines: list[list[str]], width: int
-) -> tuple[tuple[Title, ...], list[str]]:
-    """Return the titles of the columns, and the lines with names and units.
-
-    near : lines above the rows, the last one first. lines : their cells.
-    """
+    lines = [_cells_of(line, delimiter, width) for line in near]
     named = [_titles_in(cells) for cells in lines]
+    counts = [sum(bool(title.unit) for title in titles) for titles in named]
     for place, cells in enumerate(lines):
         beside = [n for n in (place + 1, place - 1) if 0 <= n < len(lines)]
-        other = next((n for n in beside if named[n]), None)
-        names = () if other is None else named[other]
-        if not cells or not (_is_labelled(near[place]) or _are_units(cells, bool(names))):
+        names_at = next((n for n in beside if named[n]), None)
+        labelled = bool(UNITS_LABEL.match(COMMENT_MARK.sub("", near[place])))
+        if not cells or not (labelled or _are_units(cells, names_at is not None)):
             continue
-        if any(title.unit for title in names):
-            break
-        if not names:
+        if names_at is None:
             unread = any(_may_be_names(near[n], width) for n in beside)
-            names = (Title(UNREAD_NAME if unread else ""),) * width
-        pairs = zip(names, [_bare_unit(cell) or cell for cell in cells], strict=True)
+            names, used = (Title(UNREAD_NAME if unread else ""),) * width, [near[place]]
+        elif counts[names_at]:
+            break
+        else:
+            names, used = named[names_at], [near[place], near[names_at]]
+        units = [_bare_unit(cell) or cell for cell in cells]
+        pairs = zip(names, units, strict=True)
         titles = (name._replace(unit=unit, stated=True) if unit else name for name, unit in pairs)
-        return tuple(titles), [near[n] for n in (place, other) if n is not None]
-    counts = [sum(bool(title.unit) for title in titles) for titles in named]
+        return Header(tuple(titles), _unread_line(above, near, used))
     best = max((n for n in range(len(named)) if named[n]), key=counts.__getitem__, default=None)
-    return ((), []) if best is None else (named[best], [near[best]])
+    if best is not None:
+        return Header(named[best], _unread_line(above, near, [near[best]]))
+    if near and not is_comment(near[0]) and _may_be_names(near[0], width):
+        return Header((), near[0].strip())
+    return Header((), _unread_line(above, near, []))
 
 
-def _is_labelled(line: str) -> bool:
-    return bool(UNITS_LABEL.match(COMMENT_MARK.sub("", line)))
-
-
-def _divided(line: str, delimiter: str | None, width: int) -> list[str]:
+def _cells_of(line: str, delimiter: str | None, width: int) -> list[str]:
     """Return the cells of a line of titles, one per column; empty for an unread line."""
     text = UNITS_LABEL.sub("", COMMENT_MARK.sub("", line).strip("\r\n"), count=1)
     if delimiter is not None and delimiter in text:
@@ -165,8 +151,8 @@ def _divided(line: str, delimiter: str | None, width: int) -> list[str]:
 
 def _titles_in(cells: list[str]) -> tuple[Title, ...]:
     """Return the titles in the cells of a line; empty if one is not a title, or all are empty."""
-    titles = [title_of(cell) for cell in cells]
-    return () if None in titles or not any(cells) else tuple(t for t in titles if t is not None)
+    titles = tuple(title for title in map(title_of, cells) if title is not None)
+    return titles if any(cells) and len(titles) == len(cells) else ()
 
 
 def title_of(cell: str) -> Title | None:
@@ -182,16 +168,11 @@ def title_of(cell: str) -> Title | None:
         return Title("", text, stated=True)
     for match in SEPARATOR.finditer(text):  # the first one leaves the longest unit
         name, unit = text[: match.start()], text[match.end() :]
-        stated = TITLE_PATTERNS[(match.lastindex or 1) - 1].stated
         if match[0] == "_":
             unit = re.sub("_per_|_", "/", unit)
         is_number = match[0] in ("-", ".") and unit == "1"  # Height-1 is a name
-        if not name or is_number or re.match(r"/|in\s", unit):
-            continue
-        if unit_of(unit):
-            return Title(name, unit, stated)
-        if re.match("[a-zµ]?[A-Z]", unit) and is_product(unit):  # of torque, as mN m
-            return Title(name, unit, stated=True)
+        if name and unit_of(unit) and not is_number and not re.match(r"/|in\s", unit):
+            return Title(name, unit, TITLE_PATTERNS[(match.lastindex or 1) - 1].stated)
     return Title(text)
 
 
@@ -203,11 +184,11 @@ def _holds_quantity(text: str) -> bool:
     )
 
 
-def _bare_unit(cell: str) -> str | None:
+def _bare_unit(cell: str) -> str:
+    """Return the unit in a cell, without brackets; "" for other cells."""
     text = cell.strip()
     bare = text.strip("[](){}<>").strip()
-    known = bare and (unit_of(bare) or is_product(bare) or BRACKETED.fullmatch(text))
-    return bare if known else None
+    return bare if unit_of(bare) or BRACKETED.fullmatch(text) else ""
 
 
 def _are_units(cells: list[str], named: bool) -> bool:
@@ -253,35 +234,27 @@ def _contains_unit(word: str) -> bool:
     return title is not None and (title.stated or len(title.unit) > 1) and bool(unit_of(title.unit))
 
 
-def _unread_line(
-    above: list[str], near: list[str], titles: tuple[Title, ...], used: list[str], width: int
-) -> str:
-    """Return a line near the rows with units or names that no title contains; "" without one.
+def _unread_line(above: list[str], near: list[str], used: list[str]) -> str:
+    """Return a line with units that no title contains; "" without one.
 
-    "Cutoff 0.8 mm" does not count, as its unit belongs to a number.
+    near : lines above the rows, the last one first. used : those with the titles. "Cutoff 0.8 mm"
+    does not count, as its unit belongs to a number. A single letter counts in the last two lines.
     """
-    if near and not titles and not is_comment(near[0]) and _may_be_names(near[0], width):
-        return near[0].strip()
-    for line in reversed(above[-MAX_UNIT_LINES:]):
+    for line in reversed(above):
         if line in used:
             continue
-        words = _words(COMMENT_MARK.sub("", line)) if line in near[:2] else []
+        words = _words(line) if line in near[:2] else []
         units = [word for word in words if unit_of(word) and word not in ENGLISH_UNIT_WORDS]
         few_units = len(words) > 1 and 2 * len(units) >= len(words)
-        if few_units or any(map(_contains_unit, _bare_words(line))):
+        if few_units or any(map(_contains_unit, _words(QUANTITY.sub(" ", line)))):
             return line.strip()
     return ""
 
 
-def _bare_words(line: str) -> list[str]:
-    """Return the words of a line, without numbers and their units."""
-    text = COMMENT_MARK.sub("", line.replace('"', " "))
-    bare = re.sub(rf"(?<![\w^.-]){NUMERAL_TEXT}\s*[^\s,;]+", " ", text)
-    return _words(bare)
-
-
-def _words(text: str) -> list[str]:
-    return [word for word in re.split(r"[\s,;|]+", text) if word]
+def _words(line: str) -> list[str]:
+    """Return the words of a line without its comment mark."""
+    text = COMMENT_MARK.sub("", line)
+    return [word.strip('"') for word in re.split(r"[\s,;|]+", text) if word.strip('"')]
 
 
 def _may_be_names(line: str, width: int) -> bool:

@@ -11,7 +11,6 @@ from ..ground import UserError, archive_kind, decoded, is_text, read_plain
 from .cells import Cells, UnevenRowError, cells_of, is_comment
 from .headers import Title, header_of
 from .numerals import Marks, is_missing, is_numeral, marks_of
-from .remarks import remarks_of
 from .units import unit_of
 
 MAX_LISTED = 12  # columns in one message
@@ -35,7 +34,6 @@ class TextTable:
         self.above = tuple(cells.above)  # lines before the first row
         self.between = cells.between  # (index of the next row, lines) between blocks
         self.titles, self.unread = header_of(cells.above, cells.delimiter, self.width)
-        self.remarks = remarks_of(cells.above, cells.delimiter, self.width)  # name: value
         self._check_blocks()
         self.plain = cells.plain
         self.marks = Marks() if cells.plain else self._marks()

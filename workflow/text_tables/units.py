@@ -121,8 +121,8 @@ class Unit(NamedTuple):
 def unit_of(text: str) -> Unit | None:
     """Return the unit with this spelling, or None if it is unknown.
 
-    Products and quotients of known units are known if their dimension is in FAMILIES. Letter case
-    matters only if it distinguishes units, such as mPa and MPa; MM/S and HZ are known.
+    Products and quotients of known units are known, of the family "other" if their dimension is
+    not in FAMILIES. Letter case matters only if it distinguishes units, such as mPa and MPa.
     """
     scaled = SCALED_UNIT.fullmatch(text.strip().strip("[](){}<>"))
     if scaled:
@@ -149,14 +149,7 @@ def unit_of(text: str) -> Unit | None:
             power = int(match[2] or 1) * (1 if number == 0 else -1)
             factor *= known[0] ** power
             dimension += power * np.array(DIMENSIONS[known[1]])
-    product_family = FAMILIES.get(tuple(dimension.tolist()))
-    return Unit(text, product_family, factor) if product_family else None
-
-
-def is_product(text: str) -> bool:
-    """Return whether a text of several words is a product of known units of any dimension."""
-    words = text.split()
-    return len(words) > 1 and all(unit_of(word) for word in words)
+    return Unit(text, FAMILIES.get(tuple(dimension.tolist()), "other"), factor)
 
 
 def _unit_factor(word: str, single: bool) -> tuple[float, str] | None:

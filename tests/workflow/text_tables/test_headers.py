@@ -7,12 +7,8 @@ import numpy as np
 import pytest
 
 from elastomer_friction.workflow.ground import UserError, decoded
-from elastomer_friction.workflow.text_tables import (
-    ColumnSpec,
-    select_columns,
-    table_of_text,
-    unit_of,
-)
+from elastomer_friction.workflow.study import ColumnSpec, select_columns
+from elastomer_friction.workflow.text_tables import table_of_text, unit_of
 from elastomer_friction.workflow.text_tables.headers import LINE_PATTERNS, TITLE_PATTERNS, title_of
 
 WANTED = (

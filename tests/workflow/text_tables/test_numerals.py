@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from elastomer_friction.workflow.ground import archive_kind, is_text
-from elastomer_friction.workflow.text_tables import missing_code
+from elastomer_friction.workflow.study.codes import missing_code
 from elastomer_friction.workflow.text_tables.numerals import is_numeral, marks_of
 
 

@@ -6,14 +6,14 @@ import numpy as np
 import pytest
 
 from elastomer_friction.workflow.ground import UserError, decoded
-from elastomer_friction.workflow.text_tables import (
+from elastomer_friction.workflow.study import (
     ColumnSpec,
     describe_columns,
     find_column,
-    read_text_table,
     select_columns,
-    table_of_text,
 )
+from elastomer_friction.workflow.study.surfaces.remarks import remarks_of
+from elastomer_friction.workflow.text_tables import read_text_table, table_of_text
 
 RNG = np.random.default_rng(7)
 
@@ -123,7 +123,7 @@ def test_units_of_other_things_are_not_those_of_columns(header):
 def test_remarks_blocks_and_what_is_passed_over():
     rows = "1 2\n2 3\n3 4\n"
     found = table(f"pitch = 0.5 um\n# Width: 96 µm\n\n{rows}\nT = 40 °C\n{rows}")
-    assert found.remarks == {"pitch": "0.5 um", "width": "96 µm"}
+    assert remarks_of(found) == {"pitch": "0.5 um", "width": "96 µm"}
     assert [(block.start, block.stop) for block in found.blocks] == [(0, 3), (3, 6)]
     assert found.block_header(1) == ("", "T = 40 °C")
     assert found.passed_over == ("T = 40 °C",)
@@ -140,7 +140,7 @@ def test_remarks_blocks_and_what_is_passed_over():
 )
 def test_remarks_in_one_line_or_in_two_cells(text, remarks):
     found = table(text)
-    assert found.remarks == remarks
+    assert remarks_of(found) == remarks
     assert not any(title.name for title in found.titles)
 
 

@@ -49,6 +49,10 @@ def test_temperatures_have_an_origin(written, kelvin):
     np.testing.assert_allclose(unit.si(np.array([20.0])), kelvin, atol=1e-3)
 
 
-@pytest.mark.parametrize("word", ["", "M", "PM", "Raw", "V", "a", "Lateral", "mm/V", "mm*s", "x/y"])
+@pytest.mark.parametrize("word", ["", "M", "PM", "Raw", "V", "a", "Lateral", "mm/V", "x/y"])
 def test_other_words_are_no_units(word):
     assert unit_of(word) is None
+
+
+def test_products_of_other_dimensions_are_units():
+    assert [getattr(unit_of(word), "family", "") for word in ("mm*s", "N m")] == ["other", "other"]

@@ -10,14 +10,8 @@ from pathlib import Path
 import numpy as np
 
 from ...ground import UserError
-from ...text_tables import (
-    Column,
-    ColumnSpec,
-    TextTable,
-    describe_columns,
-    read_text_table,
-    select_columns,
-)
+from ...text_tables import TextTable, read_text_table
+from ..columns import Column, ColumnSpec, describe_columns, select_columns
 
 HEADER_ADVICE = 'a header "modulus [Pa], time [s]"'
 MODULUS = ColumnSpec("a modulus", "pressure", r"modul|^[GE]([\W_]|\d|[bi]?$)", "Pa", HEADER_ADVICE)

@@ -6,7 +6,8 @@ from typing import Any
 import numpy as np
 
 from ...ground import UserError
-from ...text_tables import ColumnSpec, describe_columns, read_text_table, select_columns
+from ...text_tables import read_text_table
+from ..columns import ColumnSpec, describe_columns, select_columns
 from ..settings import number
 from .programme import FromFile
 

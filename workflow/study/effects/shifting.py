@@ -21,7 +21,8 @@ from typing import NamedTuple, TypeVar
 import numpy as np
 
 from ...ground import UserError
-from ...text_tables import ZERO, ColumnSpec, describe_columns, read_text_table, select_columns
+from ...text_tables import ZERO, read_text_table
+from ..columns import ColumnSpec, describe_columns, select_columns
 from ..settings import NUMBER, Key, as_text, number, pair, positive, read_table, two_numbers
 
 SHIFT_KEYS = ("wlf", "arrhenius", "shifts")  # keys of [material]

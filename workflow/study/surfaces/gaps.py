@@ -3,7 +3,7 @@
 import numpy as np
 
 from ...ground import UserError
-from ...text_tables import missing_code
+from ..codes import missing_code
 
 GAPS = ("refuse", "fill", "drop")
 MIN_KNOWN_SHARE = 0.5  # of the samples of a line, to fill in the others

@@ -3,6 +3,7 @@
 The layout of a file follows from its titles, its remarks and its numbers.
 """
 
+import json
 import re
 
 import numpy as np
@@ -13,30 +14,25 @@ from ...text_tables import (
     TextTable,
     Title,
     count_named,
-    quantity_of,
     read_text_table,
     unit_of,
 )
 from .positions import PointGrid, grid_of, is_uniform, precision, repeats
 from .raw_lines import KEY, MIN_SAMPLES, LineFile, RawLines, check_numbered, metres, row_spacing
+from .remarks import (
+    HEIGHT_REMARK,
+    PITCH_REMARK,
+    WIDTH_REMARK,
+    check_scale,
+    remarks_of,
+    stated_length,
+    stated_unit,
+)
 
 INDEX = r"^(index|idx|no\.?|nr\.?|n|i|#|number|point|sample|row|line|id)$"
 TIME_NAME = r"^(t|time)$"
 POSITION_NAME = r"^(x|s)$|pos|dist|later|scan|travel|absciss|length|^x\b"
 HEIGHT_NAME = r"^z$|height|raw|profil|depth|topo|elev|amplitude|surface|^z\b"
-PITCH_REMARK = re.compile(
-    r"(pitch|step|(sampl\w*|point|data|x|lateral)?[-_ ]*(spacing|step|interval|increment|pitch)"
-    r"|d_?x|delta[-_ ]?x|x[-_ ]?(scale|resolution)|xy?[-_ ]?calibration|pixel[-_ ]?size)"
-)
-PER_SAMPLE = re.compile(r"\s*(/|per\s)\s*(pixel|px|point|pt|sample)s?$", re.IGNORECASE)
-WIDTH_REMARK = re.compile(
-    r"(width|breite|x[-_ ]?(size|range|length|extent)|scan[-_ ]?(size|width|length))"
-)
-HEIGHT_REMARK = re.compile(r"(height|höhe|y[-_ ]?(size|range|length|extent))")
-UNIT_REMARK = re.compile(r"(value|z|height|data|y)?[-_ ]*units?")
-SCALE_REMARK = re.compile(
-    r"(z|height|data|value)?s?[-_ ]*(scal(e|ing)|factor|multiplier|calibration)[-_ ]*(factor)?"
-)
 MIN_MATRIX_COLUMNS = 3  # without titles they may be a matrix
 POINT_COLUMNS = 3  # x, y and z of the points of a map
 
@@ -64,12 +60,7 @@ def _lines_of_table(file: LineFile, table: TextTable) -> RawLines:
             f"surface.columns = {list(file.columns)!r}: {file.name!r} holds {table.columns_text}"
             f", numbers in {', '.join(map(str, table.numeric))}"
         )
-    for name, text in table.remarks.items():
-        if SCALE_REMARK.fullmatch(name) and quantity_of(text) != (1.0, ""):
-            raise UserError(
-                f"{KEY} = {file.name!r}: states {name}: {text}, which is not read: multiply the "
-                "heights and leave that line out"
-            )
+    check_scale(file, table)
     if file.step is not None or len(table.numeric) == 1 or _is_matrix(file, table):
         return _heights_alone(file, table)
     if file.columns:
@@ -159,7 +150,7 @@ def _heights_alone(file: LineFile, table: TextTable) -> RawLines:
     matrix = not file.columns and len(columns) > 1
     heights = values.T if matrix else values
     content = "a matrix of heights, a row for each line" if matrix else "heights alone"
-    units = (_unit(file, table, columns[0]) or _remarked_unit(table),)
+    units = (_unit(file, table, columns[0]) or stated_unit(table),)
     step = file.step if file.step is not None else _step_of_remarks(file, table, heights)
     if step is None:
         raise UserError(
@@ -168,41 +159,15 @@ def _heights_alone(file: LineFile, table: TextTable) -> RawLines:
         )
     source = "as given" if file.step is not None else "as the file says"
     description = f"{content}, step {source}"
-    height = _quantity_of_remarks(file, table, HEIGHT_REMARK) if matrix else None
+    height = stated_length(file, table, HEIGHT_REMARK) if matrix else None
     spacing = None if height is None else height / len(heights)
     return RawLines(heights, None, np.empty(0), step, ("", *units), description, spacing)
 
 
 def _step_of_remarks(file: LineFile, table: TextTable, heights: np.ndarray) -> float | None:
     """Return the step (m) from a remark such as "pitch = 0.5 um" or "Width: 96 um", or None."""
-    pitch, width = (
-        _quantity_of_remarks(file, table, pattern) for pattern in (PITCH_REMARK, WIDTH_REMARK)
-    )
+    pitch, width = (stated_length(file, table, pattern) for pattern in (PITCH_REMARK, WIDTH_REMARK))
     return width / heights.shape[1] if pitch is None and width is not None else pitch
-
-
-def _quantity_of_remarks(
-    file: LineFile, table: TextTable, pattern: re.Pattern[str]
-) -> float | None:
-    """Return the length (m) of the first remark whose name matches, or None."""
-    for name, text in table.remarks.items():
-        quantity = quantity_of(text)
-        if quantity is None or not pattern.fullmatch(re.sub(r"\s*[\[(].*", "", name)):
-            continue
-        unit = quantity[1] or "".join(re.findall(r"[\[(](.*?)[\])]", name))
-        # A width without a unit may count samples.
-        if not unit and file.units and pattern is PITCH_REMARK:
-            unit = file.units[0]
-        factor = metres(PER_SAMPLE.sub("", unit))
-        if factor is not None and quantity[0] > 0.0:
-            return quantity[0] * factor
-    return None
-
-
-def _remarked_unit(table: TextTable) -> str:
-    """Return the unit of heights from a remark such as "Value units: m"; "" without one."""
-    units = [text for name, text in table.remarks.items() if UNIT_REMARK.fullmatch(name)]
-    return next((unit for unit in units if metres(unit) is not None), "")
 
 
 def _is_matrix(file: LineFile, table: TextTable) -> bool:
@@ -213,7 +178,7 @@ def _is_matrix(file: LineFile, table: TextTable) -> bool:
         or any(title.name for title in table.titles)
     ):
         return False
-    if any(WIDTH_REMARK.fullmatch(name) for name in table.remarks):
+    if any(map(WIDTH_REMARK.fullmatch, remarks_of(table))):
         return True
     if len(table.numeric) == POINT_COLUMNS and repeats(table.values(table.numeric[0])):
         return False
@@ -252,9 +217,16 @@ def _columns_by_titles(file: LineFile, table: TextTable) -> tuple[int, ...]:
 
 
 def _unclear_columns(file: LineFile, table: TextTable) -> UserError:
+    """Return the error for columns that the file does not determine, with lines to paste."""
+    columns = list(table.numeric[:2])
+    units = [table.title(n).unit for n in columns]
+    units = [
+        unit if metres(unit) else default for unit, default in zip(units, ("mm", "um"), strict=True)
+    ]
     return UserError(
-        f"{KEY} = {file.name!r}: holds {table.columns_text}, from 0: give those of positions and "
-        "of heights, as surface.columns = [0, 1], or surface.step in place of positions"
+        f"{KEY} = {file.name!r}: holds {table.columns_text}, from 0: it is not clear which hold "
+        f"positions and heights; give surface.columns and surface.units, as columns = {columns} "
+        f"and units = {json.dumps(units)}, or surface.step in place of positions"
     )
 
 

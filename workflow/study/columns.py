@@ -1,4 +1,4 @@
-"""Tables of numbers in text files, and the selection of their columns by name, unit and order.
+"""Selection of the columns of a text table by name, unit and order.
 
 Example. ``key`` opens every error message, and messages name the options that resolve them::
 
@@ -26,10 +26,17 @@ from typing import NamedTuple
 import numpy as np
 
 from ..ground import UserError, counted
+from ..text_tables import (
+    MAX_TITLE_LINES,
+    UNREAD_NAME,
+    TextTable,
+    Title,
+    Unit,
+    count_named,
+    unit_of,
+    unread_unit,
+)
 from .codes import missing_code
-from .headers import MAX_TITLE_LINES, UNREAD_NAME, Title, count_named, unread_unit
-from .text_table import TextTable
-from .units import Unit, unit_of
 
 LOGARITHM_NAME = r"^(log|lg|ln)([\W_\d]|$)"  # name of a column of logarithms
 STRESS_NAME = r"^(?!.*modul).*(stress|spannung)"  # stress: same unit as a modulus
@@ -45,6 +52,26 @@ class ColumnSpec(NamedTuple):
     default: str  # unit if the file states none
     option: str = ""  # command-line option for the unit
     unit: str | None = None  # given by the user; replaces that of the file
+
+    def is_named(self, title: Title) -> bool:
+        """Return whether a title names the quantity, whatever its unit."""
+        return bool(title.name) and bool(re.search(self.names, title.name, re.IGNORECASE))
+
+    def has_unit(self, unit: Unit | None) -> bool:
+        """Return whether a unit is one of the quantity."""
+        families = (self.family, "rate") if self.family == "frequency" else (self.family,)
+        return unit is not None and unit.family in families
+
+    def fits_name(self, title: Title) -> bool:
+        """Return whether a title names the quantity, and states no unit of another one."""
+        unit = unit_of(title.unit)
+        loose = not title.stated and unit is not None and unit.family != "temperature"
+        return self.is_named(title) and (unit is None or loose or self.has_unit(unit))
+
+    def fits_unit(self, title: Title) -> bool:
+        """Return whether the unit of a title fits; 1 and % do not suffice beside a name."""
+        unnamed = title.name in ("", UNREAD_NAME)
+        return self.has_unit(unit_of(title.unit)) and (self.family != "number" or unnamed)
 
 
 class Column(NamedTuple):
@@ -71,7 +98,7 @@ def select_columns(
     for messages. Raises UserError if the file does not determine the columns, if a name fits
     several columns, and for a unit that is unknown or of another family.
     """
-    numbers = _column_numbers(table, wanted, option) if columns is None else list(columns)
+    numbers = _column_numbers(table, wanted, option) if columns is None else columns
     for column in numbers:
         if column >= table.width:
             raise UserError(
@@ -84,7 +111,7 @@ def select_columns(
 
 def find_column(table: TextTable, spec: ColumnSpec, option: str = "--columns") -> Column | None:
     """Return the column whose name fits, or None. Raises UserError as ``select_columns`` does."""
-    matches = [column for column in table.numeric if _fits_name(table.title(column), spec)]
+    matches = [column for column in table.numeric if spec.fits_name(table.title(column))]
     if len(matches) > 1:
         raise _unclear_columns(table, (spec,), option)
     return _read_column(table, spec, matches[0], option) if matches else None
@@ -92,44 +119,43 @@ def find_column(table: TextTable, spec: ColumnSpec, option: str = "--columns") -
 
 def _column_numbers(table: TextTable, wanted: Sequence[ColumnSpec], option: str) -> list[int]:
     """Return the number of each requested column, found by names, by units, or by the order."""
-    free, numbers = list(table.numeric), dict[int, int]()
-    for index, spec in enumerate(wanted):
-        matches = [column for column in free if _fits_name(table.title(column), spec)]
-        named_only = not any(table.title(column).unit for column in matches)
-        contradicted = not matches and any(_has_name(table.title(n), spec) for n in free)
-        rival = matches and named_only and _has_rival(table, wanted, spec)
-        if len(matches) > 1 or contradicted or rival:
+    titles = {column: table.title(column) for column in table.numeric}
+    numbers = dict[ColumnSpec, int]()
+    for spec in wanted:
+        matches = [column for column, title in titles.items() if spec.fits_name(title)]
+        contradicted = not matches and any(map(spec.is_named, titles.values()))
+        if len(matches) > 1 or contradicted or (matches and _has_rival(titles, wanted, spec)):
             raise _unclear_columns(table, wanted, option)
-        numbers.update((index, column) for column in matches)
+        numbers.update((spec, column) for column in matches)
     if len(set(numbers.values())) < len(numbers):  # one name fits two quantities
         raise _unclear_columns(table, wanted, option)
-    free = [column for column in free if column not in numbers.values()]
-    for index, spec in enumerate(wanted):
-        missing = [n for n in range(len(wanted)) if n not in numbers]
-        matches = [column for column in free if _fits_unit(table.title(column), spec)]
-        single = sum(wanted[n].family == spec.family for n in missing) == 1
-        if index in missing and single and len(matches) == 1:
-            numbers[index] = matches[0]
+    missing = [spec for spec in wanted if spec not in numbers]
+    free = [column for column in table.numeric if column not in numbers.values()]
+    for spec in list(missing):
+        matches = [column for column in free if spec.fits_unit(titles[column])]
+        if len(matches) == 1 and sum(other.family == spec.family for other in missing) == 1:
+            numbers[spec] = matches[0]
+            missing.remove(spec)
             free.remove(matches[0])
-    missing = [index for index in range(len(wanted)) if index not in numbers]
     if missing and (len(missing) != len(free) or _names_columns(table, wanted, free)):
         raise _unclear_columns(table, wanted, option)
     numbers |= dict(zip(missing, free, strict=False))
-    return [numbers[index] for index in range(len(wanted))]
+    return [numbers[spec] for spec in wanted]
 
 
-def _has_rival(table: TextTable, wanted: Sequence[ColumnSpec], spec: ColumnSpec) -> bool:
-    """Return whether a column of an unknown name has a unit that fits.
+def _has_rival(titles: dict[int, Title], wanted: Sequence[ColumnSpec], spec: ColumnSpec) -> bool:
+    """Return whether a column of an unknown name is as likely as one whose name fits.
 
-    Such a unit is as good evidence as a name without a unit.
+    A unit that fits is as good evidence as a name without a unit.
     """
-    titles = [table.title(column) for column in table.numeric]
-    return any(
-        title.name
-        and _fits_unit(title, spec)
-        and not any(_fits_name(title, other) for other in wanted)
-        for title in titles
-    )
+    if any(title.unit for title in titles.values() if spec.fits_name(title)):
+        return False
+    unknown = [
+        title
+        for title in titles.values()
+        if title.name and not any(other.fits_name(title) for other in wanted)
+    ]
+    return any(map(spec.fits_unit, unknown))
 
 
 def _names_columns(table: TextTable, wanted: Sequence[ColumnSpec], free: Sequence[int]) -> bool:
@@ -138,95 +164,81 @@ def _names_columns(table: TextTable, wanted: Sequence[ColumnSpec], free: Sequenc
         return False
     titles = [table.title(column) for column in free]
     named = any(title.name and not (title.stated and len(free) == 1) for title in titles)
-    return named or bool(table.unread) or (not table.titles and _names_several(table, wanted))
-
-
-def _names_several(table: TextTable, wanted: Sequence[ColumnSpec]) -> bool:
-    """Return whether a line above the rows names several columns without assigning them."""
     patterns = [spec.names for spec in wanted]
-    return any(count_named(line, patterns) > 1 for line in table.above[-MAX_TITLE_LINES:])
-
-
-def _fits_name(title: Title, spec: ColumnSpec) -> bool:
-    unit = unit_of(title.unit)
-    loose = not title.stated and unit is not None and unit.family != "temperature"
-    return _has_name(title, spec) and (unit is None or loose or _same_family(unit, spec))
-
-
-def _has_name(title: Title, spec: ColumnSpec) -> bool:
-    return bool(title.name) and bool(re.search(spec.names, title.name, re.IGNORECASE))
-
-
-def _fits_family(title: Title, spec: ColumnSpec) -> bool:
-    unit = unit_of(title.unit)
-    return unit is not None and _same_family(unit, spec)
-
-
-def _fits_unit(title: Title, spec: ColumnSpec) -> bool:
-    """Return whether a column fits by its unit. The units 1 and % do not suffice beside a name."""
-    unit = unit_of(title.unit)
-    number = unit is not None and unit.family == "number"
-    return _fits_family(title, spec) and not (number and title.name not in ("", UNREAD_NAME))
-
-
-def _same_family(unit: Unit, spec: ColumnSpec) -> bool:
-    return unit.family == spec.family or (unit.family, spec.family) == ("rate", "frequency")
+    several = any(count_named(line, patterns) > 1 for line in table.above[-MAX_TITLE_LINES:])
+    return named or bool(table.unread) or (not table.titles and several)
 
 
 def _unclear_columns(table: TextTable, wanted: Sequence[ColumnSpec], option: str) -> UserError:
+    """Return the error for columns that the file does not determine, with options to paste."""
     names = " and ".join(spec.meaning for spec in wanted)
-    example = ",".join(map(str, table.numeric[: len(wanted)]))
+    remedy = option
+    if option.startswith("--"):
+        units = {spec.option: spec.unit or spec.default for spec in wanted if spec.option}
+        example = ",".join(map(str, table.numeric[: len(wanted)]))
+        remedy = " ".join(
+            [f"{option} {example}", *(f"{key} {unit}" for key, unit in units.items())]
+        )
     return UserError(
         f"{table.key} = {table.name!r}: holds {table.columns_text}, from 0: it is not clear which "
-        f"holds {names}; give {option}{f' {example}' if option.startswith('--') else ''}"
+        f"holds {names}; give {remedy}"
     )
 
 
 def _read_column(table: TextTable, spec: ColumnSpec, column: int, option: str) -> Column:
+    """Return a column in SI units. Raises UserError for another quantity and unclear units."""
     title = table.title(column)
     prefix = f"{table.key} = {table.name!r}: column {column}{f' {title.name!r}' * bool(title.name)}"
-    remedy = f"; give {spec.option}" if spec.option else f"; give {option}"
     if re.match(LOGARITHM_NAME, title.name, re.IGNORECASE) and not re.search(spec.names, "log"):
         raise UserError(
             f"{prefix}: holds logarithms, not {spec.meaning}: write the numbers themselves"
         )
     if spec.family == "pressure" and re.search(STRESS_NAME, title.name, re.IGNORECASE):
         raise UserError(f"{prefix}: holds a stress, not {spec.meaning}: divide it by the strain")
-    if spec.unit is not None:
-        unit, source = unit_of(spec.unit), "given"
-        if unit is None or not _same_family(unit, spec):
-            raise UserError(
-                f"{table.key}: {spec.option} {spec.unit}: is not a unit of {spec.meaning}"
-            )
-    elif title.unit and (title.stated or _fits_family(title, spec)):
-        unit, source = unit_of(title.unit), "of the file"
-        if unit is None:
-            raise UserError(
-                f"{prefix}: the unit {title.unit!r} of {spec.meaning} is not known{remedy}"
-            )
-        if not _same_family(unit, spec):
-            raise UserError(
-                f"{prefix}: is in {title.unit!r}, not a unit of {spec.meaning}; give {option}"
-            )
-    else:
-        inside = [word for word in title.name.split()[:-1] if _fits_family(Title(unit=word), spec)]
-        other = unit_of(title.unit)  # not marked as a unit, and of another family
-        foreign = title.unit if other and other.family != "number" else ""
-        unread = table.unread if spec.family != "number" else ""
-        text = "".join(inside[:1]) or foreign or unread_unit(title.name, spec.names) or unread
-        if text:
-            raise UserError(f"{prefix}: it is not clear what {text!r:.60} says of its unit{remedy}")
-        unit, source = unit_of(spec.default), "assumed"
-        assert unit is not None
-    if unit.family == "rate" != spec.family and not re.search(
-        ANGULAR_NAME, title.name, re.IGNORECASE
-    ):
-        raise UserError(f"{prefix}: {unit.text!r} may be Hz or rad/s{remedy}")
+    unit, source = _unit_of_column(table, spec, title, prefix, option)
+    angular = re.search(ANGULAR_NAME, title.name, re.IGNORECASE)
+    if unit.family == "rate" and spec.family == "frequency" and not angular:
+        remedy = spec.option or option
+        raise UserError(f"{prefix}: {unit.text!r} may be Hz or rad/s; give {remedy}")
     values = table.values(column)
     code = missing_code(values, repeated=False)
     if code is not None:
         values = np.where(values == code.value, np.nan, values)
     return Column(column, title, unit.si(values), unit, source, spec, code and code.value)
+
+
+def _unit_of_column(
+    table: TextTable, spec: ColumnSpec, title: Title, prefix: str, option: str
+) -> tuple[Unit, str]:
+    """Return the unit of a column and its source: "given", "of the file" or "assumed"."""
+    stated = unit_of(title.unit)
+    if spec.unit is not None:
+        unit = unit_of(spec.unit)
+        if unit is None or not spec.has_unit(unit):
+            raise UserError(
+                f"{table.key}: {spec.option} {spec.unit}: is not a unit of {spec.meaning}"
+            )
+        return unit, "given"
+    remedy = f"give {spec.option or option}"
+    if title.stated and stated is None:
+        raise UserError(
+            f"{prefix}: the unit {title.unit!r} of {spec.meaning} is not known; {remedy}"
+        )
+    if stated is not None and spec.has_unit(stated):
+        return stated, "of the file"
+    if title.stated:
+        raise UserError(
+            f"{prefix}: is in {title.unit!r}, not a unit of {spec.meaning}; give {option}"
+        )
+    inside = [word for word in title.name.split()[:-1] if spec.has_unit(unit_of(word))]
+    foreign = title.unit if stated is not None and stated.family != "number" else ""
+    unread = table.unread if spec.family != "number" else ""
+    text = "".join(inside[:1]) or foreign or unread_unit(title.name, spec.names) or unread
+    if text:
+        raise UserError(f"{prefix}: it is not clear what {text!r:.60} says of its unit; {remedy}")
+    unit = unit_of(spec.default)
+    assert unit is not None
+    return unit, "assumed"
 
 
 def describe_columns(table: TextTable, columns: Sequence[Column]) -> str:
@@ -235,9 +247,7 @@ def describe_columns(table: TextTable, columns: Sequence[Column]) -> str:
     for column in columns:
         name = f" {column.title.name}" if column.title.name else ""
         unit = f" in {column.unit.text}" if column.unit.family != "number" else ""
-        source = (
-            "" if column.unit_source == "of the file" or not unit else f" ({column.unit_source})"
-        )
+        source = f" ({column.unit_source})" if unit and column.unit_source != "of the file" else ""
         parts.append(f"column {column.number}{name} as {column.spec.meaning}{unit}{source}")
     missing = sum(int(np.isnan(column.values).sum()) for column in columns)
     text = f"{table.name}: {len(table.rows)} rows; {', '.join(parts)}"

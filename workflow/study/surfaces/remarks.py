@@ -1,0 +1,83 @@
+"""Remarks above measured lines, such as pitch = 0.5 um."""
+
+import re
+
+from ...ground import UserError
+from ...text_tables import NUMERAL_TEXT, TextTable, is_numeral, split
+from .raw_lines import KEY, LineFile, metres
+
+REMARK = re.compile(r"[#%/!;\s]*([^:=;\t]+?)\s*[:=]\s*(.*?)\s*[;,\t]*")  # Width: 96 µm
+QUANTITY_TEXT = re.compile(rf"({NUMERAL_TEXT})\s*(\S.*)?")
+PITCH_REMARK = re.compile(
+    r"(pitch|step|(sampl\w*|point|data|x|lateral)?[-_ ]*(spacing|step|interval|increment|pitch)"
+    r"|d_?x|delta[-_ ]?x|x[-_ ]?(scale|resolution)|xy?[-_ ]?calibration|pixel[-_ ]?size)"
+)
+PER_SAMPLE = re.compile(r"\s*(/|per\s)\s*(pixel|px|point|pt|sample)s?$", re.IGNORECASE)
+WIDTH_REMARK = re.compile(
+    r"(width|breite|x[-_ ]?(size|range|length|extent)|scan[-_ ]?(size|width|length))"
+)
+HEIGHT_REMARK = re.compile(r"(height|höhe|y[-_ ]?(size|range|length|extent))")
+UNIT_REMARK = re.compile(r"(value|z|height|data|y)?[-_ ]*units?")
+SCALE_REMARK = re.compile(
+    r"(z|height|data|value)?s?[-_ ]*(scal(e|ing)|factor|multiplier|calibration)[-_ ]*(factor)?"
+)
+
+
+def remarks_of(table: TextTable) -> dict[str, str]:
+    """Return the values of remarks such as "Width: 96 µm", by their names in lower case.
+
+    A line may hold several remarks. A line of two cells is a name and its value, if the table has
+    another number of columns.
+    """
+    remarks: dict[str, str] = {}
+    for line in table.above:
+        cells = split(line, table.delimiter) if table.delimiter is not None else []
+        few = len(cells) == 2 or (len(cells) == 3 and is_numeral(cells[1]))
+        if few and len(cells) != table.width and all(cells):
+            remarks.setdefault(cells[0].lower(), " ".join(cells[1:]))
+        for part in re.split(r"[,;\t]\s*(?=[^\W\d])", line.strip()):
+            match = REMARK.fullmatch(part.strip())
+            if match and match[2]:
+                remarks.setdefault(match[1].strip().lower(), match[2].strip('" '))
+    return remarks
+
+
+def quantity_of(text: str) -> tuple[float, str] | None:
+    """Return number and unit of a text such as "0.5 um"; None for other texts."""
+    match = QUANTITY_TEXT.fullmatch(text.strip())
+    try:
+        return match and (float(match[1].replace(",", ".")), (match[2] or "").strip())
+    except ValueError:
+        return None
+
+
+def check_scale(file: LineFile, table: TextTable) -> None:
+    """Raise UserError for a scale of heights other than 1, which is not read."""
+    for name, text in remarks_of(table).items():
+        if SCALE_REMARK.fullmatch(name) and quantity_of(text) != (1.0, ""):
+            raise UserError(
+                f"{KEY} = {file.name!r}: states {name}: {text}, which is not read: multiply the "
+                "heights and leave that line out"
+            )
+
+
+def stated_length(file: LineFile, table: TextTable, pattern: re.Pattern[str]) -> float | None:
+    """Return the length (m) of the first remark whose name matches, or None."""
+    for name, text in remarks_of(table).items():
+        quantity = quantity_of(text)
+        if quantity is None or not pattern.fullmatch(re.sub(r"\s*[\[(].*", "", name)):
+            continue
+        unit = quantity[1] or "".join(re.findall(r"[\[(](.*?)[\])]", name))
+        # A width without a unit may count samples.
+        if not unit and file.units and pattern is PITCH_REMARK:
+            unit = file.units[0]
+        factor = metres(PER_SAMPLE.sub("", unit))
+        if factor is not None and quantity[0] > 0.0:
+            return quantity[0] * factor
+    return None
+
+
+def stated_unit(table: TextTable) -> str:
+    """Return the unit of heights from a remark such as "Value units: m"; "" without one."""
+    units = [text for name, text in remarks_of(table).items() if UNIT_REMARK.fullmatch(name)]
+    return next((unit for unit in units if metres(unit) is not None), "")
