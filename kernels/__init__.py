@@ -18,8 +18,15 @@ from .control.printed_eq3 import PrintedForce
 from .lines.equivalent import equivalent_amplitudes, equivalent_of_cut, equivalent_spectrum
 from .lines.line import QUARTET, Line
 from .lines.measured_modes import measured_amplitudes
-from .lines.power import power_spectrum, rms_height
-from .lines.self_affine import amplitudes, draw_phases, matching_rolloff, rms_slope, sample_line
+from .lines.self_affine import (
+    amplitudes,
+    draw_phases,
+    matching_rolloff,
+    power_spectrum,
+    rms_height,
+    rms_slope,
+    sample_line,
+)
 from .model.contact import solve_indentation
 from .model.force import ConstantForce
 from .model.friction import lagged_slope, quadrature, step_average

@@ -13,6 +13,12 @@ CASE = Case(0.1, 0.5, RATIOS, (KEPT,) * 3, "exponential")
 ALL = Quantities()
 
 
+def bits(outcome):
+    """Return the numbers of an outcome except its time, as bytes."""
+    fields = outcome._replace(seconds=None)._asdict()
+    return {field: np.asarray(value).tobytes() for field, value in fields.items()}
+
+
 def line_of(elements=ELEMENTS, shift=0.0, steps=M):
     """Return a random line, shifted by so many spacings."""
     phases = draw_phases(np.random.default_rng(1), elements)

@@ -18,22 +18,15 @@ def friction_jump(form: Form, line: Line, elements: Elements, speed: float, rati
 
     form : of the material (rheology/forms.py). elements : of steady sliding (steady_memory.py).
     speed : vbar, signed. In contact p = p_0 + eta (v z' + d'), where p_0 follows from the state
-    alone. With p_0 in place of d - z this is the quadrature of the Kelvin element.
-    Raises ValueError for a material without a dashpot.
+    alone. With p_0 in place of d - z this is the quadrature of the Kelvin element. The material
+    has a dashpot.
     """
     viscosity, pressure = static_pressure(form, elements.memory)
-    if viscosity == 0.0:
-        raise ValueError(
-            "material has a finite instantaneous modulus: mu does not jump; ask for peak"
-        )
     law = law_of(form, 1.0 / (line.steps_per_spacing * abs(speed)))
     free = displacement(form, elements.memory, elements.p) + elements.p / law.stiffness
     depth = elements.d - pressure  # height at which a Kelvin element would bear this pressure
-    direction = 1 if speed > 0.0 else -1
-    z, slope, w = (
-        np.ascontiguousarray(field[::direction])
-        for field in (depth, line.slope, free + depth - line.z)
-    )
+    direction, fields = 1 if speed > 0.0 else -1, (depth, line.slope, free + depth - line.z)
+    z, slope, w = (np.ascontiguousarray(field[::direction]) for field in fields)
     viscous, load = viscosity * speed, float(elements.p.sum())
     before, _, _ = quadrature(z, slope, w, elements.d, viscous, viscous, load)
     after, _, _ = quadrature(z, slope, w, elements.d, viscous, ratio * viscous, load)
@@ -48,10 +41,8 @@ def initial_rate(
     p (n,) : forces. The rates of the units are those of steady sliding, in which mu is constant.
     A velocity change dv adds dv (z' - mean z')/J_g to the rates of the forces, over the touching
     elements, and -dv z'' to the rates of the slopes. z'' is that of the Fourier series.
-    Raises ValueError for a material with a dashpot, whose friction jumps.
+    The material has no dashpot.
     """
-    if units.glass == 0.0:
-        raise ValueError("material has a dashpot: mu jumps; ask for jump")
     touching = p > 0.0
     slope = line.slope[touching]
     stiffening = float(np.sum((slope - slope.mean()) ** 2)) / units.glass

@@ -65,22 +65,15 @@ class SteadyMemory:
         return Elements(memory, self.p, self.d)
 
 
-def steady_memory(form: Form, z: np.ndarray, speed: float, load: float) -> SteadyMemory:
+def steady_memory(
+    form: Form, z: np.ndarray, speed: float, load: float, d: float = np.nan
+) -> SteadyMemory:
     """Return the steady state of sliding under the load sum_i f_i = load.
 
     form : of the material (rheology/forms.py). z : heights of the line, shape (n,), in h.
-    speed : in samples per tau, negative towards -x. Raises ValueError without convergence.
+    speed : in samples per tau, negative towards -x. d : indentation in h, given if the load is NaN.
+    Raises ValueError without convergence.
     """
-    return _checked_state(form, z, speed, load, np.nan)
-
-
-def steady_at(form: Form, z: np.ndarray, speed: float, d: float) -> SteadyMemory:
-    """Return the steady state of sliding at a given indentation d (in h); see steady_memory."""
-    return _checked_state(form, z, speed, np.nan, d)
-
-
-def _checked_state(form: Form, z: np.ndarray, speed: float, load: float, d: float) -> SteadyMemory:
-    """Return the steady state under a load, or at d if the load is NaN."""
     p, d, work, residual, deepest, before = _solve_grids(form, z, speed, load, d, MAX_TURNS)
     rounding = STIFFNESS_ROUNDING * law_of(form, 1.0 / abs(speed)).stiffness
     if not residual <= ACCEPTED_RESIDUAL + rounding:

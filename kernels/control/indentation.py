@@ -8,18 +8,13 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ..model.balance import balance, balance_history, balance_rows
+from ..model.balance import balance, balance_rows
 
 
 class PrescribedIndentation(NamedTuple):
     """Control that prescribes the indentation."""
 
     indentation: np.ndarray  # at the end of every step, in h over the deepest point
-
-
-@balance_history.register(PrescribedIndentation)
-def _note(control, c, d, first, rings):
-    return None
 
 
 @balance.register(PrescribedIndentation)

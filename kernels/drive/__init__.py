@@ -4,14 +4,3 @@ from .pulled_line import run_pulled
 from .slider import MAX_SLIP_EVENTS, PULLED_TRACES, SLIP_EVENTS, SLIPS, drive_legs
 from .slider_step import FORCE_TOLERANCE
 from .spring import Drive
-
-__all__ = [
-    "FORCE_TOLERANCE",
-    "MAX_SLIP_EVENTS",
-    "PULLED_TRACES",
-    "SLIPS",
-    "SLIP_EVENTS",
-    "Drive",
-    "drive_legs",
-    "run_pulled",
-]

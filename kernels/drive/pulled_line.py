@@ -15,7 +15,7 @@ from ..scene.scene_case import SceneCase
 from .block_rig import block_rig
 from .rig import plain_rig
 from .shiftable_line import shiftable_line
-from .slider import SliderStart, initial_speed, pull_through, recorded_times
+from .slider import initial_speed, pull_through, recorded_times
 from .slider_step import follow_leg
 from .spring import Drive
 
@@ -44,7 +44,6 @@ def run_pulled(line: Line, scene: SceneCase, drive: Drive) -> dict[str, np.ndarr
     normal, tangential, touching = weighted_sums(-begin.p, None, slope, 0.0)
     means = normal / n, tangential / n, touching / n
     forces = tangential / normal, begin.d, *means, samples_per_contact(begin.p)
-    start = SliderStart(rig, m, line.slope, forces)
-    values, tries = pull_through(follow_leg_of_line, start, drive, scene, times)
+    values, tries = pull_through(follow_leg_of_line, rig, line, forces, drive, scene, times)
     values["trace_indentation"] = values["trace_indentation"] + line.datum
     return values | {"updates": np.array(2.0 * tries * n)}

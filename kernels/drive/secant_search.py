@@ -63,6 +63,5 @@ def next_guess(search, x, value):
 def search_is_exhausted(search, rounding):
     """Return whether the bracket is at rounding level, or the maximum of steps is reached."""
     state = search[0]
-    return (
-        state["high"] - state["low"] <= rounding or state["bracketed_steps"] >= MAX_BRACKETED_STEPS
-    )
+    at_rounding = state["high"] - state["low"] <= rounding
+    return at_rounding or state["bracketed_steps"] >= MAX_BRACKETED_STEPS

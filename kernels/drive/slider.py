@@ -2,7 +2,7 @@
 
 import math
 from collections.abc import Callable, Iterator
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 
@@ -30,15 +30,6 @@ MAX_SLIP_EVENTS = 1000  # recorded
 SLIDER_QUANTITIES = ("trace", "stick_slip", "slip_events")
 FIRST_STEP_SHARE = 0.25  # of the step before, where the velocity of the drive jumps
 MIN_FREE_STEPS = 1e3  # min_step_time over the shortest step whose forces are not lost in rounding
-
-
-class SliderStart(NamedTuple):
-    """A slider before its first step."""
-
-    rig: Any  # with attempt and accept (rig.py)
-    steps_per_spacing: int
-    slope: np.ndarray  # of the surface, in h/dx
-    forces: tuple[float, float, float, float, float, float]  # of a Moment, from mu to samples
 
 
 def drive_legs(programme: Programme, place: float) -> Iterator[DriveLeg]:
@@ -94,27 +85,30 @@ def initial_speed(scene: SceneCase) -> float:
 
 def pull_through(
     follow: Callable[[PulledSlider, DriveLeg, SliderProgress], SliderProgress],
-    start: SliderStart,
+    rig: Any,
+    surface: Any,
+    forces: tuple[float, float, float, float, float, float],
     drive: Drive,
     scene: SceneCase,
     times: np.ndarray,
 ) -> tuple[dict[str, np.ndarray], int]:
     """Return (traces at some times, tries of steps) of a pulled slider; times in tau.
 
-    follow : as follow_leg. Values recorded at the end of a leg are those of its last step: they are
-    not interpolated between this leg and the next one.
+    follow : as follow_leg. rig : with attempt and accept (rig.py). surface : Line or Surface.
+    forces : at the start, the fields of a Moment from mu to samples. Values recorded at the end of
+    a leg are those of its last step: they are not interpolated between this leg and the next one.
     """
-    speed, friction = initial_speed(scene), start.forces[Moment._fields.index("friction")]
+    speed, friction = initial_speed(scene), forces[Moment._fields.index("friction")]
     force = friction if speed else 0.0  # the spring is slack where nothing slides
-    moment = Moment(*start.forces, 0.0, 0.0, speed, force)
+    moment = Moment(*forces, 0.0, 0.0, speed, force)
     legs = list(drive_legs(scene.programme, force / drive.stiffness))
-    m, drive = start.steps_per_spacing, Drive(*map(float, drive))
+    m, drive = surface.steps_per_spacing, Drive(*map(float, drive))
     record = _slider_record(scene, m, drive, legs[-1], times)
-    scale = scene.load * math.sqrt(float(np.mean(start.slope**2)))
+    scale = scene.load * math.sqrt(float(np.mean(surface.slope**2)))
     min_step_time = MIN_FREE_STEPS * min_step(scene.spectrum)
     limits = min_step_time, FORCE_TOLERANCE * scale, hold_step_ratio(m)
     memory = np.zeros(1, SEARCH_MEMORY)
-    pulled = PulledSlider(start.rig, m, drive, *limits, record, memory)
+    pulled = PulledSlider(rig, m, drive, *limits, record, memory)
     motion = initial_motion(scene.programme, m, moment)
     record_between(record, moment, moment, 0.0)
     drive_speed = motion.speed

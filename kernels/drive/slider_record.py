@@ -58,15 +58,6 @@ SLIP_BEGINS, SLIP_ENDS, SLIDER_TURNS = range(3)  # kinds of events
 
 
 @kernel
-def add_to_tally(tally, now):
-    """Include a moment in the extremes, from the start of the window on; tally : a SLIDER_TALLY."""
-    if now.time >= tally["window_start"]:
-        tally["min_force"] = min(tally["min_force"], now.force)
-        tally["max_force"] = max(tally["max_force"], now.force)
-        tally["max_speed"] = max(tally["max_speed"], abs(now.speed))
-
-
-@kernel
 def follow_slips(record, before, now, drive_speed):
     """Record and count the events of the slider between two moments.
 
@@ -81,7 +72,10 @@ def follow_slips(record, before, now, drive_speed):
         record_event(record, time_at_speed(before, now, 0.0), SLIDER_TURNS)
     if drive_speed == 0.0:
         return
-    add_to_tally(tally, now)
+    if now.time >= tally["window_start"]:
+        tally["min_force"] = min(tally["min_force"], now.force)
+        tally["max_force"] = max(tally["max_force"], now.force)
+        tally["max_speed"] = max(tally["max_speed"], abs(now.speed))
     share = now.speed / drive_speed
     if abs(share) < 0.5:
         if tally["slow_since"] == np.inf:

@@ -7,7 +7,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from ..drive.rig import accept, attempt, patch_width
-from ..drive.slider import SliderStart, initial_speed, pull_through, recorded_times
+from ..drive.slider import initial_speed, pull_through, recorded_times
 from ..drive.slider_step import follow_leg
 from ..drive.spring import Drive
 from ..model.friction import mean_slope
@@ -82,8 +82,7 @@ def run_pulled_on_half_space(
 
     stiffness : over the modes, if it differs from that of a half-space.
     """
-    m = surface.steps_per_spacing
-    times, speed = recorded_times(scene, m), initial_speed(scene)
+    times, speed = recorded_times(scene, surface.steps_per_spacing), initial_speed(scene)
     form = form_of(scene.spectrum, scene.scheme)
     space = HalfSpace.under(form, surface, scene.load, stiffness)
     shifted = ShiftedSurface(surface)
@@ -95,6 +94,5 @@ def run_pulled_on_half_space(
     touching = np.count_nonzero(body.p > 0.0) / body.p.size
     rig = MapRig(space, shifted, body, passes)
     forces = mu, body.d, normal, mu * normal, touching, samples_per_patch(body.p)
-    start = SliderStart(rig, m, surface.slope, forces)
-    values, _ = pull_through(follow_leg, start, drive, scene, times)
+    values, _ = pull_through(follow_leg, rig, surface, forces, drive, scene, times)
     return values | {"updates": np.array(float(rig.passes * surface.z.size))}

@@ -67,10 +67,7 @@ def slide_steadily(
     full = bool(full_p.min() > 0.0)
     if full:
         body, passes = _steady_body(space, memory, full_p, float(surface.z.mean())), 1
-    elif (
-        spectrum == KELVIN
-        and float(np.max(np.abs(response.imag) / response.real)) > MIN_MARCHED_LOSS
-    ):
+    elif spectrum == KELVIN and np.any(np.abs(response.imag) / response.real > MIN_MARCHED_LOSS):
         body, passes = _marched(space, step, speed, start)
     else:
         body, passes = _direct(space, step, response, memory, start)
@@ -79,10 +76,9 @@ def slide_steadily(
     modulus = complex_modulus(spectrum, q * speed)
     dissipative_mu = _mu_by_dissipation(space, modulus, response, exact, body.p)
     viscous = _viscous(spectrum, surface.steps_per_spacing * speed)
-    mu = dissipative_mu
-    if not full:
-        mu = dissipative_mu + viscous * (step_mu - dissipative_mu)
-    if mu * dissipative_mu <= 0.0:  # in contacts of single samples the sum may have the wrong sign
+    mu = dissipative_mu + viscous * (step_mu - dissipative_mu)
+    # In contacts of single samples the sum may have the wrong sign.
+    if full or mu * dissipative_mu <= 0.0:
         mu = dissipative_mu
     return SlidingBody(body, step, mu, step_mu, viscous, passes)
 
@@ -104,10 +100,9 @@ def _mu_by_dissipation(
     """
     q = wave_numbers(p.shape, space.surface.steps_per_spacing)[1][0]
     squares = exact * np.abs(response) ** 2 + (1.0 - exact) / np.abs(modulus) ** 2
-    power = np.abs(np.fft.rfft2(p) / p.size) ** 2 * space.operator.compliance
-    return float((power.sum(axis=0) * two_sided(p.shape) * q * modulus.imag * squares).sum()) / (
-        space.pressure
-    )
+    power = (np.abs(np.fft.rfft2(p) / p.size) ** 2 * space.operator.compliance).sum(axis=0)
+    lost = (power * two_sided(p.shape) * q * modulus.imag * squares).sum()
+    return float(lost) / space.pressure
 
 
 def _is_steady(change: float, mu: float) -> bool:

@@ -10,7 +10,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-NORMALISATIONS = ("modal", "integral")
+from ..lines.self_affine import falling_integral, last_mode
+
 MIN_MAP_COLUMNS = 4  # of a measured map along x: fewer do not determine slopes
 
 
@@ -96,21 +97,16 @@ def ring_amplitudes(
     Raises ValueError as the amplitudes of lines do (lines/self_affine.py).
     """
     highest = elements // 2
-    last = cutoff or highest
-    if not (0.0 <= rolloff <= last <= highest):
-        raise ValueError(
-            f"rolloff = {rolloff:g}, cutoff = {cutoff}: must ascend to N/2 = {highest} or be zero"
-        )
+    last = last_mode(rolloff, cutoff, highest, normalisation)
     k = np.hypot(*_wave_indices(2 * highest + 1, highest))
     inside = (k >= 1.0) & (k <= last)
     power = np.zeros_like(k)
     power[inside] = np.maximum(k[inside], rolloff) ** (-2.0 * hurst - 2.0)
-    if normalisation == "modal":
-        total = float((_multiplicity(highest) * power).sum())
-    elif normalisation == "integral":
-        total = _spectral_integral(hurst, max(rolloff, 1.0), float(last))
-    else:
-        raise ValueError(f"normalisation = {normalisation!r}: use one of {NORMALISATIONS}")
+    total = float((_multiplicity(highest) * power).sum())
+    if normalisation == "integral":
+        flat = max(rolloff, 1.0)
+        total = 0.5 * (flat**2 - 1.0) * flat ** (-2.0 * hurst - 2.0)
+        total = 2.0 * np.pi * (total + falling_integral(hurst, flat, float(last)))
     return np.sqrt(power / total)
 
 
@@ -159,16 +155,6 @@ def _wave_indices(rows: int, highest: int) -> tuple[np.ndarray, np.ndarray]:
 def _multiplicity(highest: int) -> np.ndarray:
     """Return the number of two-sided modes per mode of a column: 2 for both signs of k_x, or 1."""
     return np.where(np.arange(highest + 1) == 0, 1.0, 2.0)
-
-
-def _spectral_integral(hurst: float, k_flat: float, k_max: float) -> float:
-    """Return 2 pi int_1^k_max max(k, k_flat)^(-2H-2) k dk."""
-    flat = 0.5 * (k_flat**2 - 1.0) * k_flat ** (-2.0 * hurst - 2.0)
-    ratio = np.log(k_max / k_flat)
-    if hurst == 0.0:
-        return float(2.0 * np.pi * (flat + ratio))
-    tail = -np.expm1(-2.0 * hurst * ratio) / (2.0 * hurst)
-    return float(2.0 * np.pi * (flat + tail * k_flat ** (-2.0 * hurst)))
 
 
 def _sampled(modes: np.ndarray, elements: int, m: int) -> tuple[np.ndarray, np.ndarray]:

@@ -38,30 +38,52 @@ def amplitudes(
     rolloff, cutoff, N/2.
     """
     k = mode_numbers(elements)
-    last = cutoff or k.size
-    if not (0.0 <= rolloff <= last <= k.size):
-        raise ValueError(
-            f"rolloff = {rolloff:g}, cutoff = {cutoff}: must ascend to N/2 = {k.size} or be zero"
-        )
+    last = last_mode(rolloff, cutoff, k.size, normalisation)
     power = np.maximum(k, rolloff) ** (-2.0 * hurst - 1.0)
     power[last:] = 0.0
-    if normalisation == "modal":
-        total = power.sum()
-    elif normalisation == "integral":
-        total = _spectral_integral(hurst, max(rolloff, 1.0), k[last - 1])
-    else:
-        raise ValueError(f"normalisation = {normalisation!r}: use one of {NORMALISATIONS}")
+    total = power.sum()
+    if normalisation == "integral":
+        flat = max(rolloff, 1.0)
+        total = (flat - 1.0) * flat ** (-2.0 * hurst - 1.0)
+        total += falling_integral(hurst, flat, k[last - 1])
     return np.sqrt(2.0 * power / total)
 
 
-def _spectral_integral(hurst: float, k_flat: float, k_max: float) -> float:
-    """Return int_1^k_max max(k, k_flat)^(-2H-1) dk."""
-    flat = (k_flat - 1.0) * k_flat ** (-2.0 * hurst - 1.0)
+def last_mode(rolloff: float, cutoff: int, highest: int, normalisation: str) -> int:
+    """Return the number of the last mode that is not zero; raise ValueError as amplitudes does."""
+    last = cutoff or highest
+    if not (0.0 <= rolloff <= last <= highest):
+        raise ValueError(
+            f"rolloff = {rolloff:g}, cutoff = {cutoff}: must ascend to N/2 = {highest} or be zero"
+        )
+    if normalisation not in NORMALISATIONS:
+        raise ValueError(f"normalisation = {normalisation!r}: use one of {NORMALISATIONS}")
+    return last
+
+
+def falling_integral(hurst: float, k_flat: float, k_max: float) -> float:
+    """Return int k^(-2H-1) dk from k_flat to k_max."""
     ratio = np.log(k_max / k_flat)
     if hurst == 0.0:
-        return float(flat + ratio)
+        return float(ratio)
     tail = -np.expm1(-2.0 * hurst * ratio) / (2.0 * hurst)
-    return float(flat + tail * k_flat ** (-2.0 * hurst))
+    return float(tail * k_flat ** (-2.0 * hurst))
+
+
+def power_spectrum(amplitude: np.ndarray, length: float) -> tuple[np.ndarray, np.ndarray]:
+    """Return the wave numbers q_k = 2 pi k/L and C_1D(q_k) = A_k^2 / 2 / (2 pi/L) of the modes.
+
+    amplitude : of the modes k = 1 ..., shape (modes,). C_1D is one-sided and normalised as in the
+    paper: int C_1D dq = h^2, int C_1D q^2 dq = (grad z)^2. Its unit is m^3 where heights and
+    lengths are in m.
+    """
+    step = 2.0 * np.pi / length
+    return step * np.arange(1.0, amplitude.size + 1), 0.5 * amplitude**2 / step
+
+
+def rms_height(amplitude: np.ndarray) -> float:
+    """Return (sum A_k^2 / 2)^(1/2), in the unit of the amplitudes."""
+    return float(np.sqrt(0.5 * np.sum(amplitude**2)))
 
 
 def rms_slope(amplitude: np.ndarray, elements: int) -> float:

@@ -71,7 +71,7 @@ def _excess_of_plain_sliding(contact, load, d):
 
 @kernel
 def steady_indentation(elements, load, guess, above, most, close):
-    """Return (d, sweeps, touching) of steady sliding under the load sum_i f_i = load (eq. 4).
+    """Return (d, sweeps) of steady sliding under the load sum_i f_i = load (eq. 4).
 
     elements : that slide; excess_at (contact.py) gives their force at d, here and in quick/.
     above : whether the guess of d lies to the right of the root, up to rounding.
@@ -87,7 +87,7 @@ def steady_indentation(elements, load, guess, above, most, close):
         progress = touching < fewest or excess < 0.5 * least
         right = excess > 0.0 and new < d and progress
         if abs(excess) <= close * load or ((above or sweeps > 1) and not right):
-            return d, sweeps, touching
+            return d, sweeps
         if excess > 0.0:
             fewest, least = min(fewest, touching), min(least, excess)
         d = new
@@ -105,5 +105,5 @@ def steady_sliding(law, z, load):
     elements = PlainSliding(law, z, deepest, np.empty_like(z))
     # F(d) >= sum (d - z)+: the elastic indentation (v -> 0) bounds d from above.
     guess, _ = solve_indentation(z, load, z[deepest] + load / z.size)
-    d, sweeps, _ = steady_indentation(elements, load, guess, True, z.size, EXCESS_TOLERANCE)
+    d, sweeps = steady_indentation(elements, load, guess, True, z.size, EXCESS_TOLERANCE)
     return State(elements.w, d), sweeps

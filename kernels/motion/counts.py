@@ -10,25 +10,24 @@ import numpy as np
 
 from ..rheology.spectrum import MIN_DASHPOT_STEP
 from .legs import (
-    FIRST_HOLD_STEP,
     Hold,
     Leg,
     Oscillation,
     Programme,
-    Ramp,
-    Sampled,
     Slide,
     check_leg,
+    first_hold_step,
+    has_equal_steps,
     last_speed,
+    path_of,
 )
 from .path import (
     MIN_PARTIAL_STEP,
     SNAP_TOLERANCE,
     Path,
+    growing_count,
     hold_step_ratio,
     min_cycle_steps,
-    oscillation_path,
-    piecewise_path,
     snap_to_sample,
 )
 
@@ -76,34 +75,26 @@ def _crossings(begin: float, end: float) -> float:
     low, high = min(begin, end), max(begin, end)
     if not math.isfinite(high - low):
         return math.inf
-    return (
-        max(math.floor(high - MIN_PARTIAL_STEP) - math.ceil(low + MIN_PARTIAL_STEP) + 1.0, 0.0)
-        + 1.0
-    )
+    inner = math.floor(high - MIN_PARTIAL_STEP) - math.ceil(low + MIN_PARTIAL_STEP) + 1.0
+    return max(inner, 0.0) + 1.0
 
 
 def _of_hold(leg: Hold, m: int, speed: float, shortest: float) -> float:
     if leg.duration <= 0.0:
         return 0.0
-    first = max(0.25 / (m * abs(speed)) if speed else FIRST_HOLD_STEP * leg.duration, shortest)
-    ratio = hold_step_ratio(m)
-    return float(math.ceil(math.log1p(leg.duration / first * (ratio - 1.0)) / math.log(ratio)))
+    first = first_hold_step(leg, m, speed, shortest)
+    return float(growing_count(leg.duration / first, hold_step_ratio(m)))
 
 
 def _of_path(leg: Leg, m: int) -> tuple[float, float]:
     """Return an upper bound of the steps along a path, and its length in samples."""
-    fewest = min_cycle_steps(m)
-    if isinstance(leg, Oscillation):  # all cycles are alike
-        fastest = abs(leg.speed) + 2.0 * math.pi * leg.frequency * leg.amplitude
-        if fastest * m <= leg.frequency * fewest:
-            return float(fewest * leg.cycles), m * leg.speed * leg.cycles / leg.frequency
-        path = oscillation_path(leg.speed, leg.amplitude, leg.frequency, 1, m)
-        count, moved = _bound(path, m)
-        return leg.cycles * count, leg.cycles * moved
-    if isinstance(leg, Ramp):
-        return _bound(piecewise_path((0.0, leg.duration), (leg.first, leg.last), m), m)
-    assert isinstance(leg, Sampled)
-    return _bound(piecewise_path(leg.times, leg.speeds, m), m)
+    if not isinstance(leg, Oscillation):
+        return _bound(path_of(leg, m), m)
+    if has_equal_steps(leg, m):
+        moved = m * leg.speed * leg.cycles / leg.frequency
+        return float(min_cycle_steps(m) * leg.cycles), moved
+    count, moved = _bound(path_of(leg._replace(cycles=1), m), m)  # all cycles are alike
+    return leg.cycles * count, leg.cycles * moved
 
 
 def _bound(path: Path, m: int) -> tuple[float, float]:
@@ -111,9 +102,7 @@ def _bound(path: Path, m: int) -> tuple[float, float]:
     with np.errstate(over="ignore", invalid="ignore"):
         places = path.where(path.breaks)
     pieces = np.abs(np.diff(places))
-    resting = math.ceil(
-        math.log1p(MAX_HOLD_STEP_RATIO * (hold_step_ratio(m) - 1.0)) / math.log(hold_step_ratio(m))
-    )
+    resting = growing_count(MAX_HOLD_STEP_RATIO, hold_step_ratio(m))
     counts = np.ceil(pieces) + 2.0 + np.where(pieces > SNAP_TOLERANCE, min_cycle_steps(m), resting)
     count = float(counts.sum())
     return (count, float(places[-1])) if math.isfinite(count) else (math.inf, math.inf)

@@ -13,6 +13,7 @@ import numpy as np
 
 from ..rheology.spectrum import MIN_DASHPOT_STEP
 from .path import (
+    Path,
     growing_steps,
     hold_step_ratio,
     min_cycle_steps,
@@ -176,26 +177,38 @@ def _steps(
         place = np.concatenate([[position], step_ends(position, end)])
         return place[1:], np.abs(np.diff(place)) / (m * abs(leg.speed))
     if isinstance(leg, Hold):
-        first = 0.25 / (m * abs(speed)) if speed else FIRST_HOLD_STEP * leg.duration
-        dt = growing_steps(leg.duration, max(first, shortest), hold_step_ratio(m))
+        first = first_hold_step(leg, m, speed, shortest)
+        dt = growing_steps(leg.duration, first, hold_step_ratio(m))
         return np.full(dt.size, position), dt
+    if isinstance(leg, Oscillation) and has_equal_steps(leg, m):
+        return _equal_steps(leg, m, position)
+    return steps_along(path_of(leg, m), m, position)
+
+
+def first_hold_step(leg: Hold, m: int, speed: float, shortest: float) -> float:
+    """Return the longest first step of a hold after a motion at a speed, in tau."""
+    return max(0.25 / (m * abs(speed)) if speed else FIRST_HOLD_STEP * leg.duration, shortest)
+
+
+def has_equal_steps(leg: Oscillation, m: int) -> bool:
+    """Return whether none of min_cycle_steps equal steps of a cycle exceeds a sample."""
+    fastest = abs(leg.speed) + 2.0 * math.pi * leg.frequency * leg.amplitude
+    return fastest * m <= leg.frequency * min_cycle_steps(m)
+
+
+def path_of(leg: Leg, m: int) -> Path:
+    """Return the path of a leg that neither slides at one speed nor holds."""
     if isinstance(leg, Oscillation):
-        path = oscillation_path(leg.speed, leg.amplitude, leg.frequency, leg.cycles, m)
-        fastest = abs(leg.speed) + 2.0 * math.pi * leg.frequency * leg.amplitude
-        count = min_cycle_steps(m)
-        if fastest * m <= leg.frequency * count:  # no step of more than a sample
-            return _equal_steps(leg, m, position, count)
-    elif isinstance(leg, Ramp):
-        path = piecewise_path((0.0, leg.duration), (leg.first, leg.last), m)
-    else:
-        path = piecewise_path(leg.times, leg.speeds, m)
-    return steps_along(path, m, position)
+        return oscillation_path(leg.speed, leg.amplitude, leg.frequency, leg.cycles, m)
+    if isinstance(leg, Ramp):
+        return piecewise_path((0.0, leg.duration), (leg.first, leg.last), m)
+    assert isinstance(leg, Sampled)
+    return piecewise_path(leg.times, leg.speeds, m)
 
 
-def _equal_steps(
-    leg: Oscillation, m: int, position: float, count: int
-) -> tuple[np.ndarray, np.ndarray]:
+def _equal_steps(leg: Oscillation, m: int, position: float) -> tuple[np.ndarray, np.ndarray]:
     """Return (positions, dt) of an oscillation in equal time steps, the same in every cycle."""
+    count = min_cycle_steps(m)
     number = np.arange(1, count * leg.cycles + 1)
     phase = 2.0 * math.pi * (number % count) / count
     dt = 1.0 / (leg.frequency * count)

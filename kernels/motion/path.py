@@ -11,9 +11,7 @@ from typing import NamedTuple
 import numpy as np
 
 SNAP_TOLERANCE = 1e-9  # of a sample: nearer to a whole one, rounding made the difference
-MIN_PARTIAL_STEP = (
-    0.25  # of a sample: no step is shorter than this because the path turns or ends there
-)
+MIN_PARTIAL_STEP = 0.25  # of a sample: no step is shorter because the path turns or ends there
 TIME_BISECTIONS = 60  # to the last bit of a time, unless it is tiny beside the piece
 
 
@@ -34,12 +32,19 @@ def hold_step_ratio(m: int) -> float:
     return 1.0 + 1.0 / (2.0 * m)
 
 
+def growing_count(duration: float, ratio: float) -> int:
+    """Return the number of steps that grow by ``ratio``; duration : of all, over the first one.
+
+    Their sum is first (ratio^count - 1) / (ratio - 1).
+    """
+    return math.ceil(math.log1p(duration * (ratio - 1.0)) / math.log(ratio))
+
+
 def growing_steps(duration: float, first: float, ratio: float) -> np.ndarray:
     """Return time steps that grow by ``ratio``, from ``first`` or less, and fill the duration."""
     if duration <= 0.0:
         return np.empty(0)
-    # The sum of the steps is first (ratio^count - 1) / (ratio - 1).
-    count = math.ceil(math.log1p(duration / first * (ratio - 1.0)) / math.log(ratio))
+    count = growing_count(duration / first, ratio)
     times = np.expm1(math.log(ratio) * np.arange(count + 1))
     return np.diff(times * (duration / times[-1]))
 
@@ -54,12 +59,9 @@ def step_ends(begin: float, end: float) -> np.ndarray:
 
 def snap_to_sample(position: float) -> float:
     """Return a position, rounded to a whole sample if it differs only by rounding."""
-    nearest = round(position)
-    return (
-        float(nearest)
-        if abs(position - nearest) <= SNAP_TOLERANCE * max(1.0, abs(nearest))
-        else position
-    )
+    nearest = float(round(position))
+    near = abs(position - nearest) <= SNAP_TOLERANCE * max(1.0, abs(nearest))
+    return nearest if near else position
 
 
 def steps_along(path: Path, m: int, start: float) -> tuple[np.ndarray, np.ndarray]:

@@ -48,9 +48,8 @@ def tracks(
         begin = (-whole % n).astype(np.int64)
         if shifted is None and fraction.any():
             shifted = FourierShift(z, slope, m)
-        for first, last in _stages(
-            fraction, max(2, min(MAX_SHIFTED_LINES, MAX_SHIFTED_SAMPLES // n))
-        ):
+        most = max(2, min(MAX_SHIFTED_LINES, MAX_SHIFTED_SAMPLES // n))
+        for first, last in _stages(fraction, most):
             parts, line = np.unique(np.append(0.0, fraction[first : last + 1]), return_inverse=True)
             both = [(z, slope)]
             both += [shifted.by(part) for part in parts[1:]] if shifted else []

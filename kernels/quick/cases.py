@@ -186,13 +186,8 @@ def _jump_problem(one: SteadySliding, two: SteadySliding, i: int, j: int, k: int
     """Return the JumpProblem under load i on line j after jump k."""
     data = one.line_set.lines[j]
     start, end = (
-        SteadyState(
-            sliding.decay,
-            sliding.thresholds[j],
-            sliding.results.entered[j, i],
-            float(sliding.d[j, i]),
-        )
-        for sliding in (one, two)
+        SteadyState(at.decay, at.thresholds[j], at.results.entered[j, i], float(at.d[j, i]))
+        for at in (one, two)
     )
     laws = one.constants.law, two.constants.law
     rate = float(one.results.rates[j, i, k])

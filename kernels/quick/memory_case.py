@@ -23,7 +23,7 @@ def run_memory_case(line: Line, case: Case, requested: Quantities) -> Outcome:
     The relaxation curve is mu_2 plus the deviation of the march from its own steady value, as for
     a Kelvin element. Without a dashpot the jump of mu is zero and its rate jumps instead.
     """
-    clock = PhaseClocks()
+    clock, form = PhaseClocks(), form_of(case.spectrum, case.scheme)
     one, mu_1, contact = _steady(line, case, case.speed)
     work = one.work
     clock.lap_phase(STEADY)
@@ -33,7 +33,9 @@ def run_memory_case(line: Line, case: Case, requested: Quantities) -> Outcome:
     for k, ratio in enumerate(case.ratios):
         speed = ratio * case.speed
         if requested.jump:
-            jump[k] = _jump(line, case, one, ratio)
+            jump[k] = 0.0  # without a dashpot
+            if case.spectrum.viscosity > 0.0:
+                jump[k] = friction_jump(form, line, one.elements, case.speed, ratio)
         if requested.initial_rate:
             units = _retardation_form(case)
             rate[k] = initial_rate(units, line, one.p, case.speed, ratio) if units.glass else np.nan
@@ -45,7 +47,6 @@ def run_memory_case(line: Line, case: Case, requested: Quantities) -> Outcome:
         clock.lap_phase(STEADY)
         if requested.relaxation:
             curve = _relaxation(line, case, one, speed, case.kept_steps[k])
-            form = form_of(case.spectrum, case.scheme)
             curves.append(mu_2[k] + (curve - step_friction(form, line, two.p, speed)))
             work += line.z.size * int(case.kept_steps[k][-1])
             clock.lap_phase(MARCHING)
@@ -68,14 +69,6 @@ def _retardation_form(case: Case) -> Retardation:
     units = form_of(case.spectrum, "exponential")
     assert isinstance(units, Retardation)
     return units
-
-
-def _jump(line: Line, case: Case, one: SteadyMemory, ratio: float) -> float:
-    """Return the jump of mu; zero without a dashpot."""
-    if case.spectrum.viscosity == 0.0:
-        return 0.0
-    form = form_of(case.spectrum, case.scheme)
-    return friction_jump(form, line, one.elements, case.speed, ratio)
 
 
 def _relaxation(

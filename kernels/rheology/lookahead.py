@@ -60,9 +60,7 @@ class LookaheadUnits(NamedTuple):
     due: np.ndarray  # E_k B_k + A_k, shape (K,): what a force takes from v_k
     fresh: np.ndarray  # B_k, shape (K,): what it takes from the memory
     stiffness: float
-    ahead: (
-        np.ndarray
-    )  # shape (K, BLOCK_SAMPLES): the force that v_k would be at every sample of a block
+    ahead: np.ndarray  # shape (K, BLOCK_SAMPLES): force that v_k would be at samples of a block
     echo: np.ndarray  # shape (BLOCK_SAMPLES,): what a force takes from that 1, 2, ... samples later
     left: np.ndarray  # shape (K,): of v_k after a block
     removed: np.ndarray  # shape (BLOCK_SAMPLES, K): what a force at every sample takes from that

@@ -35,9 +35,7 @@ from .retardation import Retardation
 
 PRONY_SCHEME = "exponential"
 LN_2 = math.log(2.0)
-SERIES_COEFFICIENTS = tuple(
-    1.0 / power for power in range(11, 2, -1)
-)  # of a series, from its last term on
+SERIES_COEFFICIENTS = tuple(1.0 / power for power in range(11, 2, -1))  # from its last term on
 
 
 class Prony(NamedTuple):

@@ -32,9 +32,7 @@ class Scales(NamedTuple):
     """Scales common to the units of all elements, each of shape (K,)."""
 
     scale: np.ndarray  # S_k
-    last: (
-        np.ndarray
-    )  # the last step at which memory was to be multiplied by RESCALE_FACTOR, or wiped
+    last: np.ndarray  # last step at which memory was to be rescaled, or wiped
     before: np.ndarray  # the one before; the same as last where memory was wiped
     fresh: np.ndarray  # B_k of the last step; 0 where the memory knows of its force
     due: np.ndarray  # what the force of the last step takes from a_k; 0 where that is done

@@ -34,11 +34,9 @@ def min_step(spectrum: Spectrum) -> float:
     Without a dashpot a step is at most as stiff as the glass, and the fastest branch decides;
     slower branches accumulate their input.
     """
-    return (
-        MIN_DASHPOT_STEP
-        if spectrum.viscosity > 0.0
-        else MIN_DASHPOT_STEP * min(1.0, *spectrum.times)
-    )
+    if spectrum.viscosity > 0.0:
+        return MIN_DASHPOT_STEP
+    return MIN_DASHPOT_STEP * min(1.0, *spectrum.times)
 
 
 def relaxation_modulus(spectrum: Spectrum, t: np.ndarray) -> np.ndarray:

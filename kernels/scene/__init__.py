@@ -7,16 +7,3 @@ from .energy import ENERGIES
 from .records import MOTION_TRACES, TRACES
 from .run import run_scene
 from .scene_case import SCENE_QUANTITIES, ZERO_ORIGIN, Origin, SavedState, SceneCase, scene_steps
-
-__all__ = [
-    "ENERGIES",
-    "MOTION_TRACES",
-    "SCENE_QUANTITIES",
-    "TRACES",
-    "ZERO_ORIGIN",
-    "Origin",
-    "SavedState",
-    "SceneCase",
-    "run_scene",
-    "scene_steps",
-]

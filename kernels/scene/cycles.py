@@ -10,7 +10,7 @@ from typing import NamedTuple
 import numpy as np
 
 from ..compile.jit import kernel
-from ..motion.legs import Oscillation, Programme, Steps
+from ..motion.legs import Oscillation, Steps
 from .scene_case import SceneCase
 
 
@@ -22,28 +22,21 @@ class AveragingWindow(NamedTuple):
     sums: np.ndarray  # of normal force and friction, shape (2,); their ratio is in h/dx
 
 
-def later_cycles(programme: Programme, steps: Steps) -> tuple[int, int]:
-    """Return the first and last step numbers of the later half of the last oscillation's cycles.
-
-    The middle one of an odd number of cycles is included. Steps are counted from 1 on, and the
-    first number is that of the step before. Raises ValueError if no leg oscillates.
-    """
-    oscillations = [number for number, leg in enumerate(programme) if isinstance(leg, Oscillation)]
-    if not oscillations:
-        raise ValueError('requested = "cycle_mean": no leg of the programme oscillates')
-    leg = programme[oscillations[-1]]
-    assert isinstance(leg, Oscillation)
-    last = int(np.searchsorted(steps.leg, oscillations[-1], side="right"))
-    ends = np.append(0.0, np.cumsum(steps.dt))[: last + 1]
-    begin = ends[-1] - (leg.cycles + 1) // 2 / leg.frequency
-    return int(np.argmin(np.abs(ends - begin))), last
-
-
 def averaging_window(scene: SceneCase, steps: Steps) -> AveragingWindow | None:
-    """Return the steps over which friction is averaged, or None if that is not requested."""
+    """Return the later half of the last oscillation's cycles, or None if that is not requested.
+
+    The middle one of an odd number of cycles is included. Raises ValueError if no leg oscillates.
+    """
     if "cycle_mean" not in scene.requested:
         return None
-    return AveragingWindow(*later_cycles(scene.programme, steps), np.zeros(2))
+    legs = [(k, leg) for k, leg in enumerate(scene.programme) if isinstance(leg, Oscillation)]
+    if not legs:
+        raise ValueError('requested = "cycle_mean": no leg of the programme oscillates')
+    number, leg = legs[-1]
+    last = int(np.searchsorted(steps.leg, number, side="right"))
+    ends = np.append(0.0, np.cumsum(steps.dt))[: last + 1]
+    begin = ends[-1] - (leg.cycles + 1) // 2 / leg.frequency
+    return AveragingWindow(int(np.argmin(np.abs(ends - begin))), last, np.zeros(2))
 
 
 def cycle_mean(window: AveragingWindow | None) -> dict[str, np.ndarray]:

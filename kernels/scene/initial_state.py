@@ -1,8 +1,10 @@
 """Initial states of scenes: steady sliding, a relaxed contact, or a fresh contact."""
 
+import math
+
 import numpy as np
 
-from ..branches.steady_memory import steady_at, steady_memory
+from ..branches.steady_memory import steady_memory
 from ..lines.line import Line
 from ..model.contact import solve_indentation
 from ..model.steady import steady_sliding, sweep
@@ -18,10 +20,9 @@ from .scene_case import SavedState, SceneCase, indentation_at
 
 def initial_state(line: Line, scene: SceneCase, form: Form) -> SavedState:
     """Return the state of a line before the first step of a scene."""
-    z = line.z
-    load = scene.load * z.size if scene.indentation is None else None
-    d = np.nan if load is not None else float(indentation_at(scene, np.zeros(1), line.datum)[0])
-    speed = 0.0
+    z, load, d, speed = line.z, scene.load * line.z.size, np.nan, 0.0
+    if scene.indentation is not None:
+        d = float(indentation_at(scene, np.zeros(1), line.datum)[0])
     if scene.start == "steady":
         speed = speed_at_start(scene.programme)
         samples = speed * line.steps_per_spacing
@@ -33,22 +34,31 @@ def initial_state(line: Line, scene: SceneCase, form: Form) -> SavedState:
     return SavedState(*elements, 0.0, 0.0, speed)
 
 
-def relaxed_elements(form: Form, z: np.ndarray, load: float | None, d: float) -> Elements:
+def relaxed_elements(
+    form: Form, z: np.ndarray, load: float, d: float, stiffness: float = 1.0
+) -> Elements:
     """Return elements in equilibrium with a line at rest.
 
-    z : line, shape (n,), in h. load : n Fbar, or None where the indentation d (in h) is given.
+    z : line, shape (n,), in h. load : n Fbar, or NaN where the indentation d (in h) is given.
+    stiffness : of the elements, over the relaxed one.
     """
-    return _pressed(form, z, load, d, 1.0)
+    if not math.isnan(load):
+        d, _ = solve_indentation(z, load / stiffness, z.min() + load / (stiffness * z.size))
+    u = np.minimum(z - d, 0.0)
+    memory = rest_memory(form, -u)
+    if isinstance(form, RelaxationForm):
+        memory[:-1] = 0.0
+    return Elements(memory, -stiffness * u, d)
 
 
 def fresh_elements(
-    form: Form, spectrum: Spectrum, z: np.ndarray, load: float | None, d: float
+    form: Form, spectrum: Spectrum, z: np.ndarray, load: float, d: float
 ) -> Elements:
     """Return elements at the moment at which the line is pressed on; z, load, d : as above.
 
     Raises ValueError for a material with a dashpot: it carries any load at no indentation.
     """
-    elements = _pressed(form, z, load, d, glassy_stiffness(spectrum))
+    elements = relaxed_elements(form, z, load, d, glassy_stiffness(spectrum))
     charge_branches(form, elements.memory)
     return elements
 
@@ -71,50 +81,30 @@ def charge_branches(form: Form, memory: np.ndarray) -> None:
         memory[:-1] = form.moduli[:, None] * memory[-1]
 
 
-def _pressed(form: Form, z: np.ndarray, load: float | None, d: float, stiffness: float) -> Elements:
-    """Return elements of one stiffness, whose memory is that of rest at their displacement."""
-    if load is not None:
-        d, _ = solve_indentation(z, load / stiffness, z.min() + load / (stiffness * z.size))
-    u = np.minimum(z - d, 0.0)
-    memory = rest_memory(form, -u)
-    if isinstance(form, RelaxationForm):
-        memory[:-1] = 0.0
-    return Elements(memory, -stiffness * u, d)
-
-
 def steady_elements(
-    scheme: str,
-    spectrum: Spectrum,
-    z: np.ndarray,
-    speed: float,
-    load: float | None,
-    d: float,
+    scheme: str, spectrum: Spectrum, z: np.ndarray, speed: float, load: float, d: float
 ) -> Elements:
     """Return elements under steady sliding; z, load, d : as for relaxed_elements.
 
     speed : signed, in samples per tau.
     """
     form = form_of(spectrum, scheme)
-    if load is None and d <= z.min():  # nothing touches
-        return relaxed_elements(form, z, None, d)
+    if d <= z.min():  # nothing touches
+        return relaxed_elements(form, z, load, d)
     if spectrum == KELVIN:
         return _steady_kelvin(scheme, z, speed, load, d)
-    if load is None:
-        return steady_at(form, z, speed, d).elements
-    return steady_memory(form, z, speed, load).elements
+    return steady_memory(form, z, speed, load, d).elements
 
 
-def _steady_kelvin(
-    scheme: str, z: np.ndarray, speed: float, load: float | None, d: float
-) -> Elements:
+def _steady_kelvin(scheme: str, z: np.ndarray, speed: float, load: float, d: float) -> Elements:
     """Return Kelvin elements under steady sliding, by the sweep of model/steady.py."""
     law = SCHEMES[scheme](1.0 / abs(speed))
     along = z if speed > 0.0 else np.ascontiguousarray(z[::-1])
     w = np.zeros_like(z)
-    if load is not None:
-        (w, d), _ = steady_sliding(law, along, load)
-    else:
+    if math.isnan(load):
         sweep(law, along, d, int(np.argmin(along)), w)
+    else:
+        (w, d), _ = steady_sliding(law, along, load)
     u = np.minimum(w, along - d)
     p = law.stiffness * (w - u)
     if speed < 0.0:

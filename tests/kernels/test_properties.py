@@ -21,8 +21,8 @@ from elastomer_friction.kernels.half_space.surface import Surface, ring_amplitud
 from elastomer_friction.kernels.lines.line import Line
 from elastomer_friction.kernels.motion.legs import Hold, Ramp, Sampled, Slide
 from elastomer_friction.kernels.scene import TRACES, SavedState, run_scene, scene_steps
-from tests.cases import line_of
-from tests.kernels.scene.given import ANY_MOTION, EVERY_LEG, MATERIALS, a_line, a_scene
+from tests.cases import bits, line_of
+from tests.kernels.scene.given import ANY_MOTION, EVERY_LEG, MATERIALS, PULLS, a_line, a_scene
 from tests.sizes import size
 
 M, LOAD, SPEED = 4, 0.3, 0.7
@@ -127,12 +127,6 @@ def test_a_cyclic_shift_changes_rounding_only(name, material, shift):
     assert_same_outcome(case_of(name, material, geometry=moved), case_of(name, material), name)
 
 
-def bits(outcome):
-    """Return the numbers of an outcome except its time, as bytes."""
-    fields = outcome._replace(seconds=None)._asdict()
-    return {field: np.asarray(value).tobytes() for field, value in fields.items()}
-
-
 @pytest.mark.parametrize("power", [-30, 7])
 @pytest.mark.parametrize(("name", "material"), CASES)
 def test_heights_and_loads_scale_together_bit_for_bit(name, material, power):
@@ -175,6 +169,21 @@ def test_order_and_splitting_of_branches_change_nothing(name):
 STEADY = Quantities(jump=False, relaxation=False)
 
 
+@pytest.mark.parametrize(("name", "material"), CASES)
+def test_only_requested_quantities_are_computed(name, material):
+    """A quantity does not depend on the other requested ones."""
+    everything, steady = case_of(name, material), case_of(name, material, STEADY)
+    jump = case_of(name, material, Quantities(steady=False, relaxation=False))
+    assert np.isnan(steady.jump).all()
+    assert np.isnan(jump.mu_2).all()
+    assert steady.curves == jump.curves == []
+    assert np.isfinite(everything.jump).all()
+    assert everything.curves[0].shape == RECORDED.shape
+    np.testing.assert_array_equal(jump.jump, everything.jump)
+    np.testing.assert_array_equal([steady.mu_1, *steady.mu_2], [everything.mu_1, *everything.mu_2])
+    assert max(jump.work, steady.work) < everything.work
+
+
 @pytest.mark.parametrize("name", CASE_BODIES)
 def test_slow_friction_is_linear_in_the_speed_and_the_same_for_all_materials(name):
     """mu/(v tau) depends on the loss at low frequencies only, which tau determines."""
@@ -213,10 +222,11 @@ def pull_line(body, scene):
     return run_pulled(body, scene, Drive(*(scale * np.array((2.0, 0.1, 0.05)))))
 
 
-def pull_map(body, scene):
+def pull_map(body, scene, stiffness=None):
     """Pull a map as a line."""
     scale = LOAD * math.sqrt(np.mean(body.slope**2))
-    return run_pulled_on_half_space(body, scene, Drive(*(scale * np.array((2.0, 0.1, 0.05)))))
+    drive = Drive(*(scale * np.array((2.0, 0.1, 0.05))))
+    return run_pulled_on_half_space(body, scene, drive, stiffness)
 
 
 MARCH_BODIES = {
@@ -234,13 +244,6 @@ MARCHES = [
 ]
 MOVED = ("elements", "blocks", "map")
 ON_LINES = ("elements", "blocks")
-PULLS = (
-    Slide(1.3, 4.0),
-    Hold(0.7),
-    Slide(2.0, 3.0),
-    Sampled((0.0, 1.0, 2.5), (2.0, 0.0, -1.5)),
-    Slide(-1.5, 3.0),
-)
 
 
 def march_of(name, legs, material, geometry=None, **changes):
@@ -333,3 +336,27 @@ def test_order_and_splitting_of_branches_change_no_bit_of_a_march(name):
     for spectrum in rearranged(MATERIALS["prony"]):
         for key, values in march_of(name, PULLS[:2], spectrum).items():
             np.testing.assert_array_equal(values, plain[key], err_msg=key)
+
+
+EQUALLY_STIFF = {  # marches of a line and of a map, and the largest difference of a trace
+    "moved": (EVERY_LEG, run_scene, run_scene_on_half_space, 6e-5),
+    "pulled": ((Slide(1.3, 3.0), Hold(0.5), Slide(2.0, 2.0)), pull_line, pull_map, 1e-3),
+}
+
+
+@pytest.mark.parametrize(
+    ("name", "start"), [("moved", "steady"), ("moved", "relaxed"), ("pulled", "steady")]
+)
+@pytest.mark.parametrize("material", MATERIALS)
+def test_a_half_space_of_equal_stiffness_marches_as_the_line(material, name, start):
+    """Only the mean of u differs; samples per contact are a median on lines, a mean on maps."""
+    (legs, on_line, on_map, atol), line = EQUALLY_STIFF[name], a_line(12)
+    surface = Surface.from_samples((line.z + line.datum)[None], line.slope[None], M)
+    requested = ("trace", "cycle_mean") if name == "moved" else ("trace",)
+    scene = a_scene(legs, MATERIALS[material], M, start=start, requested=requested)
+    stiffness = np.full((1, line.z.size // 2 + 1), M / line.z.size)
+    expected, result = on_line(line, scene), on_map(surface, scene, stiffness=stiffness)
+    for key in expected:
+        if key.startswith(("trace", "mu")) and key != "trace_samples_per_contact":
+            actual = result[key] + (scene.load if key == "trace_indentation" else 0.0)
+            np.testing.assert_allclose(actual, expected[key], atol=atol, err_msg=key)

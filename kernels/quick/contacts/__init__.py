@@ -19,6 +19,6 @@ quadrature of model/friction.py. ``touching_samples`` lists what touches, ``pres
 arranges pressures so that sums over pressed spans need no visit to their samples, and ``pressure``
 sums eqs. 3 to 5.
 
-``slide_on_lines`` runs the sweeps for several lines in one call. ``steady_friction`` is the entry
-point: it selects the way and returns a ``SteadySliding``.
+``loads`` runs the sweeps for several lines in one call. ``steady_friction`` is the entry point: it
+selects the way and returns a ``SteadySliding``.
 """

@@ -77,11 +77,11 @@ def slide_between(line, speed, others, loads, guesses):
         contact, turns = _balance_load(line, speed, load, guesses[i], patches)
         if turns == 0:
             continue
-        integrals, sums = _integrals(line, contact, patches), contact.sums
-        change = (load - sums.force) / sums.rate  # remaining change of d, to first order
-        work = sums.work + speed * integrals.square
+        integrals = _integrals(line, contact, patches)
+        change = (load - contact.force) / contact.rate  # remaining change of d, to first order
+        work = contact.work + speed * integrals.square
         table[i, 0] = contact.d + change
-        table[i, 1] = (work + change * (integrals.rise + sums.edge_rate)) / load
+        table[i, 1] = (work + change * (integrals.rise + contact.edge_rate)) / load
         table[i, 2] = integrals.length
         table[i, 3] = _median_width(contact, speed, patches)
         table[i, 4] = turns * contact.patches
@@ -103,13 +103,13 @@ def _balance_load(line, speed, load, guess, patches):
     d, turns = guess, 0
     while True:
         contact = turn_line(line, speed, d, patches)
-        excess, turns = contact.sums.force - load, turns + 1
+        excess, turns = contact.force - load, turns + 1
         if abs(excess) <= LINEAR_LOAD_ERROR * load:
             return contact, turns
         if turns == 1:
-            d = deepest + halley_step(d - deepest, contact.sums.force, contact.sums.rate, load)
+            d = deepest + halley_step(d - deepest, contact.force, contact.rate, load)
         else:
-            d -= excess / contact.sums.rate
+            d -= excess / contact.rate
         if turns == MAX_NEWTON_TURNS or not d - deepest > min_depth:
             return contact, 0
 
@@ -160,11 +160,11 @@ def _after_jump(line, speeds, contact, integrals, shortfall, patches):
         lost = _unpressed(line, other, contact.d + rate, patches, contact.patches)
         excess = rate * integrals.length + step * integrals.rise - lost.force
         change = excess / (integrals.length - lost.length)
-        if abs(excess) <= tolerance * contact.sums.force:
+        if abs(excess) <= tolerance * contact.force:
             break
         rate -= change
     force, work = _growth(line, other, contact.d + rate, shortfall, patches, contact.patches)
-    change += (force - contact.sums.rate * shortfall) / (integrals.length - lost.length)
+    change += (force - contact.rate * shortfall) / (integrals.length - lost.length)
     growth = work - change * (integrals.rise - lost.rise)
     pressed = rate * integrals.rise + step * integrals.square - lost.work
     return pressed + growth, rate - change - shortfall
@@ -174,7 +174,7 @@ def _after_jump(line, speeds, contact, integrals, shortfall, patches):
 def _growth(line, speed, deep, shortfall, patches, count):
     """Return (integral of p, integral of p z') over the growth of patches as d rises by shortfall.
 
-    deep : d + d', see _unpressed.
+    deep : d + d'.
     """
     z, slope, bend, h, _, _, (first, _, _) = line
     interval, values = patches
@@ -192,10 +192,7 @@ def _growth(line, speed, deep, shortfall, patches, count):
 
 @refcount_free_kernel
 def _unpressed(line, speed, deep, patches, count):
-    """Return the Unpressed part of a contact.
-
-    deep : d + d', with p = d + d' - z + vbar z'.
-    """
+    """Return the Unpressed part of a contact, where p = deep - z + vbar z' < 0, deep = d + d'."""
     z, slope, bend, h, intervals, spans, (first, _, _) = line
     interval, values = patches
     force = work = length = rise = 0.0
@@ -223,10 +220,8 @@ def _unpressed(line, speed, deep, patches, count):
                 if not pressed:
                     pulled, along = products(p, c, t, end)
                     force, work = force + h * pulled, work - along
-                    length, rise = (
-                        length + h * (end - t),
-                        rise + septic_height(c, t) - septic_height(c, end),
-                    )
+                    length += h * (end - t)
+                    rise = rise + septic_height(c, t) - septic_height(c, end)
                 if zero > stop:
                     break
                 t, pressed, fresh = end, not pressed, False

@@ -35,20 +35,14 @@ class Patches(NamedTuple):
     # ends: their outward motion, in dx, per change of d
 
 
-class TurnSums(NamedTuple):
-    """Integrals over x in dx that a turn round the line accumulates."""
+class PatchedContact(NamedTuple):
+    """A contact at constant indentation, from one turn round the line; integrals over x in dx."""
 
+    d: float  # indentation, in h
     force: float  # integral of -u
     rate: float  # its derivative with respect to d
     work: float  # integral of (d - z) z' over the contact
     edge_rate: float  # change of the integral of p z' at leading edges per change of d
-
-
-class PatchedContact(NamedTuple):
-    """A contact at constant indentation, from one turn round the line."""
-
-    d: float  # indentation, in h
-    sums: TurnSums
     patches: int  # the last one, which reaches the deepest point, continues as the first
 
 
@@ -70,7 +64,7 @@ def turn_line(line, speed, d, patches):
     # i counts intervals from the deepest one, j is the number of interval i, t the place in it.
     n, decay, i, j, t, count = z.size, h / speed, 0, deepest_interval, deepest_t, 0
     decays = math.exp(-decay), math.exp(-decay * SPAN)
-    sums = TurnSums(0.0, 0.0, 0.0, 0.0)
+    force = rate = work = edge_rate = 0.0
     area = width = u = left_u = left_at = 0.0
     in_contact, landing = True, deepest - d
     begin_patch(patches, 0, 0, deepest_t, 0.0)
@@ -79,11 +73,8 @@ def turn_line(line, speed, d, patches):
             i, j, area, width = _skip_touching(line, speed, d, i, j, area, width)
         elif t == 0.0:
             i, j, u = _skip_free(line, d, decays, i, j, u)
-        c, stop, fresh = (
-            septic_coefficients(z, slope, bend, h, j),
-            1.0 if i < n else deepest_t,
-            True,
-        )
+        c = septic_coefficients(z, slope, bend, h, j)
+        stop, fresh = 1.0 if i < n else deepest_t, True
         overlap = (c[0] - d, c[1], c[2], c[3], c[4], c[5], c[6], c[7])
         for _ in range(MAX_EVENTS):
             if in_contact:
@@ -97,7 +88,7 @@ def turn_line(line, speed, d, patches):
                 left_u, left_at = u, i + t
                 growth = -h / min(septic_slope(p, t), -MIN_EDGE_PRESSURE)
                 end_patch(patches, count, i, t, growth, area, width, landing - u)
-                sums, count = _with_patch(sums, area, width), count + 1
+                force, rate, count = force + area, rate + width, count + 1
                 area = width = 0.0
             else:
                 zero = first_zero(overlap, u, decay, t, stop, fresh)
@@ -108,7 +99,9 @@ def turn_line(line, speed, d, patches):
                 landing = septic_height(overlap, t)
                 loss = -math.expm1(-decay * (i + t - left_at))
                 rise = -septic_slope(c, t) / h
-                sums = _with_gap(sums, speed, left_u, loss, rise)
+                force, rate = force - speed * loss * left_u, rate + speed * loss
+                work += 0.5 * left_u * left_u * loss * (2.0 - loss)
+                edge_rate += speed * loss * rise
                 growth = speed * loss / max(speed * rise - landing, MIN_EDGE_PRESSURE)
                 begin_patch(patches, count, i, t, growth)
         i, j, t = i + 1, j - 1 if j > 0 else n - 1, 0.0
@@ -116,7 +109,7 @@ def turn_line(line, speed, d, patches):
         begin_patch(patches, count, n, deepest_t, 0.0)
         landing = deepest - d
     end_patch(patches, count, n, deepest_t, 0.0, area, width, landing - (deepest - d))
-    return PatchedContact(d, _with_patch(sums, area, width), count + 1)
+    return PatchedContact(d, force + area, rate + width, work, edge_rate, count + 1)
 
 
 @inlined_kernel
@@ -171,23 +164,3 @@ def end_patch(patches, k, interval, t, growth, area, width, rise):
     patches.interval[k, TRAILING_END], values[k, TRAILING_END] = interval, t
     values[k, GROWTH + TRAILING_END] = growth
     values[k, AREA], values[k, WIDTH], values[k, RISE] = area, width, rise
-
-
-@inlined_kernel
-def _with_patch(sums, area, width):
-    """Return TurnSums with a patch added: the elements in contact."""
-    return TurnSums(sums.force + area, sums.rate + width, sums.work, sums.edge_rate)
-
-
-@inlined_kernel
-def _with_gap(sums, speed, left_u, loss, rise):
-    """Return TurnSums with a gap added: the elements that decay from left_u, by a share ``loss``.
-
-    rise : z' where they land.
-    """
-    return TurnSums(
-        sums.force - speed * loss * left_u,
-        sums.rate + speed * loss,
-        sums.work + 0.5 * left_u * left_u * loss * (2.0 - loss),
-        sums.edge_rate + speed * loss * rise,
-    )

@@ -1,4 +1,4 @@
-"""Steady sliding of one line at one speed under many loads: indentations, friction, jumps.
+"""Steady sliding of lines at one speed under many loads: indentations, friction, jumps.
 
 Full contact needs no search. If no element is free, -u = d - z everywhere, so that the load
 n Fbar = sum (d - z) gives d at any speed. This holds if that d lies above all thresholds t_j of
@@ -22,8 +22,10 @@ from ..steady.contact_pieces import (
     first_pieces,
 )
 from ..steady.span_indentation import APPROACH_STEPS, approach_indentation, span_indentation
+from ..steady.span_sweep import decay_factors
 from ..steady.spans import SPAN
-from ..steady.thresholds import Thresholds
+from ..steady.stack import spans_in
+from ..steady.thresholds import Thresholds, pressure_thresholds_at, thresholds_of
 from .pressed_samples import MovingLine, allocate_pressed, press_contact
 from .pressure import contact_friction, elastic_part, whole_line_friction
 from .touching_samples import (
@@ -74,6 +76,30 @@ class FrictionOptions(NamedTuple):
     elastic_share: float  # share of the elastic part that is corrected
     band_limited: bool  # whether the line has no modes above q = pi/dx
     followed: bool  # compute only d in partial contact, which is followed between samples later
+
+
+@kernel
+def slide_on_lines(law, stack, speed, others, loads, options):
+    """Return (thresholds of contact of the spans, DecayFactors, LoadTable) of a Stack of lines.
+
+    law : for steps of one sample. speed, others : of sliding and after jumps, vbar. loads : n Fbar.
+    The thresholds have the shape (lines, spans).
+    """
+    (lines, n), decay = stack.z.shape, decay_factors(law)
+    table, contact = np.empty((lines, loads.size, LOAD_COLUMNS)), np.empty((lines, n // SPAN))
+    shape = lines, loads.size, others.size
+    jumps, rates = np.empty(shape), np.empty(shape)
+    entered = np.empty((lines, loads.size, n // SPAN + 1))
+    for k in range(lines):
+        z, slope, spans = stack.z[k], stack.slope[k], spans_in(stack, k)
+        thresholds = thresholds_of(z, slope, speed, law.stiffness)
+        after = pressure_thresholds_at(z, slope, others)
+        speeds = SpeedThresholds(speed, thresholds, others, after)
+        results = LoadTable(table[k], jumps[k], rates[k], entered[k])
+        slide_under_loads(decay, z, slope, spans, speeds, loads, options, results)
+        for b in range(thresholds.contact.size):
+            contact[k, b] = thresholds.contact[b]
+    return contact, decay, LoadTable(table, jumps, rates, entered)
 
 
 @kernel

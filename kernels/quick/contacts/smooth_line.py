@@ -134,14 +134,8 @@ def integral(c, start, stop):
     """
     middle, half = 0.5 * (start + stop), 0.5 * (stop - start)
     out = THIRD_NODE * half
-    return (
-        half
-        * (
-            8.0 * septic_height(c, middle)
-            + 5.0 * (septic_height(c, middle - out) + septic_height(c, middle + out))
-        )
-        / 9.0
-    )
+    sides = septic_height(c, middle - out) + septic_height(c, middle + out)
+    return half * (8.0 * septic_height(c, middle) + 5.0 * sides) / 9.0
 
 
 @inlined_kernel

@@ -24,8 +24,8 @@ from .loads import (
     WIDTH_COLUMN,
     FrictionOptions,
     LoadTable,
+    slide_on_lines,
 )
-from .slide_on_lines import slide_on_lines
 from .smooth_line import SmoothLine, smooth_line
 
 # A followed contact counts as this many samples: from here on samples give the jump to 2 %.
@@ -76,7 +76,7 @@ class LineSet(NamedTuple):
         heights, slopes = [line.z for line in lines], [line.slope for line in lines]
         stack = stack_of(stacked(heights), stacked(slopes))
         if marched:
-            for rows, line in zip(stack.rows, lines, strict=True):
+            for rows, line in zip(stack.spans.rows, lines, strict=True):
                 add_rises(rows, line.z, line.slope)
         return cls(stack, [LineData(line, stack, row) for row, line in enumerate(lines)])
 
@@ -92,11 +92,7 @@ class SpeedConstants(NamedTuple):
 
     @classmethod
     def of(
-        cls,
-        scheme: str,
-        steps: int,
-        speed: float,
-        others: tuple[float, ...] = (),
+        cls, scheme: str, steps: int, speed: float, others: tuple[float, ...] = ()
     ) -> "SpeedConstants":
         """Return the constants at ``speed`` with ``steps`` samples per spacing; speeds are vbar."""
         law = SCHEMES[scheme](1.0 / (steps * speed))
@@ -184,12 +180,9 @@ def follow_contacts(sliding: SteadySliding, before: SteadySliding | None = None)
         if partial.size == 0:
             continue
         guesses = _smooth_guesses(sliding, before, j, partial)
+        loads = sliding.loads[partial] / data.stride
         table, jumps, rates = slide_between(
-            data.smooth,
-            constants.speed,
-            constants.others,
-            sliding.loads[partial] / data.stride,
-            guesses,
+            data.smooth, constants.speed, constants.others, loads, guesses
         )
         columns = FollowedColumns(*table.T)
         solved = columns.events > 0.0

@@ -4,7 +4,7 @@ import numpy as np
 
 from ...compile.jit import kernel
 from ..contacts.pressed_samples import pressure_sums
-from .bounds import initial_bounds, widened_bounds
+from .bounds import extended_bounds, initial_bounds, spread_bounds
 from .certain_landings import no_landings
 from .gap_crossings import SteadyFlight, run_entries
 from .listed_samples import listed_samples
@@ -46,5 +46,6 @@ def active_march(problem, control, kept_steps, margins=BOUND_MARGINS):
         work += updates + problem.z.size
         if inside or attempt == len(margins) or not np.isfinite(stop.d):
             break
-        bounds = widened_bounds(law, bounds, stop.d, stop.advance, margins[attempt])
+        left = extended_bounds(bounds, stop.d, stop.advance)
+        bounds = spread_bounds(law, left, margins[attempt])
     return recorder.mu, recorder.indentation, settled, work, inside

@@ -30,11 +30,12 @@ def within_bounds(bounds, d, advance):
 
 
 @kernel
-def spread_bounds(law, d_min, d_max, advance_min, advance_max, margin):
-    """Return Bounds around ranges of d and D, wider on each side by ``margin`` of their spread.
+def spread_bounds(law, visited, margin):
+    """Return Bounds around a range of d and D, wider on each side by ``margin`` of the spread.
 
     They contain d / K, the value of D for constant d, for every d within them.
     """
+    d_min, d_max, advance_min, advance_max = visited
     wide = margin * max(d_max - d_min, MIN_SPREAD * d_max)
     low, high = max(d_min - wide, 0.0), d_max + wide
     least, most = min(advance_min, low / law.stiffness), max(advance_max, high / law.stiffness)
@@ -47,21 +48,12 @@ def initial_bounds(problem, d, margin):
     """Return the Bounds of a whole march whose first step leads to about ``d``."""
     one, two = problem.start.d, problem.end.d
     advance = indentation_advance(problem.law, d, one)
-    return spread_bounds(problem.law, min(one, two, d), max(one, two, d), advance, advance, margin)
-
-
-@kernel
-def widened_bounds(law, bounds, d, advance, margin):
-    """Return Bounds that also contain the d and D with which a march left ``bounds``."""
-    d_min, d_max = min(bounds.d_min, d), max(bounds.d_max, d)
-    least, most = min(bounds.advance_min, advance), max(bounds.advance_max, advance)
-    return spread_bounds(law, d_min, d_max, least, most, margin)
+    visited = Bounds(min(one, two, d), max(one, two, d), advance, advance)
+    return spread_bounds(problem.law, visited, margin)
 
 
 @kernel
 def extended_bounds(visited, d, advance):
     """Return the range of the visited values of d and D, extended by another pair."""
-    d_min, d_max = min(visited.d_min, d), max(visited.d_max, d)
-    return Bounds(
-        d_min, d_max, min(visited.advance_min, advance), max(visited.advance_max, advance)
-    )
+    least, most = min(visited.advance_min, advance), max(visited.advance_max, advance)
+    return Bounds(min(visited.d_min, d), max(visited.d_max, d), least, most)

@@ -67,10 +67,8 @@ def kind_of_first(problem, bounds, levels):
     z, (start, end) = problem.z, (problem.start, problem.end)
     u_start, u_end, w_start, w_end = start.entered[0], end.entered[0], 0.0, 0.0
     for j in range(min(SPAN, z.size) - 1, -1, -1):
-        w_start, w_end = (
-            decayed_displacement(start.decay, u_start),
-            decayed_displacement(end.decay, u_end),
-        )
+        w_start = decayed_displacement(start.decay, u_start)
+        w_end = decayed_displacement(end.decay, u_end)
         u_start, u_end = min(w_start, z[j] - start.d), min(w_end, z[j] - end.d)
     if z[0] - (w_start if levels.near_is_start else w_end) >= bounds.d_max + levels.near_slack:
         return NEVER_TOUCHES

@@ -55,7 +55,7 @@ class SteadyFlight(NamedTuple):
 
 
 @dispatch_on_type.refcount_free
-def fill_arrivals(flight, arrivals, begin, end, powers, line, leading, distance, u):
+def fill_arrivals(flight, arrivals, powers, line, leading, distance, u):
     """Fill in the displacements at arrival of the elements now upstream of a leading sample.
 
     flight : present displacements, a State of all samples or SteadyFlight. distance, u : of the
@@ -106,13 +106,9 @@ def run_entries(law, listed, runs, flight, line, steps):
 def _gap_crossings(listed, runs, crossing, flight, line, powers):
     """Return the GapCrossings of the runs ``crossing``."""
     reach, size = powers.size - 1, crossing.size
-    slot, begin, place = (
-        np.empty(size, np.int64),
-        np.zeros(size + 1, np.int64),
-        np.empty(size, np.int64),
-    )
-    source, source_z, decay = np.empty(size, np.int64), np.empty(size), np.empty(size)
-    is_ring = np.empty(size, np.bool_)
+    slot, place = np.empty(size, np.int64), np.empty(size, np.int64)
+    source, begin = np.empty(size, np.int64), np.zeros(size + 1, np.int64)
+    source_z, decay, is_ring = np.empty(size), np.empty(size), np.empty(size, np.bool_)
     for f in range(size):
         r = crossing[f]
         q = runs.distance[r]
@@ -128,33 +124,23 @@ def _gap_crossings(listed, runs, crossing, flight, line, powers):
             source_z[f] = listed.z[source[f]]
     arrivals = np.empty(begin[-1])
     for f in range(size):
-        r = crossing[f]
+        r, of_run = crossing[f], arrivals[begin[f] : begin[f + 1]]
         u = source_z[f] - (flight.d if source[f] < 0 else max(listed.c[source[f]], flight.d))
-        fill_arrivals(
-            flight,
-            arrivals,
-            begin[f],
-            begin[f + 1],
-            powers,
-            line,
-            runs.leading[r],
-            runs.distance[r],
-            u,
-        )
+        fill_arrivals(flight, of_run, powers, line, runs.leading[r], runs.distance[r], u)
         if not is_ring[f]:
-            arrivals[begin[f + 1] - 1] = 0.0  # all later arrivals are negligible
+            of_run[-1] = 0.0  # all later arrivals are negligible
         elif source[f] < 0:
-            arrivals[begin[f + 1] - 1] = decay[f] * u
+            of_run[-1] = decay[f] * u
     return GapCrossings(slot, begin, place, is_ring, arrivals, source, source_z, decay)
 
 
 @fill_arrivals.register(SteadyFlight)
-def _fill_steady_arrivals(flight, arrivals, begin, end, powers, line, leading, distance, u):
-    count = min(end - begin, powers.size - 1)
+def _fill_steady_arrivals(flight, arrivals, powers, line, leading, distance, u):
+    count = min(arrivals.size, powers.size - 1)
     u *= flight.decay ** float(distance - count)
     for k in range(count - 1, -1, -1):
         u = u if u < -MIN_MAGNITUDE else 0.0
-        arrivals[begin + k] = powers[k + 1] * u
+        arrivals[k] = powers[k + 1] * u
         u *= flight.decay
 
 

@@ -84,9 +84,8 @@ def add_span(problem, level, b, tally):
     tally[TALLY_WEIGHT] += slopes + law.lag * turn
     moment = depth * slopes - (rows[b, WORK_SUM] + s * rows[b, HEIGHT_SUM]) / law.stiffness
     lagged = depth * turn - (rise * turn - rises - turns) / law.stiffness
-    tally[TALLY_MOMENT] += (
-        moment + law.lag * lagged + law.decay * ((rises + s * rise) + law.lag * turns)
-    )
+    along = law.decay * ((rises + s * rise) + law.lag * turns)
+    tally[TALLY_MOMENT] += moment + law.lag * lagged + along
 
 
 @refcount_free_kernel

@@ -26,7 +26,7 @@ from .gap_crossings import decay_powers, fill_arrivals, run_entries
 from .jump_problem import line_rise
 from .listed_samples import ListedSamples, SummedContact, add_sample
 from .stepping import ActiveSet, MarchState, step_until
-from .undecided_runs import MIN_GAP_SAMPLES, UNKNOWN_GAP, Runs, contact_kind
+from .undecided_runs import MIN_GAP_SAMPLES, UNKNOWN_GAP, Runs, allocate_runs, contact_kind
 
 FIRST_MARGIN = 0.6  # of narrower bounds, relative to the spread; doubled after each fall-back
 MIN_NARROWING = 0.25  # of the spread of D
@@ -139,7 +139,8 @@ def narrower_bounds(law, bounds, visited, d_end, margin):
     margin : extra width on each side, relative to the spread of d and of D.
     """
     d_min, d_max = min(visited.d_min, d_end), max(visited.d_max, d_end)
-    new = spread_bounds(law, d_min, d_max, visited.advance_min, visited.advance_max, margin)
+    ahead = Bounds(d_min, d_max, visited.advance_min, visited.advance_max)
+    new = spread_bounds(law, ahead, margin)
     return Bounds(
         max(new.d_min, bounds.d_min),
         min(new.d_max, bounds.d_max),
@@ -156,7 +157,7 @@ def shorten_lists(law, line, bounds, active, past, w, steps):
     w : displacements, see present_displacements. steps : still to come.
     """
     size, added = active.listed.c.size, np.zeros(4)
-    slots = _allocate(size)
+    slots = RunSlots(allocate_runs(size), np.empty(size, np.int64), np.empty(size, np.int64))
     count = _walk_lists(law, line, bounds, active, past, w, steps, slots, added)
     runs = Runs(
         slots.runs.leading[:count],
@@ -175,18 +176,6 @@ def shorten_lists(law, line, bounds, active, past, w, steps):
     landings = update_distances(active.landings)
     entries = run_entries(law, listed, runs, State(w, past[-1]), line, steps)
     return ActiveSet(runs, listed, sums, entries, landings)
-
-
-@kernel
-def _allocate(size):
-    """Return RunSlots with room for one run per listed sample."""
-    runs = Runs(
-        np.empty(size, np.int64),
-        np.empty(size, np.int64),
-        np.empty(size, np.int64),
-        np.empty(size, np.bool_),
-    )
-    return RunSlots(runs, np.empty(size, np.int64), np.empty(size, np.int64))
 
 
 @refcount_free_kernel
@@ -357,13 +346,13 @@ def arrival_bounds(crossings, f, u_min, u_max, steps):
 
 
 @fill_arrivals.register(State)
-def _fill_present_arrivals(flight, arrivals, begin, end, powers, line, leading, distance, u):
+def _fill_present_arrivals(flight, arrivals, powers, line, leading, distance, u):
     w, d = flight
-    count = min(end - begin, powers.size - 1)
+    count = min(arrivals.size, powers.size - 1)
     wrap = min(line.size - leading - 1, count)
     for k in range(wrap):
         j = leading + 1 + k
-        arrivals[begin + k] = powers[k + 1] * min(w[j], line[j] - d)
+        arrivals[k] = powers[k + 1] * min(w[j], line[j] - d)
     for k in range(wrap, count):
         j = k - wrap
-        arrivals[begin + k] = powers[k + 1] * min(w[j], line[j] - d)
+        arrivals[k] = powers[k + 1] * min(w[j], line[j] - d)

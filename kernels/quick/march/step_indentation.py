@@ -4,7 +4,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ...compile.jit import kernel, refcount_free_kernel
+from ...compile.jit import refcount_free_kernel
 from ...model.contact import excess_at, indentation_under, lowest_threshold, overlap
 from ..contacts.pressed_samples import pressure_sums
 from .jump_problem import indentation_advance
@@ -40,7 +40,10 @@ class PartlyListed(NamedTuple):
 
 @excess_at.register(PartlyListed)
 def _excess_of_partly_listed(contact, load, d):
-    force, count = listed_overlap(contact.c, d)
+    if contact.c.size < MAX_SHORT_LIST:
+        force, count = overlap(contact.c, d)
+    else:
+        force, _, count = pressure_sums(contact.c, None, None, d)
     more = contact.samples * (d - contact.d_old)
     slope = count + contact.samples
     return force + more + (contact.carried - load), slope, slope
@@ -65,12 +68,3 @@ def next_indentation(control, law, listed, sums, landings, d, guess):
     contact = PartlyListed(listed.c, d, carried, sums.samples + landings[0])
     new, passes = indentation_under(contact, load, guess)
     return new, indentation_advance(law, new, d), passes
-
-
-@kernel
-def listed_overlap(c, d):
-    """Return (sum of d - c_i, number) over the touching elements c_i < d."""
-    if c.size < MAX_SHORT_LIST:
-        return overlap(c, d)
-    depth, _, touching = pressure_sums(c, None, None, d)
-    return depth, touching

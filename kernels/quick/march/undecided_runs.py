@@ -49,18 +49,6 @@ class Runs(NamedTuple):
     source_touches: np.ndarray  # whether the source always touches
 
 
-class WalkState(NamedTuple):
-    """State of a walk against the motion, between two samples."""
-
-    kind: int  # contact kind of the last sample
-    source: int  # last sample that may touch
-    source_touches: bool  # whether it always touches
-    gap_min: float  # bounds of max(g, 0) at the last sample
-    gap_max: float
-    runs: int  # number of runs so far
-    listed: int  # number of listed samples so far
-
-
 @kernel
 def undecided_runs(problem, bounds):
     """Return (Runs, CollectedSamples, SummedContact); other samples never touch in the bounds."""
@@ -78,14 +66,16 @@ def walk_line(problem, bounds, levels, first):
     """Return (Runs, CollectedSamples, SummedContact, upper bound of max(g, 0) at z[0]).
 
     first : contact kind of z[0]. ALWAYS_TOUCHES is an assumption that a positive bound refutes.
+    State of the walk between two samples : contact kind of the last one; the last one that may
+    touch, and whether it always does; bounds of max(g, 0); number of runs and of listed samples.
     """
     n, whole = problem.z.size, problem.spans.lowest.size
     level, tally = problem.end.d / problem.law.stiffness, np.zeros(4)
-    runs, collected = _allocate(n)
+    runs = allocate_runs(n // 2 + 1)
+    collected = CollectedSamples(np.empty(n), np.empty(n), np.empty(n), np.empty(n))
     # Elements reach the end of the line from z[0], or from beyond it if it never touches.
-    touches = first == ALWAYS_TOUCHES
-    state = WalkState(NEVER_TOUCHES, n, touches, 0.0, 0.0 if touches else UNKNOWN_GAP, 0, 0)
-    kind, source, source_touches, gap_min, gap_max, count, size = state
+    kind, source, source_touches, gap_min = NEVER_TOUCHES, n, first == ALWAYS_TOUCHES, 0.0
+    gap_max, count, size = 0.0 if source_touches else UNKNOWN_GAP, 0, 0
     for b in range(problem.start.entered.size - 1, -1, -1):
         if b < whole and (b > 0 or first != FORCED_UNDECIDED):
             if span_never_touches(problem, bounds, levels, b):
@@ -95,7 +85,7 @@ def walk_line(problem, bounds, levels, first):
                 add_span(problem, level, b, tally)
                 kind, source, source_touches = ALWAYS_TOUCHES, b * SPAN, True
                 continue
-        state = WalkState(kind, source, source_touches, gap_min, gap_max, count, size)
+        state = kind, source, source_touches, gap_min, gap_max, count, size
         state = _walk_span(problem, bounds, levels, first, b, state, runs, collected, level, tally)
         kind, source, source_touches, gap_min, gap_max, count, size = state
     if first == NEVER_TOUCHES and count > 0:
@@ -114,34 +104,21 @@ def walk_line(problem, bounds, levels, first):
 
 
 @kernel
-def _allocate(n):
-    """Return Runs and CollectedSamples with room for all that a line can have."""
-    most = n // 2 + 1
-    runs = Runs(
-        np.empty(most, np.int64),
-        np.empty(most, np.int64),
-        np.empty(most, np.int64),
-        np.empty(most, np.bool_),
-    )
-    return runs, CollectedSamples(np.empty(n), np.empty(n), np.empty(n), np.empty(n))
+def allocate_runs(most):
+    """Return Runs with room for ``most`` of them."""
+    leading, trailing = np.empty(most, np.int64), np.empty(most, np.int64)
+    return Runs(leading, trailing, np.empty(most, np.int64), np.empty(most, np.bool_))
 
 
 @refcount_free_kernel
 def _walk_span(problem, bounds, levels, first, b, state, runs, collected, level, tally):
-    """Return the WalkState after the samples of a span, visited one by one."""
-    z, slope, law, (start, end) = (
-        problem.z,
-        problem.slope,
-        problem.law,
-        (problem.start, problem.end),
-    )
+    """Return the state of the walk after the samples of a span, visited one by one."""
+    z, slope, law, start, end = problem.z, problem.slope, problem.law, problem.start, problem.end
     kind, source, source_touches, gap_min, gap_max, count, size = state
     u_start, u_end = start.entered[b], end.entered[b]
     for j in range(min((b + 1) * SPAN, z.size) - 1, b * SPAN - 1, -1):
-        w_start, w_end = (
-            decayed_displacement(start.decay, u_start),
-            decayed_displacement(end.decay, u_end),
-        )
+        w_start = decayed_displacement(start.decay, u_start)
+        w_end = decayed_displacement(end.decay, u_end)
         u_start, u_end = min(w_start, z[j] - start.d), min(w_end, z[j] - end.d)
         near, far = (w_start, w_end) if levels.near_is_start else (w_end, w_start)
         previous, upstream_touches = kind, gap_max == 0.0
@@ -166,9 +143,8 @@ def _walk_span(problem, bounds, levels, first, b, state, runs, collected, level,
         if kind == ALWAYS_TOUCHES:
             add_sample(level - rise, weight, tally)
         else:
-            short_gap = (
-                previous == NEVER_TOUCHES and source - j <= MIN_GAP_SAMPLES and source < z.size
-            )
+            near = source - j <= MIN_GAP_SAMPLES and source < z.size
+            short_gap = previous == NEVER_TOUCHES and near
             continues = short_gap and count > 0 and runs.trailing[count - 1] == source
             if previous != UNDECIDED and not continues:
                 runs.leading[count] = source - 1 if short_gap else j
@@ -180,7 +156,7 @@ def _walk_span(problem, bounds, levels, first, b, state, runs, collected, level,
             _collect(collected, size, z[j], bounds.d_max, weight, w_start, w_end)
             size += 1
         source, source_touches = j, gap_max == 0.0
-    return WalkState(kind, source, source_touches, gap_min, gap_max, count, size)
+    return kind, source, source_touches, gap_min, gap_max, count, size
 
 
 @refcount_free_kernel

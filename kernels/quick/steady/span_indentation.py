@@ -88,5 +88,5 @@ def span_indentation(decay, z, spans, thresholds, load, guess, contacts):
     Other arguments : see sweep_spans.
     """
     sliding = SpanSliding(decay, z, spans, thresholds, contacts, np.zeros(1, np.int64))
-    d, sweeps, _ = steady_indentation(sliding, load, guess, False, z.size, LOAD_TOLERANCE)
+    d, sweeps = steady_indentation(sliding, load, guess, False, z.size, LOAD_TOLERANCE)
     return d, sweeps, sliding.pieces[0]

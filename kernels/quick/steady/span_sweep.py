@@ -30,18 +30,6 @@ class DecayFactors(NamedTuple):
     span_sum: float  # sum of the factors at the samples of a span
 
 
-class SweepState(NamedTuple):
-    """State of a sweep between two samples."""
-
-    u: float  # displacement of the element, in h
-    rate: float  # -du/dd: 1 in contact, decaying outside
-    in_contact: bool
-    total: float  # -sum u over the samples passed, in h
-    slope: float  # its derivative with respect to d
-    touching: int  # number of touching samples
-    pieces: int  # number of pieces of contact
-
-
 @kernel
 def decay_factors(law):
     """Return the DecayFactors of a law whose elements remember only u."""
@@ -64,7 +52,7 @@ def sweep_spans(decay, z, spans, thresholds, d, contacts, w):
     """
     n, deepest = z.size, spans.deepest
     u = z[deepest] - d
-    rate = 1.0
+    rate = 1.0  # -du/dd: 1 in contact, decaying outside
     total, slope, touching, pieces = -u, 1.0, 1, 1
     in_contact = True
     begin_depth_sum(contacts, 0, 0.0)
@@ -96,7 +84,7 @@ def sweep_spans(decay, z, spans, thresholds, d, contacts, w):
                     j -= SPAN
                     continue
             stop = max(low, last)
-            state = SweepState(u, rate, in_contact, total, slope, touching, pieces)
+            state = u, rate, in_contact, total, slope, touching, pieces
             state = _sweep_samples(decay, z, d, j, stop, state, contacts, w)
             u, rate, in_contact, total, slope, touching, pieces = state
             j = stop - 1
@@ -108,7 +96,7 @@ def sweep_spans(decay, z, spans, thresholds, d, contacts, w):
 
 @refcount_free_kernel
 def _sweep_samples(decay, z, d, first, stop, state, contacts, w):
-    """Return the SweepState after the samples from ``first`` down to ``stop``, one by one."""
+    """Return the state of a sweep after the samples from ``first`` down to ``stop``, one by one."""
     u, rate, in_contact, total, slope, touching, pieces = state
     if u >= -MIN_MAGNITUDE:
         u = rate = 0.0
@@ -135,7 +123,7 @@ def _sweep_samples(decay, z, d, first, stop, state, contacts, w):
             rate = decay.sample * rate
         total -= u
         slope += rate
-    return SweepState(u, rate, in_contact, total, slope, touching, pieces)
+    return u, rate, in_contact, total, slope, touching, pieces
 
 
 @refcount_free_kernel

@@ -11,7 +11,7 @@ t_j, and its forces are sums over its heights. A span that is entered free, at u
 lowest sample lies above E^16 u + d; it is then left at E^16 u.
 """
 
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -48,7 +48,7 @@ class Spans(NamedTuple):
     rows: np.ndarray  # shape (n // SPAN + 1, SPAN_COLUMNS); add_rises fills RISE_SUM and TURN_SUM;
     # the last row has FIRST_HEIGHT and FIRST_SLOPE of the sample after the last whole span
     line_sums: np.ndarray  # shape (4,): HEIGHT_SUM to SQUARE_SUM over all samples of the line
-    deepest: int  # lowest sample of the line
+    deepest: Any  # lowest sample of the line, an integer; of several lines an array (stack.py)
 
 
 @refcount_free_kernel

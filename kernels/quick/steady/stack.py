@@ -14,30 +14,18 @@ from .spans import SPAN, SPAN_COLUMNS, Spans, fill_spans
 
 
 class Stack(NamedTuple):
-    """Lines and the fields of their Spans: every array has one row per line."""
+    """Lines and their Spans: every array has one row per line."""
 
     z: np.ndarray  # in h, shape (lines, n)
     slope: np.ndarray  # in h/dx, shape (lines, n)
-    lowest: np.ndarray  # shape (lines, n // SPAN), like the next three
-    first_height: np.ndarray
-    height_sum: np.ndarray
-    steepest: np.ndarray
-    rows: np.ndarray  # shape (lines, n // SPAN + 1, SPAN_COLUMNS)
-    line_sums: np.ndarray  # shape (lines, 4)
-    deepest: np.ndarray  # shape (lines,)
+    spans: Spans  # with a leading axis, and so ``deepest`` has the shape (lines,)
 
 
 def spans_of_line(stack: Stack, k: int) -> Spans:
     """Return the Spans of line k as views of the stack."""
-    return Spans(
-        stack.lowest[k],
-        stack.first_height[k],
-        stack.height_sum[k],
-        stack.steepest[k],
-        stack.rows[k],
-        stack.line_sums[k],
-        stack.deepest[k],
-    )
+    lowest, first_height, height_sum, steepest, rows, line_sums, deepest = stack.spans
+    per_span = lowest[k], first_height[k], height_sum[k], steepest[k]
+    return Spans(*per_span, rows[k], line_sums[k], deepest[k])
 
 
 spans_in = kernel(spans_of_line)  # the same function for kernels
@@ -47,20 +35,12 @@ spans_in = kernel(spans_of_line)  # the same function for kernels
 def stack_of(z, slope):
     """Return the Stack of lines. z (in h), slope (in h/dx) : shape (lines, n)."""
     lines, count = z.shape[0], z.shape[1] // SPAN
-    shape = lines, count
-    stack = Stack(
-        z,
-        slope,
-        np.empty(shape),
-        np.empty(shape),
-        np.empty(shape),
-        np.empty(shape),
-        np.empty((lines, count + 1, SPAN_COLUMNS)),
-        np.empty((lines, 4)),
-        np.empty(lines, np.int64),
-    )
+    shape, deepest = (lines, count), np.empty(lines, np.int64)
+    per_span = np.empty(shape), np.empty(shape), np.empty(shape), np.empty(shape)
+    rows, line_sums = np.empty((lines, count + 1, SPAN_COLUMNS)), np.empty((lines, 4))
+    stack = Stack(z, slope, Spans(*per_span, rows, line_sums, deepest))
     for k in range(lines):
-        stack.deepest[k] = fill_spans(z[k], slope[k], spans_in(stack, k))
+        deepest[k] = fill_spans(z[k], slope[k], spans_in(stack, k))
     return stack
 
 
@@ -72,4 +52,6 @@ def stacked(rows: Sequence[np.ndarray]) -> np.ndarray:
 
 def single_line(stack: Stack, k: int) -> Stack:
     """Return line k as a Stack of one line, a view of its row."""
-    return Stack(*(field[k : k + 1] for field in stack))
+    z, slope, spans = stack
+    row = slice(k, k + 1)
+    return Stack(z[row], slope[row], Spans(*(field[row] for field in spans)))

@@ -10,9 +10,8 @@ from elastomer_friction.kernels.model.friction import lagged_slope
 from elastomer_friction.kernels.rheology.forms import FORMS_BY_SCHEME
 from elastomer_friction.kernels.rheology.kelvin import SCHEMES
 from elastomer_friction.kernels.rheology.law import law_of
-from elastomer_friction.kernels.rheology.retardation import retardation
 from elastomer_friction.kernels.rheology.spectrum import KELVIN
-from tests.viscoelastic import MATERIALS, STANDARD, Foundation, of_unit_tau
+from tests.viscoelastic import MATERIALS, Foundation, of_unit_tau
 
 ELEMENTS = 16
 
@@ -105,20 +104,3 @@ def test_without_a_dashpot_the_rate_jumps(ratio):
     constant = (first_step(units, line, elements, speed) - start) * speed * 512
     expected = initial_rate(units, line, elements.p, speed, ratio)
     assert rate - constant == pytest.approx(expected, rel=0.1)
-
-
-def test_a_jump_to_the_same_speed_is_zero():
-    line = line_of(4)
-    units, elements = steady(STANDARD, line, 1.0)
-    assert initial_rate(units, line, elements.p, 1.0, 1.0) == 0.0
-
-
-def test_a_material_has_either_a_jump_or_a_rate():
-    line = line_of(4)
-    for scheme in FORMS_BY_SCHEME:
-        form, elements = steady(STANDARD, line, 1.0, scheme)
-        with pytest.raises(ValueError, match="finite instantaneous modulus: mu does not jump"):
-            friction_jump(form, line, elements, 1.0, 2.0)
-    form, elements = steady(KELVIN, line, 1.0)
-    with pytest.raises(ValueError, match="material has a dashpot: mu jumps; ask for jump"):
-        initial_rate(retardation(KELVIN), line, elements.p, 1.0, 2.0)

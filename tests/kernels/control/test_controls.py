@@ -51,6 +51,5 @@ def test_the_indentation_of_every_step_is_the_one_given():
     z, c = np.random.default_rng(1).normal(size=(2, 50))
     before = c.copy()
     for step, expected in enumerate(control.indentation, 1):
-        history = balance_history(control, c, 9.0, np.array([0, 50]), None)
-        assert balance(control, law, z, c, history, 9.0, step) == (expected, 0)
+        assert balance(control, law, z, c, None, 9.0, step) == (expected, 0)
     np.testing.assert_array_equal(c, before)

@@ -8,25 +8,14 @@ import pytest
 from elastomer_friction.kernels import Hold, Sampled, Slide
 from elastomer_friction.kernels.drive import PULLED_TRACES, Drive, pulled_line, run_pulled
 from elastomer_friction.kernels.drive.slider_record import SLIDER_TURNS, SLIP_BEGINS, SLIP_ENDS
-from elastomer_friction.kernels.half_space.pulled_map import run_pulled_on_half_space
-from elastomer_friction.kernels.half_space.surface import Surface
 from elastomer_friction.kernels.lines.line import Line
 from elastomer_friction.kernels.scene import TRACES, run_scene, scene_steps
-from tests.kernels.scene.given import DAMPED, KELVIN, PRONY, SOLID, a_line, a_scene
+from tests.kernels.scene.given import KELVIN, MATERIALS, PRONY, PULLS, SOLID, a_line, a_scene
 from tests.sizes import PLAIN_PYTHON
 
 M = 4
 LOAD = 0.3
-MATERIALS = pytest.mark.parametrize(
-    "spectrum", [KELVIN, SOLID, PRONY, DAMPED], ids=["kelvin", "solid", "prony", "damped"]
-)
-THERE_AND_BACK = (
-    Slide(1.3, 4.0),
-    Hold(0.7),
-    Slide(2.0, 3.0),
-    Sampled((0.0, 1.0, 2.5), (2.0, 0.0, -1.5)),
-    Slide(-1.5, 3.0),
-)
+ANY_MATERIAL = pytest.mark.parametrize("spectrum", MATERIALS.values(), ids=MATERIALS)
 
 
 def scale_of(line):
@@ -39,7 +28,7 @@ def pulled(line, programme, drive, spectrum=SOLID, m=M, **changes):
     return run_pulled(line, scene, Drive(*(scale_of(line) * np.array(drive))))
 
 
-@MATERIALS
+@ANY_MATERIAL
 def test_steady_sliding_equals_that_of_a_line_that_is_moved(spectrum):
     line = a_line(20)
     steady = run_scene(line, a_scene((Slide(1.3, 4.0),), spectrum))
@@ -53,7 +42,7 @@ def test_steady_sliding_equals_that_of_a_line_that_is_moved(spectrum):
     )
 
 
-@MATERIALS
+@ANY_MATERIAL
 def test_a_stiff_drive_takes_the_slider_along(spectrum):
     """The pulled line follows the line that is moved, to the errors of its steps."""
     legs = (Sampled((0.0, 1.0, 2.0, 4.0, 6.0), (2.0, 2.0, 1.0, 3.0, -1.0)),)
@@ -75,7 +64,7 @@ def test_a_stiff_drive_takes_the_slider_along(spectrum):
 
 
 @pytest.mark.parametrize("drive", [(1.0,), (1.0, 0.3, 0.1)], ids=["spring", "mass"])
-@MATERIALS
+@ANY_MATERIAL
 def test_errors_fall_with_the_steps(spectrum, drive):
     legs = (Sampled((0.0, 1.0, 2.0, 3.0), (2.0, 2.0, 1.0, 2.5)),)
     at = np.linspace(0.1, 2.7, 100)
@@ -231,7 +220,7 @@ def test_a_slack_spring_is_stretched_before_the_line_slides():
 
 
 def test_recorded_times_depend_on_the_drive_only():
-    scene = a_scene(THERE_AND_BACK, SOLID)
+    scene = a_scene(PULLS, SOLID)
     times = [run_pulled(a_line(20, seed=seed), scene, Drive(0.1))["trace_time"] for seed in (1, 2)]
     np.testing.assert_array_equal(*times)
 
@@ -245,31 +234,13 @@ def test_both_schemes_have_the_same_limit():
     np.testing.assert_allclose(result[0]["trace_mu"], result[1]["trace_mu"], atol=0.02)
 
 
-@MATERIALS
-def test_a_half_space_of_equal_stiffness_is_pulled_like_a_line(spectrum):
-    line = a_line(12)
-    n = line.z.size
-    surface = Surface.from_samples((line.z + line.datum)[None], line.slope[None], M)
-    legs = (Slide(1.3, 3.0), Hold(0.5), Slide(2.0, 2.0))
-    scene = a_scene(legs, spectrum)
-    drive = Drive(*(scale_of(line) * np.array((2.0, 0.1, 0.05))))
-    expected = run_pulled(line, scene, drive)
-    equal = np.full((1, n // 2 + 1), M / n)
-    result = run_pulled_on_half_space(surface, scene, drive, stiffness=equal)
-    for name in PULLED_TRACES:
-        if name == "trace_samples_per_contact":  # mean on the map, median on the line
-            continue
-        shift = scene.load if name == "trace_indentation" else 0.0
-        np.testing.assert_allclose(result[name] + shift, expected[name], atol=1e-3, err_msg=name)
-
-
-@MATERIALS
+@ANY_MATERIAL
 def test_elements_that_cannot_touch_change_rounding_only(monkeypatch, spectrum):
     """A slider that nearly sticks amplifies rounding."""
     line = a_line(20)
 
     def traces():
-        result = pulled(line, THERE_AND_BACK, (0.3, 0.5, 0.2), spectrum, load=0.03)
+        result = pulled(line, PULLS, (0.3, 0.5, 0.2), spectrum, load=0.03)
         return [result[name] for name in PULLED_TRACES]
 
     some = traces()

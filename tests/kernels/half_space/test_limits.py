@@ -148,16 +148,6 @@ def test_kelvin_elements_of_equal_stiffness_are_the_foundation() -> None:
         assert result.jump[0] == pytest.approx(instant[1] - instant[0], abs=1e-6)
 
 
-def test_quantities_that_are_not_requested_are_not_computed() -> None:
-    surface, case = rough(8, 4), Case(0.5, 0.7, (1.2,), (STEPS,), "exponential")
-    steady = run_case(surface, case, Quantities(jump=False, relaxation=False))
-    everything = run_case(surface, case, Quantities())
-    assert np.isnan(steady.jump).all()
-    assert steady.curves == []
-    assert steady.mu_1 == everything.mu_1
-    assert steady.work < everything.work
-
-
 @pytest.mark.parametrize(("elements", "seed", "load"), [(8, 9, 0.1), (8, 11, 0.05)])
 def test_the_result_of_a_march_is_steady(elements: int, seed: int, load: float) -> None:
     """In these cases mu has one value twice, or rests until contacts return after a period."""

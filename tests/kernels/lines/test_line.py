@@ -123,15 +123,6 @@ def test_rms_slope_is_that_of_the_line(samples):
     assert rms_slope(amplitude, samples) == pytest.approx(np.sqrt(np.mean(slope**2)), rel=1e-12)
 
 
-@pytest.mark.parametrize("samples", SIZES)
-def test_a_measured_line_starts_at_its_top_like_any_other(samples):
-    heights = some_line(samples)
-    line = Line.measured(heights, 1)
-    assert line.z[0] == line.z.max()
-    assert line.datum == pytest.approx(heights.min(), rel=1e-12)
-    np.testing.assert_allclose(np.sort(line.z + line.datum), np.sort(heights), atol=1e-12)
-
-
 def test_random_phases_keep_the_power_spectrum_and_follow_the_seed():
     heights = np.array([some_line(65, seed) for seed in range(5)])
     amplitude = measured_amplitudes(heights)

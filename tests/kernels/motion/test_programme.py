@@ -201,10 +201,3 @@ def test_a_programme_cut_in_two_has_the_same_steps():
         two = steps_of(EVERY[cut:], M, one.position[-1], last_speed(EVERY[cut - 1]))
         np.testing.assert_array_equal(np.append(one.position, two.position), whole.position)
         np.testing.assert_array_equal(np.append(one.dt, two.dt), whole.dt)
-
-
-def test_a_programme_mirrored_is_its_mirror_image():
-    mirrored = Slide(-0.7, 3.3), Hold(2.0), Ramp(-0.3, 1.0, 4.0)
-    one, two = steps_of(EVERY[:3], M), steps_of(mirrored, M)
-    np.testing.assert_allclose(two.position, -one.position, rtol=0, atol=1e-12)
-    np.testing.assert_allclose(two.dt, one.dt, rtol=1e-9)

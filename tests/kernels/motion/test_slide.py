@@ -39,14 +39,6 @@ def test_a_gap_is_left_out_from_one_sample_beyond_a_short_one(gap):
         assert (start.tolist(), stop.tolist()) == ([40, 42 + gap], [42, z.size])
 
 
-def test_gather_and_bounds_are_those_of_numpy():
-    values = np.random.default_rng(1).normal(size=100)
-    start, stop = np.array([3, 40, 41, 99]), np.array([7, 41, 90, 100])
-    pieces = [values[a:b] for a, b in zip(start, stop, strict=True)]
-    np.testing.assert_array_equal(gather(values, start, stop), np.concatenate(pieces))
-    np.testing.assert_array_equal(piece_bounds(stop - start), [0, 4, 5, 54, 55])
-
-
 LAW = Kelvin(0.97, 1.0 / 0.03, 0.5)
 ELEMENTS, STEPS = 400, 450  # more than once round
 CAPS = {"few": 0.01, "pieces": 0.1, "half": 0.5, "all": 1.0}  # share of the line below
@@ -81,12 +73,6 @@ def scene_of(share):
 def scene(request):
     """Return the scene of one cap."""
     return scene_of(CAPS[request.param])
-
-
-def test_the_caps_leave_one_piece_and_several():
-    counts = [touchable(z, cap)[0].size for z, _, cap in map(scene_of, CAPS.values())]
-    assert max(counts) >= 5
-    assert min(counts) == 1
 
 
 def test_what_decays_away_in_a_gap_is_zero_and_no_subnormal_number():

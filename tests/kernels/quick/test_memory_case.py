@@ -15,7 +15,6 @@ from elastomer_friction.kernels import (
 from elastomer_friction.kernels.quick.memory_case import run_memory_case
 
 LINE = Line.self_affine(amplitudes(0.7, 64), draw_phases(np.random.default_rng(2), 64), 64, 8)
-MIRROR = Line.from_samples(LINE.z[::-1].copy(), -LINE.slope[::-1], 8)
 KEPT = np.array([1, 2, 5, 20, 100, 400])
 CASE = Case(0.3, 2.0, (1.5,), (KEPT,), "exponential")
 SOLID = CASE._replace(spectrum=Spectrum((8.0,), (0.125,), 0.0))

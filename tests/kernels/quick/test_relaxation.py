@@ -10,7 +10,6 @@ from elastomer_friction.kernels.quick.contacts.steady_friction import (
     steady_friction,
 )
 from elastomer_friction.kernels.quick.relaxation import SteadyEnds, plain_relaxations
-from elastomer_friction.kernels.quick.steady.stack import single_line
 from tests.cases import KEPT, M, line_of
 
 SPEEDS, LOAD = (3.0, 3.6), 0.3
@@ -59,17 +58,6 @@ def test_a_relaxation_is_a_march_between_steady_states(given):
         expected, work = given.marched(j, start, end, 1.02 * max(start.d, end.d))
         np.testing.assert_allclose(curves[j], expected, rtol=1e-12, atol=1e-15)
         assert updates[j] == work
-
-
-def test_the_curve_of_a_line_does_not_depend_on_the_others(given):
-    curves, updates = given.relaxations(*given.ends)
-    for j in range(2):
-        row = slice(j, j + 1)
-        ends = [end._replace(thresholds=end.thresholds[row], d=end.d[row]) for end in given.ends]
-        stack = single_line(given.line_set.stack, j)
-        curve, work = plain_relaxations(stack, given.law, *ends, given.control, KEPT)
-        assert curve[0].tolist() == curves[j].tolist()
-        assert work.tolist() == [updates[j]]
 
 
 def test_an_indentation_beyond_the_cap_is_marched_again(given):

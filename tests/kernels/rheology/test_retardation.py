@@ -94,17 +94,6 @@ def test_retardation_times_lie_between_relaxation_times():
     assert exchanged(spectrum) < 1e-13
 
 
-def test_order_of_branches_and_branches_that_are_split_change_nothing():
-    (a, b, c), (s, t, u) = PRONY3.moduli, PRONY3.times
-    units = retardation(PRONY3)
-    turned = retardation(Spectrum((c, a, b), (u, s, t), 0.0))
-    split = retardation(Spectrum((0.25 * a, c, b, 0.75 * a), (s, u, t, s), 0.0))
-    for other in (turned, split):
-        assert other.glass == units.glass
-        assert np.array_equal(other.compliances, units.compliances)
-        assert np.array_equal(other.times, units.times)
-
-
 def test_times_that_differ_in_their_last_bit():
     close = Spectrum((1.0, 2.0), (1.0, np.nextafter(1.0, 2.0)), 0.0)
     assert exchanged(close) < 1e-14

@@ -25,6 +25,14 @@ EVERY_LEG = (  # every kind of leg, with ends between samples
     Sampled((0.0, 3.0, 5.0, 7.0), (0.7, 0.0, 0.0, -0.4)),
 )
 
+PULLS = (  # of a drive, there and back
+    Slide(1.3, 4.0),
+    Hold(0.7),
+    Slide(2.0, 3.0),
+    Sampled((0.0, 1.0, 2.5), (2.0, 0.0, -1.5)),
+    Slide(-1.5, 3.0),
+)
+
 # Quantities that are available for any motion.
 ANY_MOTION = tuple(name for name in SCENE_QUANTITIES if name != "cycle_mean")
 

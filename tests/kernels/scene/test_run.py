@@ -19,10 +19,8 @@ from elastomer_friction.kernels.scene import (
 from elastomer_friction.kernels.scene.initial_state import fresh_elements, relaxed_elements
 from elastomer_friction.kernels.scene.records import (
     ContactLengths,
-    Snapshots,
     Trace,
     count_lengths,
-    record_snapshot,
     record_trace,
 )
 from elastomer_friction.kernels.scene.samples import samples_per_contact
@@ -199,25 +197,6 @@ def test_full_contact_counts_one_contact_and_no_contact_none():
     count_lengths(lengths, np.ones(10))
     count_lengths(lengths, np.zeros(10))
     np.testing.assert_array_equal(lengths.counts, [0.0, 1.0])
-
-
-def test_a_snapshot_holds_the_line_over_the_foundation_and_the_elements():
-    film = Snapshots(*np.zeros((2, 2, 5)))
-    z, u = RNG.normal(size=(2, 5))
-    record_snapshot(film, 1, z, 0.5, u)
-    np.testing.assert_array_equal(film.height, [np.zeros(5), z - 0.5])
-    np.testing.assert_array_equal(film.displacement, [np.zeros(5), u])
-
-
-ALL = {"requested": ANY_MOTION, "edges": np.array([0.0, 1.0, 2.0, 4.0, 100.0])}
-
-
-def test_other_requested_quantities_change_no_bit():
-    alone = run_scene(LINE, a_scene(EVERY_LEG, PRONY, M))
-    together = run_scene(LINE, a_scene(EVERY_LEG, PRONY, M, **ALL))
-    for name, values in alone.items():
-        np.testing.assert_array_equal(together[name], values)
-    assert set(alone) == {name for name in together if name.startswith("trace_")} | {"updates"}
 
 
 def test_lengths_and_fractions_of_contact_agree():

@@ -17,9 +17,9 @@ from elastomer_friction.kernels.model.steady import sweep
 from elastomer_friction.kernels.quick.march.jump_problem import JumpProblem, SteadyState
 from elastomer_friction.kernels.quick.steady.span_sweep import decay_factors
 from elastomer_friction.kernels.quick.steady.spans import SPAN, add_rises
+from elastomer_friction.kernels.quick.steady.stack import spans_of_line, stack_of
 from elastomer_friction.kernels.quick.steady.thresholds import thresholds_of
 from elastomer_friction.kernels.rheology.law import State
-from tests.kernels.quick.steady.given import spans_of
 from tests.lines import random_line
 
 
@@ -43,7 +43,7 @@ def setting_of(jump, elements, seed=1, line=None):
     passing = (steady_state_of(z, law, state) for law, state in zip(laws, states, strict=True))
     v = jump.x / np.pi
     before, after = (quadrature(z, slope, *states[0], v, r * v, load)[1] for r in (1.0, jump.ratio))
-    spans = spans_of(z, slope)
+    spans = spans_of_line(stack_of(z[None], slope[None]), 0)
     add_rises(spans.rows, z, slope)
     return JumpProblem(z, slope, spans, *laws, *passing, after - before), load
 

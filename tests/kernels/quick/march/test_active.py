@@ -11,24 +11,11 @@ from hypothesis import strategies as st
 from elastomer_friction.kernels import SCHEMES, ConstantForce
 from elastomer_friction.kernels.motion.stretches import touchable
 from elastomer_friction.kernels.quick.march.active import BOUND_MARGINS, active_march
-from elastomer_friction.kernels.quick.march.bounds import (
-    initial_bounds,
-    spread_bounds,
-    within_bounds,
-)
-from elastomer_friction.kernels.quick.march.certain_landings import (
-    Gap,
-    add_landing,
-    landing_sums,
-    no_landings,
-    update_distances,
-)
+from elastomer_friction.kernels.quick.march.bounds import initial_bounds
+from elastomer_friction.kernels.quick.march.certain_landings import no_landings
 from elastomer_friction.kernels.quick.march.gap_crossings import SteadyFlight, run_entries
 from elastomer_friction.kernels.quick.march.listed_samples import listed_samples
-from elastomer_friction.kernels.quick.march.shortened_lists import (
-    march_with_shortening,
-    narrower_bounds,
-)
+from elastomer_friction.kernels.quick.march.shortened_lists import march_with_shortening
 from elastomer_friction.kernels.quick.march.step_indentation import predict_first_indentation
 from elastomer_friction.kernels.quick.march.stepping import (
     ActiveSet,
@@ -212,46 +199,3 @@ def test_few_elements_are_stepped():
     assert inside
     start, stop = touchable(setting.z, 1.02 * setting.start.d)
     assert work - setting.z.size < size(0.3, 0.9) * steps * (stop - start).sum()
-
-
-LAW = SCHEMES["exponential"](0.3)
-PAST = np.array([2.0, 1.9, 1.85, 1.83, 1.82, 1.815])
-SIZE = 40
-
-
-def displacements_behind(source, height):
-    """Return the displacements of elements that left contact at a sample, up to now."""
-    w = np.full(SIZE, np.nan)
-    for i in range(1, PAST.size):
-        w[(source - i) % SIZE] = LAW.decay**i * (height - PAST[-1 - i])
-    return w
-
-
-def test_landing_sums_equal_those_of_single_samples():
-    landings, step, now = no_landings(1.8, PAST[0], 20), PAST.size, 1.81
-    samples = [(0.4, 0.5, 2, 0.3), (0.1, 0.7, 4, -0.2), (0.2, 0.3, 4, 0.6)]
-    for height, z, q, weight in samples:
-        w = displacements_behind(45, height)  # 45 is sample 5 of the next period
-        assert add_landing(LAW, landings, Gap(height, 45, q), z, weight, PAST, w, 9)
-    landings = update_distances(landings)
-    assert landings.distances.tolist() == [2, 4]
-    past = np.append(PAST, now)
-    landings.past[: past.size] = past
-    overlaps = [now - z + LAW.decay**q * (height - past[step - q]) for height, z, q, _ in samples]
-    weights = [weight for *_, weight in samples]
-    assert landing_sums(landings, step, now, 0) == (3.0, pytest.approx(sum(overlaps), rel=1e-13))
-    expected = np.dot(overlaps, weights)
-    assert landing_sums(landings, step, now, 1) == (3.0, pytest.approx(expected, rel=1e-13))
-
-
-@pytest.mark.parametrize("margin", [0.6, 2.4, 40.0])
-def test_narrower_bounds_have_a_margin_but_stay_inside(margin):
-    """The margin is relative to the spread between the visited d, 2.5, and the final one, 2.75."""
-    outer = spread_bounds(LAW, 1.0, 3.0, 0.2, 0.9, 0.4)
-    visited = spread_bounds(LAW, 2.5, 2.5, 0.6, 0.6, 0.0)
-    narrower = narrower_bounds(LAW, outer, visited, 2.75, margin)
-    assert narrower.d_max == pytest.approx(min(2.75 + margin * 0.25, outer.d_max))
-    assert narrower.d_min == pytest.approx(max(2.5 - margin * 0.25, outer.d_min))
-    assert narrower.advance_min >= outer.advance_min
-    assert narrower.advance_max <= outer.advance_max
-    assert within_bounds(narrower, 2.75, 0.6)

@@ -13,8 +13,8 @@ from elastomer_friction.kernels.quick.steady.span_indentation import (
     span_indentation,
 )
 from elastomer_friction.kernels.quick.steady.span_sweep import decay_factors
+from elastomer_friction.kernels.quick.steady.stack import spans_of_line, stack_of
 from elastomer_friction.kernels.quick.steady.thresholds import thresholds_of
-from tests.kernels.quick.steady.given import spans_of
 from tests.lines import random_line
 from tests.sizes import size
 
@@ -32,7 +32,8 @@ def solved(point, load, guess=None):
     """Return d by spans, the number of sweeps, and d of the plain solver to its rounding."""
     _, _, m, speed = point
     line = line_at(point)
-    law, spans = SCHEMES["exponential"](1.0 / (m * speed)), spans_of(line.z, line.slope)
+    law = SCHEMES["exponential"](1.0 / (m * speed))
+    spans = spans_of_line(stack_of(line.z[None], line.slope[None]), 0)
     thresholds = thresholds_of(line.z, line.slope, speed, law.stiffness).contact
     problem = decay_factors(law), line.z, spans, thresholds, load * line.z.size
     steps = 0
