@@ -23,7 +23,7 @@ from elastomer_friction.kernels.quick.case import Case, Quantities
 from elastomer_friction.kernels.rheology.forms import form_of
 from elastomer_friction.kernels.rheology.law import displacement
 from elastomer_friction.kernels.rheology.spectrum import KELVIN, Spectrum, complex_modulus
-from tests.kernels.half_space.test_limits import BRANCHES, closed_friction, rough
+from tests.kernels.half_space.test_limits import BRANCHES, rough
 
 STEADY = Quantities(jump=False, relaxation=False)
 
@@ -208,12 +208,3 @@ def test_friction_does_not_depend_on_the_number_of_rolloff_lengths() -> None:
     (one, error), (four, other) = means
     assert abs(one - four) < 4.0 * np.hypot(error, other)
     assert abs(one / four - 1.0) < 0.1
-
-
-def test_the_closed_form_holds_for_one_wave() -> None:
-    """One wave along x: mu sigma_0 = (q/2) q E''(q v) h^2, h the rms height."""
-    x = 2.0 * np.pi * np.arange(32) / 32
-    z = np.sqrt(2.0) * np.cos(x)[None, :].repeat(32, axis=0)
-    surface = Surface.from_samples(z, np.zeros_like(z), 4)
-    q = 2.0 * np.pi / 8.0
-    assert closed_friction(surface, KELVIN, 0.4, 8.0) == pytest.approx(0.5 * q * q * q * 0.4)

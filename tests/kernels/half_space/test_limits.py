@@ -26,6 +26,8 @@ from elastomer_friction.kernels.quick.cases import run_case as run_foundation
 from elastomer_friction.kernels.rheology.forms import form_of
 from elastomer_friction.kernels.rheology.kelvin import exponential
 from elastomer_friction.kernels.rheology.spectrum import KELVIN, Spectrum, complex_modulus
+from elastomer_friction.workflow.simulate.drawing import line_generator
+from tests.sizes import PLAIN_PYTHON
 
 BRANCHES = Spectrum((2.0, 5.0), (0.5, 4.0), 0.0)
 BOTH = Spectrum((2.0, 5.0), (0.5, 4.0), 10.0)
@@ -91,12 +93,18 @@ def equal_stiffness(surface: Surface, elements: int = 16) -> np.ndarray:
 
 @pytest.mark.parametrize("spectrum", [BRANCHES, BOTH], ids=["branches", "both"])
 def test_a_half_space_of_equal_stiffness_is_the_foundation(spectrum: Spectrum) -> None:
-    """Friction, indentation and relaxation agree with a line whose elements have all branches."""
+    """Friction, indentation and relaxation agree with a line whose elements have all branches.
+
+    So does the initial rate; with a dashpot mu jumps and has none.
+    """
     line, surfaces = line_and_surfaces()
     case = Case(0.3, 0.7, (1.2, -0.8), (STEPS, STEPS), "exponential", spectrum, refine=False)
-    foundation = run_foundation(line, case, Quantities())
+    requested = Quantities(initial_rate=True)
+    foundation = run_foundation(line, case, requested)
+    assert np.isnan(foundation.initial_rate).all() == (spectrum is BOTH)
     for surface in surfaces:
-        result = run_case(surface, case, Quantities(), equal_stiffness(surface))
+        result = run_case(surface, case, requested, equal_stiffness(surface))
+        assert result.initial_rate == pytest.approx(foundation.initial_rate, rel=1e-5, nan_ok=True)
         space = HalfSpace.under(
             form_of(spectrum, "exponential"), surface, case.load, equal_stiffness(surface)
         )
@@ -107,17 +115,6 @@ def test_a_half_space_of_equal_stiffness_is_the_foundation(spectrum: Spectrum) -
             result.curves, result.mu_2, foundation.curves, foundation.mu_2, strict=True
         ):
             assert np.allclose(curve - two, expected - settled, atol=1e-5)
-
-
-def test_the_initial_rate_is_that_of_the_foundation() -> None:
-    """All waves have equal stiffness. With a dashpot mu jumps and has no initial rate."""
-    requested, (line, surfaces) = Quantities(initial_rate=True), line_and_surfaces()
-    case = Case(0.3, 0.7, (1.2,), (STEPS,), "exponential", BRANCHES, refine=False)
-    expected = run_foundation(line, case, requested).initial_rate
-    for surface in surfaces:
-        result = run_case(surface, case, requested, equal_stiffness(surface))
-        assert result.initial_rate == pytest.approx(expected, rel=1e-5)
-    assert np.isnan(run_case(rough(8, 4), case._replace(spectrum=KELVIN), requested).initial_rate)
 
 
 def test_kelvin_elements_of_equal_stiffness_are_the_foundation() -> None:
@@ -178,3 +175,13 @@ def test_few_passes_per_step_give_the_friction_of_many() -> None:
         result.append(np.array(mu))
     assert np.median(passes[:30]) <= 5
     np.testing.assert_allclose(*result, rtol=1e-4)
+
+
+@pytest.mark.skipif(PLAIN_PYTHON, reason="NUMBA_DISABLE_JIT=1: 30 million samples")
+def test_a_contact_with_stalling_directions_is_solved() -> None:
+    """H = 0.8, x = 30, one of 1296 maps of the study bodies: no convergence in 20 000 passes."""
+    surface = Surface.drawn(line_generator(3, 0.8, 32, 8), ring_amplitudes(0.8, 32, 2), 32, 4)
+    case = Case(1.5, 9.60000000000582, (1.0,), (), "exponential")
+    result = run_case(surface, case, Quantities(jump=False, relaxation=False))
+    assert np.isfinite(result.mu_1)
+    assert result.work < 6000 * surface.z.size

@@ -65,15 +65,6 @@ def test_steps_lost_in_rounding_are_refused():
         steps_of((Slide(1.0 / (M * MIN_DASHPOT_STEP) * 2.0, 5.0),), M)
 
 
-EVERY = (
-    Slide(0.7, 3.3),
-    Hold(2.0),
-    Ramp(0.3, -1.0, 4.0),
-    Oscillation(0.2, 3.0, 0.3, 2),
-    Sampled((0.0, 1.0, 5.0, 6.0), (0.5, 0.0, 0.0, -0.8)),
-)
-
-
 def distances(steps, start=0.0):
     """Return by how many samples each step moves the line."""
     return np.diff(np.append(start, steps.position))
@@ -192,12 +183,3 @@ def test_a_sampled_ramp_is_the_ramp():
     )
     np.testing.assert_array_equal(ramp.position, sampled.position)
     np.testing.assert_array_equal(ramp.dt, sampled.dt)
-
-
-def test_a_programme_cut_in_two_has_the_same_steps():
-    whole = steps_of(EVERY, M)
-    for cut in range(1, len(EVERY)):
-        one = steps_of(EVERY[:cut], M)
-        two = steps_of(EVERY[cut:], M, one.position[-1], last_speed(EVERY[cut - 1]))
-        np.testing.assert_array_equal(np.append(one.position, two.position), whole.position)
-        np.testing.assert_array_equal(np.append(one.dt, two.dt), whole.dt)
