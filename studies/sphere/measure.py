@@ -45,16 +45,17 @@ def outline(settings: dict) -> tuple[list[str], float]:
 def measure(settings: dict, seed: int, advance: Callable[[float], None]) -> dict[str, xr.Dataset]:
     """Return friction over the speed, and the published points with computed values."""
     speeds = np.geomspace(MIN_SPEED, MAX_SPEED, settings["speeds"])
-    frictions = []
-    for number, speed in enumerate(speeds, 1):
+    frictions, seconds = [], SECONDS_PER_SAMPLE * settings["side"] ** 2
+    for speed in speeds:
         cell = cell_at(speed, settings["side"])
         ours = _both(settings["side"], speed, KELVIN, cell)
         frictions.append([mu * _radius(cell) / _radius(MIN_CELL) for mu in ours])
-        advance(number / (len(speeds) + 3 * settings["published"]))
+        advance(seconds)
     known = {"closed": speeds / _radius(MIN_CELL)}  # v tau/R over v tau/a, R in radii
     groups = {"": _over_speed(speeds, frictions, known, "v tau over the radius of contact at rest")}
     if settings["published"]:
         groups["published"] = _published(settings["side"])
+        advance(len(PUBLISHED) * seconds)
     return groups
 
 
