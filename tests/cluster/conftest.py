@@ -14,9 +14,11 @@ from tests.cluster.slurm import Slurm, missing
 def standing(tmp_path_factory) -> Iterator[Standing]:
     """Return a scheduler and two workers, started as a user would."""
     cluster = Standing(tmp_path_factory.mktemp("standing"))
-    cluster.complete()
-    yield cluster
-    cluster.stop()
+    try:
+        cluster.complete()
+        yield cluster
+    finally:
+        cluster.stop()
 
 
 @pytest.fixture(scope="session")

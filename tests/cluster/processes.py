@@ -4,6 +4,7 @@ import contextlib
 import os
 import random
 import re
+import shutil
 import signal
 import socket
 import subprocess
@@ -19,6 +20,8 @@ from tests.support.python import ROOT
 from tests.support.small import write_study
 
 PATIENCE = 300.0  # seconds to wait for a process at most
+# Kills a process when its parent ends in any way: pytest may end without running its fixtures.
+ENDS_WITH_PARENT = ("setpriv", "--pdeathsig", "KILL") if shutil.which("setpriv") else ()
 STUDY = ("workflow", "run", "fig7", "--scale", "smoke")
 
 
@@ -35,11 +38,13 @@ def start(
 ) -> subprocess.Popen:
     """Start ``python -m ...`` in a process group of its own, its output added to a file.
 
+    The process is killed when the process of the tests ends.
+
     before : a command that starts it, such as ``ip netns exec``.
     """
     with log.open("ab") as output:
         return subprocess.Popen(
-            [*before, sys.executable, "-m", *arguments],
+            [*ENDS_WITH_PARENT, *before, sys.executable, "-m", *arguments],
             cwd=cwd,
             env={**os.environ, "PYTHONUNBUFFERED": "1", "GIT_DIR": "/nowhere", **environment},
             stdin=subprocess.DEVNULL,
@@ -81,7 +86,7 @@ def end(process: subprocess.Popen) -> None:
 
 def kill(pid: int, number: int) -> None:
     """Send a signal to a process, which may be gone already."""
-    if psutil.pid_exists(pid):
+    with contextlib.suppress(ProcessLookupError):
         os.kill(pid, number)
 
 

@@ -64,11 +64,12 @@ def assert_refused(run, log):
 
 
 def test_a_worker_that_joins_later_with_other_sources_is_refused(tmp_path):
-    cluster, edited, log = Standing(tmp_path / "standing"), tmp_path / "edited", tmp_path / "log"
+    edited, log = tmp_path / "edited", tmp_path / "log"
     for name in ("elastomer_friction", "kernels", "workflow", "studies"):
         shutil.copytree(ROOT / name, edited / name, symlinks=True)
     with (edited / "kernels" / "model" / "steady.py").open("a") as file:
         file.write("# edited\n")
+    cluster = Standing(tmp_path / "standing")
     options = ("--out", str(tmp_path), "--scheduler", cluster.address, "--batch-seconds", "0.2")
     options += ("--set", "study.realizations=40000")  # it cannot end before that worker joins
     processes = [start(log, *STUDY, *options)]
