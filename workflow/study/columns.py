@@ -20,7 +20,7 @@ says so.
 """
 
 import re
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from typing import NamedTuple
 
 import numpy as np
@@ -28,19 +28,32 @@ import numpy as np
 from ..ground import UserError, counted
 from ..text_tables import (
     MAX_TITLE_LINES,
+    TITLE_PATTERNS,
     UNREAD_NAME,
     TextTable,
     Title,
     Unit,
-    count_named,
+    contains_unit,
     unit_of,
-    unread_unit,
 )
 from .codes import missing_code
 
 LOGARITHM_NAME = r"^(log|lg|ln)([\W_\d]|$)"  # name of a column of logarithms
 STRESS_NAME = r"^(?!.*modul).*(stress|spannung)"  # stress: same unit as a modulus
 ANGULAR_NAME = r"omega|\u03c9|^w$|angular|circular|kreis"  # of a frequency in rad/s if in 1/s
+
+# Last words of names that are not units.
+NAME_WORDS_TEXT = (
+    "abs absolute act actual amplitude angular average avg axis channel cmd coef coeff "
+    "coefficient command commanded corrected d data delta displacement drive elapsed factor "
+    "filt filtered force frequency friction horizontal index lateral length lin load log lp "
+    "mean measured moduli modulus motor nominal normal number of oscillation point pos "
+    "position prime ratio raw ref rel relative sensor set setpoint shear signal slider "
+    "speed stage step storage strain stress target test time tot total value values vel "
+    "velocity vertical x y z \u03b4"
+)
+NAME_WORDS = frozenset(NAME_WORDS_TEXT.split())
+MARK = re.compile("|".join(pattern.separator for pattern in TITLE_PATTERNS[:4]))
 
 
 class ColumnSpec(NamedTuple):
@@ -233,7 +246,7 @@ def _unit_of_column(
     inside = [word for word in title.name.split()[:-1] if spec.has_unit(unit_of(word))]
     foreign = title.unit if stated is not None and stated.family != "number" else ""
     unread = table.unread if spec.family != "number" else ""
-    text = "".join(inside[:1]) or foreign or unread_unit(title.name, spec.names) or unread
+    text = "".join(inside[:1]) or foreign or _unread_unit(title.name, spec.names) or unread
     if text:
         raise UserError(f"{prefix}: it is not clear what {text!r:.60} says of its unit; {remedy}")
     unit = unit_of(spec.default)
@@ -259,3 +272,28 @@ def describe_columns(table: TextTable, columns: Sequence[Column]) -> str:
     if table.passed_over:
         text += f"; passed over {counted(len(table.passed_over), 'line')} of words"
     return text
+
+
+def count_named(line: str, patterns: Iterable[str]) -> int:
+    """Return the number of patterns of column names that match a word of a line."""
+    words = line.lstrip("#%!/ ").split()
+    return sum(
+        any(re.search(pattern, word, re.IGNORECASE) for word in words) for pattern in patterns
+    )
+
+
+def _unread_unit(name: str, names: str) -> str:
+    """Return the part of a name that may be an unknown or misplaced unit; "" without one.
+
+    names : pattern of the words that name such a column; its last word may be one of them.
+    """
+    words = [word for word in re.split(r"[\s.-]+|_(?=\w\w|V\b)", name) if word]
+    last = words[-1] if len(words) > 1 and not words[-1].isdecimal() else ""
+    marked = MARK.search(name)
+    tail = name[marked.start() :] if marked else ""
+    for text in filter(None, (tail, last)):
+        word = MARK.sub("", text, count=1) if text is tail else text
+        flags = re.IGNORECASE if len(text) > 1 else 0  # V is volt, not velocity
+        if word.lower() not in NAME_WORDS and not re.search(names, text, flags):
+            return word
+    return next(filter(contains_unit, words), "")

@@ -9,8 +9,8 @@ from ..ground import public_names
 
 if TYPE_CHECKING:
     from .cells import split
-    from .headers import MAX_TITLE_LINES, NUMERAL_TEXT, UNREAD_NAME, Title, count_named, unread_unit
-    from .numerals import is_numeral
+    from .headers import MAX_TITLE_LINES, TITLE_PATTERNS, UNREAD_NAME, Title, contains_unit
+    from .numerals import NUMERAL_TEXT, is_numeral
     from .text_table import TextTable, read_text_table, table_of_text
     from .units import ZERO, Unit, unit_of
 

@@ -5,6 +5,7 @@ import re
 from collections import Counter
 from typing import NamedTuple
 
+from ..ground import counted
 from .numerals import is_missing, is_numeral
 
 DELIMITERS = (";", "\t", "|", ",", None)  # None: whitespace
@@ -29,10 +30,6 @@ class Cells(NamedTuple):
     plain: bool = True  # whether all cells are numbers with decimal points only
 
 
-class UnevenRowError(ValueError):
-    """Error for a row of another length. Arguments: its line, line number, and the usual length."""
-
-
 def split(line: str, delimiter: str | None) -> list[str]:
     """Return the cells of a line, without quotes."""
     if delimiter is None:
@@ -49,10 +46,11 @@ def is_comment(line: str) -> bool:
 
 
 def cells_of(text: str) -> Cells:
-    """Return the rows of a text; an empty table if it contains no row of numbers.
+    """Return the rows of a text.
 
     A row has the most frequent number of cells, with numbers in the columns that mostly hold
-    numbers. Raises UnevenRowError for a row of another length below the first row.
+    numbers. Raises ValueError without a row of numbers, and for a row of another length below the
+    first row.
     """
     lines = text.splitlines()
     content = [
@@ -66,15 +64,11 @@ def cells_of(text: str) -> Cells:
     rows = [_trimmed(split(TRAILING_REMARK.sub("", line), delimiter)) for line in sample]
     numeric = _numeric_columns([row for row in rows if len(row) <= width], width)
     cells = Cells([], [], numeric, [], [], delimiter)
-    if not numeric:
-        return cells._replace(above=lines)
     pending: list[str] = []
     pattern, plain = _plain_row_pattern(delimiter, width if len(numeric) == width else 0), True
     for number, line in enumerate(lines, 1):
         if pattern.fullmatch(line):  # the fast path for long files
             row: list[str] | None = split(line, delimiter)
-        elif not line.strip() or is_comment(line):
-            row = None
         else:
             row = _row_cells(line, number, cells, width)
             plain = plain and row is None
@@ -89,7 +83,7 @@ def cells_of(text: str) -> Cells:
         cells.rows.append(row)
         cells.lines.append(number)
     if not cells.rows:
-        return cells._replace(above=lines)
+        raise ValueError("holds no row of numbers")
     cells.between.append((len(cells.rows), pending))
     return cells._replace(plain=plain)
 
@@ -104,7 +98,9 @@ def _plain_row_pattern(delimiter: str | None, width: int) -> re.Pattern[str]:
 
 
 def _row_cells(line: str, number: int, table: Cells, width: int) -> list[str] | None:
-    """Return the cells of a row; None for other lines, such as words between blocks."""
+    """Return the cells of a row; None for comments, and lines of words between blocks."""
+    if is_comment(line):
+        return None
     untrimmed = split(TRAILING_REMARK.sub("", line), table.delimiter)
     cells = _trimmed(untrimmed)
     numeric_cells = [cells[n] for n in table.numeric if n < len(cells)]
@@ -120,7 +116,10 @@ def _row_cells(line: str, number: int, table: Cells, width: int) -> list[str] | 
     ):
         if first:
             return None
-        raise UnevenRowError(line.strip(), number, width)
+        raise ValueError(
+            f"line {number} reads {line.strip()!r:.40}: must hold {counted(width, 'cell')} as the "
+            "rows before it"
+        )
     return cells + [""] * (width - len(cells))
 
 

@@ -7,12 +7,11 @@ unread line.
 """
 
 import re
-from collections.abc import Iterable
 from itertools import pairwise
 from typing import NamedTuple
 
 from .cells import is_comment, split
-from .numerals import is_numeral
+from .numerals import NUMERAL_TEXT, is_numeral
 from .units import unit_of
 
 MAX_TITLE_LINES = 4  # lines above the rows that may hold titles
@@ -53,7 +52,6 @@ TITLE_PATTERNS = (
     HeaderPattern(r"_", "velocity_mm_s", "unit after an underscore", stated=False),
 )
 SEPARATOR = re.compile("|".join(f"({pattern.separator})" for pattern in TITLE_PATTERNS))
-MARK = re.compile("|".join(pattern.separator for pattern in TITLE_PATTERNS[:4]))
 TITLE_WITH_BRACKETS = re.compile(
     r"(.*?)\s*(?:\[([^\[\]]*)\]|\(([^()]*)\)|<([^<>]*)>|\{([^{}]*)\})([^\[\](){}<>]*)"
 )
@@ -61,19 +59,7 @@ ARGUMENT = re.compile(r"(?<=\S)\((t|ω|omega|w|f|x|y|q|T|i|a|τ|delta|δ|aT|a_T)
 BRACKETED = re.compile(r"[\[(<{].*[\])>}]")
 COMMENT_MARK = re.compile(r"^\s*(?:#+|!+|//|%(?!\s*[;\t|,]))\s?")  # % may be the first unit
 UNITS_LABEL = re.compile(r"units?\s*[:=]\s*", re.IGNORECASE)  # units: mm, um
-NUMERAL_TEXT = r"[-+]?\d[\d.,:]*(?:[eE][-+]?\d+)?"
 QUANTITY = re.compile(rf"(?<![\w^.-]){NUMERAL_TEXT}\s*[^\s,;]+")  # 0.8 mm
-# Last words of names that are not units.
-NAME_WORDS_TEXT = (
-    "abs absolute act actual amplitude angular average avg axis channel cmd coef coeff "
-    "coefficient command commanded corrected d data delta displacement drive elapsed factor "
-    "filt filtered force frequency friction horizontal index lateral length lin load log lp "
-    "mean measured moduli modulus motor nominal normal number of oscillation point pos "
-    "position prime ratio raw ref rel relative sensor set setpoint shear signal slider "
-    "speed stage step storage strain stress target test time tot total value values vel "
-    "velocity vertical x y z \u03b4"
-)
-NAME_WORDS = frozenset(NAME_WORDS_TEXT.split())
 # Units that are also English words.
 ENGLISH_UNIT_WORDS = frozenset(("in", "day", "days", "turn", "turns", "foot", "feet", "none", "at"))
 
@@ -203,32 +189,7 @@ def _are_units(cells: list[str], named: bool) -> bool:
     return (len(known) == len(filled) and long) or (distinctive and 2 * len(known) >= len(filled))
 
 
-def count_named(line: str, patterns: Iterable[str]) -> int:
-    """Return the number of patterns of column names that match a word of a line."""
-    words = COMMENT_MARK.sub("", line).split()
-    return sum(
-        any(re.search(pattern, word, re.IGNORECASE) for word in words) for pattern in patterns
-    )
-
-
-def unread_unit(name: str, names: str) -> str:
-    """Return the part of a name that may be an unknown or misplaced unit; "" without one.
-
-    names : pattern of the words that name such a column; its last word may be one of them.
-    """
-    words = [word for word in re.split(r"[\s.-]+|_(?=\w\w|V\b)", name) if word]
-    last = words[-1] if len(words) > 1 and not words[-1].isdecimal() else ""
-    marked = MARK.search(name)
-    tail = name[marked.start() :] if marked else ""
-    for text in filter(None, (tail, last)):
-        word = MARK.sub("", text, count=1) if text is tail else text
-        flags = re.IGNORECASE if len(text) > 1 else 0  # V is volt, not velocity
-        if word.lower() not in NAME_WORDS and not re.search(names, text, flags):
-            return word
-    return next(filter(_contains_unit, words), "")
-
-
-def _contains_unit(word: str) -> bool:
+def contains_unit(word: str) -> bool:
     """Return whether a word is a unit or contains one, such as "velocity_mm_s"."""
     title = None if word.lower().strip(",.;:()") in ENGLISH_UNIT_WORDS else title_of(word)
     return title is not None and (title.stated or len(title.unit) > 1) and bool(unit_of(title.unit))
@@ -246,7 +207,7 @@ def _unread_line(above: list[str], near: list[str], used: list[str]) -> str:
         words = _words(line) if line in near[:2] else []
         units = [word for word in words if unit_of(word) and word not in ENGLISH_UNIT_WORDS]
         few_units = len(words) > 1 and 2 * len(units) >= len(words)
-        if few_units or any(map(_contains_unit, _words(QUANTITY.sub(" ", line)))):
+        if few_units or any(map(contains_unit, _words(QUANTITY.sub(" ", line)))):
             return line.strip()
     return ""
 

@@ -10,6 +10,7 @@ MISSING_WORDS = (
 )
 MISSING_CELLS = {"", *MISSING_WORDS.split()}
 NUMERAL = re.compile(r"[+-]?(?:\d+(?:[.,]\d+)*\.?|[.,]\d+)(?:[eEdD][+-]?\d+)?")
+NUMERAL_TEXT = r"[-+]?\d[\d.,:]*(?:[eE][-+]?\d+)?"  # in prose
 EXPONENT_MARK = re.compile(r"[eEdD]")
 COMMA_GROUPS = re.compile(r"[+-]?[1-9]\d{0,2}(?:,\d{3})+(?:\.\d*)?")  # 1,234,567.8
 POINT_GROUPS = re.compile(r"[+-]?[1-9]\d{0,2}(?:\.\d{3})+(?:,\d*)?")  # 1.234.567,8

@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 
 from ..ground import UserError, archive_kind, decoded, is_text, read_plain
-from .cells import Cells, UnevenRowError, cells_of, is_comment
+from .cells import Cells, cells_of, is_comment
 from .headers import Title, header_of
 from .numerals import Marks, is_missing, is_numeral, marks_of
 from .units import unit_of
@@ -24,7 +24,7 @@ def _is_words(line: str) -> bool:
 class TextTable:
     """Rows of a text file, with titles and the lines between blocks."""
 
-    def __init__(self, key: str, name: str, cells: Cells) -> None:
+    def __init__(self, key: str, name: str, cells: Cells, marks: Marks) -> None:
         """Store the rows. ``key`` and the ``name`` of the file appear in messages."""
         self.key, self.name = key, name
         self.rows = cells.rows  # of words as written, all of equal length
@@ -35,13 +35,12 @@ class TextTable:
         self.between = cells.between  # (index of the next row, lines) between blocks
         self.titles, self.unread = header_of(cells.above, cells.delimiter, self.width)
         self._check_blocks()
-        self.plain = cells.plain
-        self.marks = Marks() if cells.plain else self._marks()
+        self.plain, self.marks = cells.plain, marks
 
     @property
     def width(self) -> int:
         """Return the number of columns, including columns of words."""
-        return len(self.rows[0]) if self.rows else 0
+        return len(self.rows[0])
 
     @cached_property
     def blocks(self) -> tuple[slice, ...]:
@@ -100,16 +99,9 @@ class TextTable:
         except ValueError:
             bad = next(n for n, w in enumerate(words) if not (is_numeral(w) or is_missing(w)))
             raise UserError(
-                f"{self.key}: line {self.lines[bad]} of {self.name!r} reads "
+                f"{self.key} = {self.name!r}: line {self.lines[bad]} reads "
                 f"{' '.join(self.rows[bad])!r:.40}: must hold a number in column {column}"
             ) from None
-
-    def _marks(self) -> Marks:
-        words = (row[n] for row in self.rows for n in self.numeric)
-        try:
-            return marks_of(word for word in words if is_numeral(word))
-        except ValueError as error:
-            raise UserError(f"{self.key}: {self.name!r}: {error}") from None
 
     @property
     def columns_text(self) -> str:
@@ -146,12 +138,8 @@ def table_of_text(key: str, name: str, text: str) -> TextTable:
     """Return the table of a text. Raises UserError as ``read_text_table`` does."""
     try:
         cells = cells_of(text)
-    except UnevenRowError as error:
-        line, number, width = error.args
-        raise UserError(
-            f"{key}: line {number} of {name!r} reads {line!r:.40}: must hold {width} "
-            f"{'entry' if width == 1 else 'entries'} as the rows before it"
-        ) from None
-    if not cells.rows:
-        raise UserError(f"{key} = {name!r}: holds no row of numbers")
-    return TextTable(key, name, cells)
+        numbers = (row[n] for row in cells.rows for n in cells.numeric if is_numeral(row[n]))
+        marks = Marks() if cells.plain else marks_of(numbers)
+    except ValueError as error:
+        raise UserError(f"{key} = {name!r}: {error}") from None
+    return TextTable(key, name, cells, marks)

@@ -3,6 +3,7 @@
 import math
 import re
 import unicodedata
+from collections.abc import Iterable
 from functools import lru_cache
 from typing import NamedTuple
 
@@ -23,79 +24,74 @@ FAMILIES: dict[Dimension, str] = {
     (0, 0, 0, 0, 0): "number",  # dimensionless
 }
 DIMENSIONS = {family: dimension for dimension, family in FAMILIES.items()}
-PREFIXES = {"p": 1e-12, "n": 1e-9, "u": 1e-6, "m": 1e-3, "c": 1e-2, "d": 1e-1, "": 1.0}
+PREFIXES = {"": 1.0, "p": 1e-12, "n": 1e-9, "u": 1e-6, "m": 1e-3, "c": 1e-2, "d": 1e-1}
 PREFIXES |= {"h": 1e2, "k": 1e3, "M": 1e6, "G": 1e9}
-PREFIX_WORDS = {"pico": 1e-12, "nano": 1e-9, "micro": 1e-6, "milli": 1e-3, "centi": 1e-2, "": 1.0}
+PREFIX_WORDS = {"pico": 1e-12, "nano": 1e-9, "micro": 1e-6, "milli": 1e-3, "centi": 1e-2}
 PREFIX_WORDS |= {"kilo": 1e3, "mega": 1e6, "giga": 1e9}
 INCH = 0.0254
 POUND_FORCE = 4.4482216152605  # N
 KILOPOND = 9.80665  # N
 
 
-def _prefixed(symbol: str, prefixes: str, factor: float, family: str) -> dict:
-    choices = ("", *prefixes)
-    return {f"{prefix}{symbol}": (PREFIXES[prefix] * factor, family) for prefix in choices}
-
-
-def _spelled(words: str, factor: float, family: str) -> dict:
+def _units(words: str, factor: float, family: str, prefixes: Iterable[str] = ()) -> dict:
+    """Return the entries of KNOWN_UNITS for words, without prefix and with each of ``prefixes``."""
+    factors = PREFIXES | PREFIX_WORDS
     return {
-        f"{prefix}{word}{end}": (scale * factor, family)
-        for prefix, scale in PREFIX_WORDS.items()
+        f"{prefix}{word}": (factors[prefix] * factor, family)
+        for prefix in ("", *prefixes)
         for word in words.split()
-        for end in ("", "s")
     }
 
 
-def _words(words: str, factor: float, family: str) -> dict:
-    return dict.fromkeys(words.split(), (factor, family))
-
-
 KNOWN_UNITS: dict[str, tuple[float, str]] = {
-    **_prefixed("m", "pnumcdk", 1.0, "length"),
-    **_spelled("meter metre", 1.0, "length"),
-    **_words("micron microns mic", 1e-6, "length"),
-    **_words("Å å angstrom angstroms ångström ångstrom", 1e-10, "length"),
-    **_words("in inch inches", INCH, "length"),
-    **_words("mil mils thou", 1e-3 * INCH, "length"),
-    **_words("uin microinch microinches", 1e-6 * INCH, "length"),
-    **_words("ft foot feet", 12.0 * INCH, "length"),
-    **_prefixed("s", "num", 1.0, "time"),
-    **_prefixed("sec", "num", 1.0, "time"),
-    **_words("secs", 1.0, "time"),
-    **_spelled("second", 1.0, "time"),
-    **_words("min mins minute minutes", 60.0, "time"),
-    **_words("h hr hrs hour hours", 3600.0, "time"),
-    **_words("d day days", 86400.0, "time"),
-    **_prefixed("Hz", "mkM", 2.0 * math.pi, "frequency"),
-    **_spelled("hertz", 2.0 * math.pi, "frequency"),
-    **_words("rpm", 2.0 * math.pi / 60.0, "frequency"),
-    **_prefixed("rad", "m", 1.0, "angle"),
-    **_words("radian radians", 1.0, "angle"),
-    **_words("deg ° degree degrees", math.pi / 180.0, "angle"),
-    **_words("cycle cycles rev revs turn turns", 2.0 * math.pi, "angle"),
-    **_prefixed("Pa", "umhkMG", 1.0, "pressure"),
-    **_spelled("pascal", 1.0, "pressure"),
-    **_prefixed("bar", "mk", 1e5, "pressure"),
-    **_words("psi", POUND_FORCE / INCH**2, "pressure"),
-    **_words("ksi", 1e3 * POUND_FORCE / INCH**2, "pressure"),
-    **_words("dyn dyne dynes", 1e-5, "force"),
-    **_prefixed("N", "numkM", 1.0, "force"),
-    **_spelled("newton", 1.0, "force"),
-    **_words("kgf kp", KILOPOND, "force"),
-    **_words("gf", 1e-3 * KILOPOND, "force"),
-    **_words("lbf lb lbs", POUND_FORCE, "force"),
-    **_words("kmh kph", 1.0 / 3.6, "velocity"),
-    **_words("mph", 0.44704, "velocity"),
-    **_words("K kelvin", 1.0, "temperature"),
-    **_words("1 - . \u2013 \u2014 # none dimensionless unitless", 1.0, "number"),
-    **_words("%", 0.01, "number"),
+    **_units("m", 1.0, "length", "pnumcdk"),
+    **_units("meter metre meters metres", 1.0, "length", PREFIX_WORDS),
+    **_units("micron microns mic", 1e-6, "length"),
+    **_units("Å å angstrom angstroms ångström ångstrom", 1e-10, "length"),
+    **_units("in inch inches", INCH, "length"),
+    **_units("mil mils thou", 1e-3 * INCH, "length"),
+    **_units("uin microinch microinches", 1e-6 * INCH, "length"),
+    **_units("ft foot feet", 12.0 * INCH, "length"),
+    **_units("s", 1.0, "time", "num"),
+    **_units("sec", 1.0, "time", "num"),
+    **_units("secs", 1.0, "time"),
+    **_units("second seconds", 1.0, "time", PREFIX_WORDS),
+    **_units("min mins minute minutes", 60.0, "time"),
+    **_units("h hr hrs hour hours", 3600.0, "time"),
+    **_units("d day days", 86400.0, "time"),
+    **_units("Hz", 2.0 * math.pi, "frequency", "mkM"),
+    **_units("hertz", 2.0 * math.pi, "frequency", PREFIX_WORDS),
+    **_units("rpm", 2.0 * math.pi / 60.0, "frequency"),
+    **_units("rad", 1.0, "angle", "m"),
+    **_units("radian radians", 1.0, "angle"),
+    **_units("deg ° degree degrees", math.pi / 180.0, "angle"),
+    **_units("cycle cycles rev revs turn turns", 2.0 * math.pi, "angle"),
+    **_units("Pa", 1.0, "pressure", "umhkMG"),
+    **_units("pascal pascals", 1.0, "pressure", PREFIX_WORDS),
+    **_units("bar", 1e5, "pressure", "mk"),
+    **_units("psi", POUND_FORCE / INCH**2, "pressure"),
+    **_units("ksi", 1e3 * POUND_FORCE / INCH**2, "pressure"),
+    **_units("dyn dyne dynes", 1e-5, "force"),
+    **_units("N", 1.0, "force", "numkM"),
+    **_units("newton newtons", 1.0, "force", PREFIX_WORDS),
+    **_units("kgf kp", KILOPOND, "force"),
+    **_units("gf", 1e-3 * KILOPOND, "force"),
+    **_units("lbf lb lbs", POUND_FORCE, "force"),
+    **_units("kmh kph", 1.0 / 3.6, "velocity"),
+    **_units("mph", 0.44704, "velocity"),
+    **_units("K kelvin", 1.0, "temperature"),
+    **_units("1 - . \u2013 \u2014 # none dimensionless unitless", 1.0, "number"),
+    **_units("%", 0.01, "number"),
 }
 FOLDED_UNITS = {
     word.lower(): entry for word, entry in reversed(KNOWN_UNITS.items()) if len(word) > 1
 } | {name.lower(): KNOWN_UNITS[name] for name in ("MPa", "MHz", "s")}
 ZERO = 273.15  # K at 0 °C
-CELSIUS = ("°c", "c", "degc", "deg c", "deg. c", "celsius", "degrees celsius", "ºc", "oc")
-FAHRENHEIT = ("°f", "degf", "deg f", "fahrenheit")
+TEMPERATURES = {  # in lower case: factor, offset in K
+    **dict.fromkeys(("°c", "c", "degc", "deg c", "deg. c", "ºc", "oc"), (1.0, ZERO)),
+    **dict.fromkeys(("celsius", "degrees celsius"), (1.0, ZERO)),
+    **dict.fromkeys(("°f", "degf", "deg f", "fahrenheit"), (5.0 / 9.0, 459.67 * 5.0 / 9.0)),
+}
 SUPERSCRIPTS = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁻", "0123456789-")
 SCALED_UNIT = re.compile(
     r"[x×*]?\s*(?:10(?:\^|(?=[⁰-⁹⁻¹²³]))|1?[eE])([-+⁻]?[\d⁰-⁹¹²³]+)\s*[*·×x]?\s*(\D.*)"
@@ -130,10 +126,8 @@ def unit_of(text: str) -> Unit | None:
         power = int(scaled[1].translate(SUPERSCRIPTS))
         return base and base._replace(text=text, factor=base.factor * 10.0**power)
     plain = _normalised(text)
-    if plain.lower() in CELSIUS:
-        return Unit(text, "temperature", 1.0, ZERO)
-    if plain.lower() in FAHRENHEIT:
-        return Unit(text, "temperature", 5.0 / 9.0, 459.67 * 5.0 / 9.0)
+    if plain.lower() in TEMPERATURES:
+        return Unit(text, "temperature", *TEMPERATURES[plain.lower()])
     if not plain or plain in CLOCK_WORDS:
         return None
     if plain in KNOWN_UNITS:
@@ -143,7 +137,10 @@ def unit_of(text: str) -> Unit | None:
     for number, part in enumerate(plain.split("/")):
         for word in filter(None, part.split("*")):
             match = UNIT_FACTOR.fullmatch(word)
-            known = match and _unit_factor(match[1], single)
+            symbol = match[1] if match else ""
+            if symbol == "M" and not single:  # M means metre in M/S, but not on its own
+                symbol = "m"
+            known = KNOWN_UNITS.get(symbol, FOLDED_UNITS.get(symbol.lower()))
             if not match or not known:
                 return None
             power = int(match[2] or 1) * (1 if number == 0 else -1)
@@ -152,20 +149,11 @@ def unit_of(text: str) -> Unit | None:
     return Unit(text, FAMILIES.get(tuple(dimension.tolist()), "other"), factor)
 
 
-def _unit_factor(word: str, single: bool) -> tuple[float, str] | None:
-    """Return factor and family of a word. M means metre in M/S, but not on its own."""
-    if word in KNOWN_UNITS:
-        return KNOWN_UNITS[word]
-    if word == "M" and not single:
-        return KNOWN_UNITS["m"]
-    return FOLDED_UNITS.get(word.lower())
-
-
 def _normalised(text: str) -> str:
     """Return a unit in normalised spelling: u for micro, * between factors, / for per."""
     word = unicodedata.normalize("NFKC", text.strip().strip("[](){}<>").strip())
     word = word.replace("μ", "u").replace("\u2212", "-").replace("**", "^")
     word = re.sub(r"\s+per\s+|\s*/\s*", "/", word)
-    if word.lower() in CELSIUS or word.lower() in FAHRENHEIT:
+    if word.lower() in TEMPERATURES:
         return word
     return re.sub(r"\s*[·⋅×*•]\s*|\s+|(?<=[a-z])\.(?=[a-z])", "*", word)

@@ -77,7 +77,7 @@ def test_noise_of_displacements_widens_the_differences_and_is_refused_at_last(tm
 @pytest.mark.parametrize(
     ("text", "answer"),
     [
-        ("0 1 0.3\n1 1 0.3\n2 1 x\n", "line 3 of '"),
+        ("0 1 0.3\n1 1 0.3\n2 1 x\n", ": line 3 reads"),
         ("# t\n1 1 0.3\n\n0 1 0.3\n", "line 4 of '"),
         (
             "t [s] v [furlong/s] mu\n0 1 1\n1 1 1\n",

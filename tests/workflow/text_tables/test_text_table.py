@@ -64,14 +64,14 @@ def test_missing_values_are_nan(cell):
 
 @pytest.mark.parametrize("text", ["0 1\n2 3\n4", "0 1\n2 3\n4 5 6"])
 def test_a_row_of_another_length_is_named(text):
-    with pytest.raises(UserError, match=r"^key: line 3 of 'f\.txt' reads '4.*must hold 2 entries"):
+    with pytest.raises(UserError, match=r"^key = 'f\.txt': line 3 reads '4.*must hold 2 cells"):
         table(text)
 
 
 def test_a_word_is_refused_in_a_column_that_is_read():
     found = table("0 1 5\n2 x 6\n3 1 7")
     assert found.values(2).tolist() == [5.0, 6.0, 7.0]
-    with pytest.raises(UserError, match=r"line 2 of 'f\.txt' reads '2 x 6': .* in column 1"):
+    with pytest.raises(UserError, match=r"'f\.txt': line 2 reads '2 x 6': .* in column 1"):
         found.values(1)
 
 

@@ -13,10 +13,10 @@ from ...text_tables import (
     UNREAD_NAME,
     TextTable,
     Title,
-    count_named,
     read_text_table,
     unit_of,
 )
+from ..columns import count_named
 from .positions import PointGrid, grid_of, is_uniform, precision, repeats
 from .raw_lines import KEY, MIN_SAMPLES, LineFile, RawLines, check_numbered, metres, row_spacing
 from .remarks import (

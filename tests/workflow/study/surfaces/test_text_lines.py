@@ -181,7 +181,7 @@ def test_a_step_goes_before_positions(tmp_path):
             {"columns": (0, 1)},
             "the unit 's' of column 0 t is not a unit of length: give surface.c",
         ),
-        ("x (um),z (um)\n{0}7\n", {}, "line 26 of 'f.dat' reads '7': must hold 2 entries"),
+        ("x (um),z (um)\n{0}7\n", {}, "'f.dat': line 26 reads '7': must hold 2 cells"),
     ],
 )
 def test_what_a_file_does_not_say_is_asked_for(tmp_path, text, how, words):
