@@ -55,8 +55,8 @@ def build_dataset(
         facts |= {"lines": variant.lines.description, "lines_digest": variant.lines.profile.digest}
     if variant.material.description:
         facts["branches"] = variant.material.description
-    if variant.material.shifts and variant.material.shifts.description:
-        facts["shifts"] = variant.material.shifts.description
+    if variant.material.shifts and variant.material.shifts.told:
+        facts["shifts"] = variant.material.shifts.told
     if sampled := plan.study.scene.sampled:
         facts["programme"] = "; ".join(sampled)
     dataset = xr.Dataset(data, coords, facts)

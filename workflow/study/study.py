@@ -76,7 +76,7 @@ class Study(AnyStudy):
         """Contents (such as "branches") and description of each file and array that was read."""
         rows = [("lines", surface.description) for surface in self.surfaces.values()]
         for material in self.materials.values():
-            shifts = material.shifts.description if material.shifts else ""
+            shifts = material.shifts.told if material.shifts else ""
             rows += [("branches", material.description), ("shifts", shifts)]
         rows += [("programme", history) for history in self.scene.sampled]
         rows.append(("indentation", self.scene.indentation_description))

@@ -84,7 +84,7 @@ class ShiftTable(NamedTuple):
     """A measured table with linear interpolation."""
 
     rows: tuple[tuple[float, float], ...]  # temperature (°C), log10 a_T; temperatures ascending
-    description: str = ""  # of its file
+    told: str = ""  # description of its file
 
     def decades(self, temperature: float) -> float:
         """Return log10 a_T at a temperature (°C) within the table."""
@@ -129,9 +129,7 @@ def read_shift_table(key: str, path: Path) -> ShiftTable:
             )
         values = np.log10(values)
     rows = np.stack([temperature.values - ZERO, values], axis=1).tolist()
-    return _shift_table(key, rows)._replace(
-        description=describe_columns(table, (temperature, shift))
-    )
+    return _shift_table(key, rows)._replace(told=describe_columns(table, (temperature, shift)))
 
 
 def _shift_table(key: str, value: object) -> ShiftTable:
