@@ -56,3 +56,21 @@ def test_other_words_are_no_units(word):
 
 def test_products_of_other_dimensions_are_units():
     assert [getattr(unit_of(word), "family", "") for word in ("mm*s", "N m")] == ["other", "other"]
+
+
+# NIST Special Publication 811 (2008), appendix B.8.
+FACTORS = {
+    **{"ft": 0.3048, "feet": 0.3048, "uin": 2.54e-8, "pm": 1e-12, "nm": 1e-9, "cm": 1e-2},
+    **{"dm": 0.1, "km": 1e3, "kilometers": 1e3, "centimetre": 1e-2, "h": 3600.0, "days": 86400.0},
+    **{"min": 60.0, "us": 1e-6, "nsec": 1e-9, "rpm": 0.1047198, "mHz": 6.283185e-3},
+    **{"gigahertz": 6.283185e9, "deg": 0.01745329, "°": 0.01745329, "rev": 6.283185, "mrad": 1e-3},
+    **{"bar": 1e5, "mbar": 100.0, "ksi": 6.894757e6, "hPa": 100.0, "kgf": 9.80665, "lbf": 4.448222},
+    **{"gf": 9.80665e-3, "dyne": 1e-5, "mph": 0.44704, "kph": 0.2777778, "ft/min": 5.08e-3},
+}
+
+
+@pytest.mark.parametrize("written", FACTORS)
+def test_factors_are_those_of_nist(written):
+    unit = unit_of(written)
+    assert unit is not None
+    assert unit.factor == pytest.approx(FACTORS[written], rel=1e-6)
