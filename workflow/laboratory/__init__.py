@@ -1,7 +1,6 @@
 """Fits to measurements: the kinetic law from velocity steps, master curves from sweeps.
 
-The input is text files of a laboratory; the output is jumps, rates, tau, H, q_max, rate-and-state
-constants and shifts.
+From text files it determines jumps, rates, tau, H, q_max, rate-and-state constants and shifts.
 """
 
 from typing import TYPE_CHECKING
