@@ -5,6 +5,10 @@ errors that treat them as independent are too small. The variance of a mean of n
 1 + 2 (rho_1 + rho_2 + ...) times that of n independent ones, with rho_k the autocorrelation at k
 samples. The same factor holds for smooth fits that bend more slowly than the noise decorrelates.
 
+A simulated quantity has independent realizations, so its error is that of the jackknife
+(workflow/reduce/jackknife.py). A record is measured once, so its error must come from the
+autocorrelation of its samples.
+
 Source: A. D. Sokal, Monte Carlo Methods in Statistical Mechanics (1997), sec. 3: the sum ends at
 the first lag of five times the sum itself. U. Wolff, Comput. Phys. Commun. 156, 143 (2004), eq. 49:
 correction for the mean of the same samples, which is subtracted from them.
@@ -27,11 +31,11 @@ class Estimate(NamedTuple):
 
     @property
     def known(self) -> bool:
-        """Return whether the data determine it."""
+        """Return whether the value and its error are finite."""
         return math.isfinite(self.value) and math.isfinite(self.error)
 
     def times(self, factor: float) -> "Estimate":
-        """Return the multiple by an exact factor."""
+        """Return the estimate multiplied by an exact factor."""
         return Estimate(self.value * factor, self.error * abs(factor))
 
     def if_below(self, largest: float) -> "Estimate":
@@ -57,12 +61,12 @@ def correlation_factor(residual: np.ndarray) -> float:
 
 
 def noise_of(changes: np.ndarray) -> float:
-    """Return the standard deviation of noise from the differences of neighbours, of any sign."""
+    """Return the standard deviation of noise from differences of adjacent samples."""
     return float(np.median(np.abs(changes))) / (0.6745 * math.sqrt(2.0))
 
 
 def mean(values: np.ndarray) -> Estimate:
-    """Return the mean of a stretch of samples, shape (samples,)."""
+    """Return the mean of correlated samples, shape (samples,), with its standard error."""
     n = values.size
     error = values.std(ddof=1) * np.sqrt(correlation_factor(values) / n)
     return Estimate(float(values.mean()), float(error))

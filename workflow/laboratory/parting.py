@@ -58,7 +58,7 @@ def measured_steps(record: Record, window: float | None = None) -> list[Measured
 
 
 def no_steps_of(record: Record) -> list[str]:
-    """Return, in sentences, the changes of velocity that are not steps, and the reversed steps."""
+    """Describe the velocity changes that are not steps, and the reversed slides."""
     stretches = _sliding(record)
     rests = sum(stretch.sign == 0.0 for stretch in stretches)
     reversals = sum(one.sign * two.sign < 0.0 for one, two in pairwise(stretches))
@@ -99,7 +99,7 @@ def _sliding(record: Record) -> list[_Stretch]:
 
 
 def _even(v: np.ndarray) -> np.ndarray:
-    """Return asinh(v/s) with even noise: s exceeds the noise of the slower half of the samples."""
+    """Return asinh(v/s), with s above the noise of the slower half of the samples."""
     moving = np.abs(v[v != 0.0])
     if not moving.size:
         return v
@@ -151,7 +151,7 @@ def _no_step(record: Record) -> str:
 
 
 def constant_stretches(values: np.ndarray) -> list[slice]:
-    """Return the stretches in which values are constant up to noise, in order, without the rest.
+    """Return the stretches in which values are constant up to noise, in order.
 
     The values are divided where that reduces their scatter most, and so are the parts as long as
     their means differ. Parts that are short, or have a trend, belong to a gradual change of

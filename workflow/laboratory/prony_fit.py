@@ -64,7 +64,7 @@ class PronyFit(NamedTuple):
 
 
 def fit_prony(omega: np.ndarray, moduli: np.ndarray, branches: int | None = None) -> PronyFit:
-    """Return the fit of a Prony series to complex moduli at angular frequencies, or to G(t).
+    """Fit a Prony series to complex moduli at angular frequencies, or to G(t).
 
     omega : rad/s, shape (n,), positive; of a relaxation test 1/t in 1/s. moduli : G' + i G'', shape
     (n,), or real G(t). branches : maximum number; by default the fewest that fit as well as many
@@ -110,7 +110,7 @@ def fit_prony(omega: np.ndarray, moduli: np.ndarray, branches: int | None = None
 def _few(
     data: "MeasuredModuli", grid: np.ndarray, allowed: float, most: int | None
 ) -> tuple[np.ndarray, np.ndarray, float]:
-    """Return few times, the relaxed modulus and the moduli of their branches, and the rms.
+    """Fit few branches; return their times, all moduli (relaxed first) and the rms.
 
     allowed, most : rms and number, as for ``_joined``.
     """
@@ -145,7 +145,7 @@ class MeasuredModuli(NamedTuple):
 
 
 def measured_moduli(omega: np.ndarray, moduli: np.ndarray) -> MeasuredModuli:
-    """Return moduli to be fitted; real moduli are those of a relaxation test."""
+    """Return the data of a fit; real moduli are those of a relaxation test."""
     shares = in_oscillation if np.iscomplexobj(moduli) else in_relaxation
     return MeasuredModuli(omega, moduli, np.abs(moduli), shares)
 
@@ -186,7 +186,7 @@ def solved(
 
 
 def _merged(grid: np.ndarray, moduli: np.ndarray) -> np.ndarray:
-    """Return one time for neighbours of the grid with a modulus, over at most half a decade."""
+    """Merge adjacent grid times with nonzero moduli, over at most half a decade."""
     runs: list[list[int]] = []
     for i in np.flatnonzero(moduli > 0.0).tolist():
         if runs and i == runs[-1][-1] + 1 and len(runs[-1]) < PER_DECADE // 2:
@@ -198,7 +198,7 @@ def _merged(grid: np.ndarray, moduli: np.ndarray) -> np.ndarray:
 
 
 def _moved(data: MeasuredModuli, times: np.ndarray, reach: np.ndarray) -> np.ndarray:
-    """Return the times near given ones that fit best; the moduli follow from them.
+    """Refine times by least squares, starting from the given ones.
 
     reach : logarithms of the shortest and the longest time.
     """
@@ -232,7 +232,7 @@ def _moved(data: MeasuredModuli, times: np.ndarray, reach: np.ndarray) -> np.nda
 def _joined(
     data: MeasuredModuli, times: np.ndarray, reach: np.ndarray, allowed: float, most: int | None
 ) -> np.ndarray:
-    """Return fewer times: neighbours are joined while the rms stays below ``allowed``.
+    """Join adjacent times while the rms stays below ``allowed``.
 
     most : maximum number of times, for any rms; None: no maximum.
     """

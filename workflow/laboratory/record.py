@@ -84,7 +84,7 @@ def read_record(
 def _second(
     table: TextTable, columns: Sequence[int] | None, displacement: str | None
 ) -> ColumnSpec:
-    """Return the quantity of the second column, velocity or displacement, by its name and unit."""
+    """Return the column specification of the velocity, or of the displacement in its place."""
     if displacement:
         return PLACE
     if columns is not None:
@@ -102,7 +102,7 @@ def _second(
 
 
 def _spread(t: np.ndarray) -> np.ndarray:
-    """Return times in which samples of one stamp are spread evenly up to the next stamp."""
+    """Spread samples with equal time stamps evenly up to the next stamp."""
     stamps, first, counts = np.unique(t, return_index=True, return_counts=True)
     if stamps.size < 2:
         raise UserError(f"fit: all samples have one time stamp, {stamps[0]:g} s; must increase")
@@ -112,7 +112,7 @@ def _spread(t: np.ndarray) -> np.ndarray:
 
 
 def _differenced(path: Path, t: np.ndarray, place: np.ndarray) -> tuple[np.ndarray, int]:
-    """Return velocities from displacements, and the number of samples between them.
+    """Return finite-difference velocities and the number of samples per difference.
 
     The number is chosen so that the noise of displacements, from their second differences, is
     small.

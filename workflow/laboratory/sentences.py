@@ -98,7 +98,7 @@ def _together(fit: Fit) -> list[str]:
 
 
 def _open(fit: Fit, rates: Rates, names: list[str]) -> list[str]:
-    """Return the quantities that all steps together leave undetermined, and what would help."""
+    """Describe the quantities that the joint fit leaves undetermined, with a remedy."""
     lines = []
     if names:
         if rates.speeds == 1:
@@ -115,7 +115,7 @@ def _open(fit: Fit, rates: Rates, names: list[str]) -> list[str]:
 
 
 def _whole(fit: Fit, rates: Rates) -> list[str]:
-    """Return the branch of eq. 13, the quality of its fit, and the law as a call in Python."""
+    """Describe the fitted branch of eq. 13, and the law as a Python call."""
     branch = "is 1: contacts creep with tau" if rates.time_below_one else "is x, as eq. 13 has it"
     lines = [_line("below v_2 tau q_max = 1", f"b {branch}; sum of squares {rates.squares:.2g}")]
     table = _steady(fit)

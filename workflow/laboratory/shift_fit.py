@@ -63,7 +63,7 @@ def fit_shifts(
 
 
 class _Weighted(NamedTuple):
-    """Differences of shifts, in standard errors."""
+    """Weights that express differences of shifts in standard errors."""
 
     free: np.ndarray  # which sweeps were shifted
     root: np.ndarray  # of the inverse covariance of their shifts
@@ -124,7 +124,7 @@ def _fit_of(
     temperatures: np.ndarray,
     decades: np.ndarray,
 ) -> ShiftFit:
-    """Return a law with errors and its deviations; slopes : by its constants, in errors."""
+    """Return a law with its errors; slopes : weighted derivatives by its constants."""
     values = np.array([law.decades(t) for t in temperatures.tolist()])
     off = weighting.off(values - decades)
     scatter = float(off @ off) / (off.size - len(slopes))

@@ -47,7 +47,7 @@ class Sprung(NamedTuple):
 
 
 def fit_behind_spring(step: MeasuredStep, law: str, stiffness: float) -> Sprung:
-    """Return the fit of one step; stiffness in 1/m, law : "ruina" or "dieterich"."""
+    """Fit one step; stiffness in 1/m, law : "ruina" or "dieterich"."""
     before = mean(step.before)
     size = max(before.error, 1e-12)  # of mu_1, which is also known from sliding before the step
     spread = step.change / math.sqrt(12.0)  # of a moment uniformly distributed over the change

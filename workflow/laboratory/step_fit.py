@@ -61,13 +61,13 @@ class Relaxation(NamedTuple):
     factor: float  # on the variances, as the noise is correlated
     covariance: np.ndarray  # of p, shape (3, 3)
     rates: np.ndarray  # that were tried, increasing
-    compatible: np.ndarray  # which of them are
+    compatible: np.ndarray  # whether each rate is compatible
     best: np.ndarray  # mu_2 and b at these rates, shape (rates, 2)
     covariances: np.ndarray  # of mu_2 and b at these rates, shape (rates, 2, 2)
     slack: np.ndarray  # standard errors of the rate left to chance, shape (rates,)
 
     def error(self, weights: np.ndarray) -> float:
-        """Return the standard error of a sum of mu_2 and b with these weights."""
+        """Return the standard error of a weighted sum of mu_2 and b."""
         return float(np.sqrt(weights @ self.covariance[:2, :2] @ weights))
 
     def spread(self, weights: np.ndarray) -> float:
@@ -118,7 +118,7 @@ def _model(t: np.ndarray, shape: Shape, p: np.ndarray) -> tuple[np.ndarray, np.n
 def _tried(
     t: np.ndarray, values: np.ndarray, shape: Shape, rates: np.ndarray
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Return per rate the sum of squares, the best mu_2 and b, and the inverse of J'J."""
+    """Return the sum of squares, the best mu_2 and b, and inv(J'J) at each rate."""
     squares, best, inverses = [], [], []
     for rate in rates:
         _, jacobian = _model(t, shape, np.array([0.0, 1.0, np.log(rate)]))
@@ -134,7 +134,7 @@ def _tried(
 def _refined(
     t: np.ndarray, values: np.ndarray, shape: Shape, start: np.ndarray, reach: np.ndarray
 ) -> tuple[np.ndarray, np.ndarray]:
-    """Return the best parameters near ``start``, and the derivatives there."""
+    """Return the best parameters near ``start`` and the Jacobian there."""
     start[2] = np.clip(start[2], reach[0] + 1e-6, reach[1] - 1e-6)
     solution = least_squares(
         lambda p: _model(t, shape, p)[0] - values,
@@ -212,14 +212,14 @@ def fit_step(step: MeasuredStep, law: str = "ruina", stiffness: float | None = N
 
 
 def _levelled(step: MeasuredStep, drift: float) -> MeasuredStep:
-    """Return a step without a drift, per second."""
+    """Subtract a linear drift (1/s) from the friction of a step."""
     return step._replace(
         before=step.before - drift * step.before_time, after=step.after - drift * step.time
     )
 
 
 def _with_drift(estimate: Estimate, off: Estimate) -> Estimate:
-    """Return an estimate whose error includes that of the drift.
+    """Add the error of the drift to the error of an estimate.
 
     off : the same estimate with the drift changed by one standard error.
     """
@@ -228,7 +228,7 @@ def _with_drift(estimate: Estimate, off: Estimate) -> Estimate:
 
 
 def _fitted(step: MeasuredStep, law: str, stiffness: float | None) -> StepFit:
-    """Return the fit of one step without subtraction of a drift."""
+    """Fit one step without subtracting a drift."""
     constant = _constant(step)
     if np.ptp(step.after) <= SMALL:
         return constant
@@ -239,7 +239,7 @@ def _fitted(step: MeasuredStep, law: str, stiffness: float | None) -> StepFit:
 
 
 def _stiff(step: MeasuredStep, law: str, mu_1: Estimate) -> dict[str, Any]:
-    """Return the estimates of a step of a stiff machine, by the fields of a StepFit."""
+    """Fit a step of a stiff machine; return fields of a StepFit."""
     fit = fit_relaxation_curve(step.time, step.after, step_law(law, step.ratio))
     curve = step.after + fit.residual
     rate, open_for = _rate(fit)
@@ -251,7 +251,7 @@ def _stiff(step: MeasuredStep, law: str, mu_1: Estimate) -> dict[str, Any]:
 
 
 def _sprung(step: MeasuredStep, law: str, stiffness: float) -> dict[str, Any]:
-    """Return the same estimates behind the spring of the machine."""
+    """Fit a step of a compliant machine; return fields of a StepFit."""
     fit = fit_behind_spring(step, law, stiffness)
     size = float(np.max(np.abs(fit.curve - fit.mu_1.value)))
     solution = {name: level.if_below(LARGEST_SHARE * size) for name, level in fit.levels.items()}
@@ -267,7 +267,7 @@ def _sprung(step: MeasuredStep, law: str, stiffness: float) -> dict[str, Any]:
 
 
 def _drift(values: np.ndarray) -> Estimate:
-    """Return the change over a stretch of samples, from a straight line through them."""
+    """Return the change over evenly spaced samples by a linear fit."""
     place = np.linspace(-0.5, 0.5, values.size)
     weight = place @ place
     rise = float(place @ values / weight)
@@ -277,7 +277,7 @@ def _drift(values: np.ndarray) -> Estimate:
 
 
 def _constant(step: MeasuredStep) -> StepFit:
-    """Return the fit of a step with constant friction after it; for other steps an initial fit."""
+    """Return a fit with constant friction after the step, on which other fits are built."""
     mu_1, mu_2 = mean(step.before), Estimate(float(step.after.mean()), 0.0)
     return StepFit(
         step=step,
@@ -298,7 +298,7 @@ def _constant(step: MeasuredStep) -> StepFit:
 
 
 def _rate(fit: Relaxation) -> tuple[Estimate, str]:
-    """Return the rate, or an unknown one and the reason."""
+    """Return the rate and, if it is undetermined, the reason."""
     slow, fast = bool(fit.compatible[0]), bool(fit.compatible[-1])
     if slow and fast:
         return Estimate(), NOTHING

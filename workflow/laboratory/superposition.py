@@ -48,7 +48,7 @@ class Superposition(NamedTuple):
 def superposed(
     temperatures: np.ndarray, sweeps: Sequence[Sweep], reference: int, vertical: bool = False
 ) -> Superposition:
-    """Return the shifts by which sweeps become one curve.
+    """Fit the shifts that superpose sweeps on one master curve.
 
     temperatures : °C, of each sweep, ascending, for messages. reference : the number of the sweep
     that is not shifted. vertical : whether moduli are shifted as well. Raises ValueError for

@@ -72,7 +72,7 @@ class _Kinks(NamedTuple):
 
 
 def fit_rates(fits: list[StepFit], known: Known) -> Rates | None:
-    """Return the parameters that the rates of steps determine, or None without any rate."""
+    """Fit tau, H and q_max to the rates of steps; return None if no rate is known."""
     usable = [fit for fit in fits if fit.rate.known]
     if not usable:
         return None
@@ -85,9 +85,7 @@ def fit_rates(fits: list[StepFit], known: Known) -> Rates | None:
     better = int(bests[1][0] < bests[0][0])
     squares, *values = bests[better]
     free = sum(value is None for value in known)
-    scatter = max(
-        1.0, squares / max(s.size - free, 1)
-    )  # rates scatter more than their standard errors
+    scatter = max(1.0, squares / max(s.size - free, 1))  # of the rates, at least 1
     ends = np.concatenate([_within(law, squares + DEVIATIONS**2 * scatter, known) for law in laws])
     errors = np.ptp(ends, axis=0) / (2.0 * DEVIATIONS)
     h, q, t = (Estimate(*pair) for pair in zip(values, errors, strict=True))
@@ -127,7 +125,7 @@ def _kinks(s: np.ndarray, y: np.ndarray, w: np.ndarray, known: Known, below: boo
 
 
 def _best(law: _Kinks, known: Known) -> tuple[float, float, float, float]:
-    """Return the smallest sum of squares, and its H, Q and T."""
+    """Return the smallest sum of squares and the H, Q and T at this minimum."""
     _, a1, a2 = law.a
     flat = a2 <= FLAT * a2.max()
     h = np.clip(np.where(flat, 0.5, -a1 / np.where(flat, 1.0, a2)), 0.0, 1.0)
@@ -140,7 +138,7 @@ def _best(law: _Kinks, known: Known) -> tuple[float, float, float, float]:
 
 
 def _within(law: _Kinks, most: float, known: Known) -> np.ndarray:
-    """Return the extremes of H, Q and T whose sum of squares is at most ``most``, shape (n, 3)."""
+    """Return limits of H, Q and T with a sum of squares up to ``most``, shape (n, 3)."""
     a0, a1, a2 = law.a
     steep = np.maximum(a2, FLAT * max(a2.max(), 1.0))
     room = most - a0 + a1**2 / steep
@@ -176,7 +174,7 @@ def _power_law(s: np.ndarray, y: np.ndarray, w: np.ndarray) -> tuple[Estimate, f
 
 
 def _exp(logarithm: Estimate, given: float | None = None) -> Estimate:
-    """Return the estimate of a number from that of its logarithm, or the given number."""
+    """Convert the estimate of a logarithm to that of the number; a given number is exact."""
     if given is not None:
         return Estimate(given, 0.0)
     value = float(np.exp(np.clip(logarithm.value, -700.0, 700.0)))
@@ -234,12 +232,11 @@ def fit_records(
     window: float | None = None,
     stiffness: float | None = None,
 ) -> Fit:
-    """Return the fit of all velocity steps in some records.
+    """Fit all velocity steps of the records.
 
     known : known parameters, ``Known()`` for none. window : maximum time after each step, s.
-    stiffness : of the machine over the normal force (1/m), behind whose spring the body slides;
-    None: it does not yield. Raises UserError for a record without a step, or with too few samples
-    after it.
+    stiffness : spring constant of the machine over the normal force (1/m); None: rigid. Raises
+    UserError for a record without a step, or with too few samples after it.
     """
     steps = [step for record in records for step in measured_steps(record, window)]
     fits = [fit_step(step, stiffness=stiffness) for step in steps]

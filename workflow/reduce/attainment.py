@@ -91,7 +91,7 @@ def attained(
 
 
 def _undefined(name: str, estimates: Estimates, ratios: np.ndarray, wanted: float) -> np.ndarray:
-    """Return where an estimate has no relative error that more realizations could reduce."""
+    """Return a mask of estimates whose relative error more realizations cannot reduce."""
     if name != "relaxation_rate":
         return (estimates[name] == 0.0) & (estimates[f"{name}_error"] == 0.0)
     status = estimates["fit_status"]

@@ -131,7 +131,7 @@ def compare_models(
 def determined(
     time: np.ndarray, rate: np.ndarray, exponent: np.ndarray | float = 1.0
 ) -> np.ndarray:
-    """Return where samples at given times can determine the coefficients of exp(-(b t)^beta).
+    """Return a mask of coefficients of exp(-(b t)^beta) that sample times can determine.
 
     A fit may diverge to coefficients on which the curve no longer depends: a decay between two
     samples or before the first, or a constant. Such coefficients are meaningless even if all
