@@ -51,9 +51,10 @@ def master_curve(name: str, measured: Moduli, options: Shifting) -> tuple[Moduli
         raise UserError(f"prony {name}: {error}") from None
     if shift.rms > LARGEST_RESIDUAL:
         raise UserError(
-            f"prony {name}: the sweeps are no one curve, however they are shifted: "
-            f"{100 * shift.rms:.2g} % of the moduli are left over: a_T alone does not describe "
-            f"this material{'' if options.vertical else '; try --vertical'}, or columns are others"
+            f"prony {name}: no shifts bring the sweeps onto one curve: "
+            f"the residual is {100 * shift.rms:.2g} % of the moduli. a_T alone does not describe "
+            f"this material{'' if options.vertical else ' (try --vertical)'}, or the columns are "
+            "not those of the moduli; give --columns"
         )
     omega, values = measured.omega.copy(), measured.values.copy()
     for rows, across, up in zip(masks, fit.decades, shift.vertical, strict=True):

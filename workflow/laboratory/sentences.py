@@ -57,7 +57,7 @@ def _step(fit: StepFit, least: float) -> list[str]:
         )
         then = "mu_1 is a mean of them"
         if fit.levelled:
-            then = "this drift is taken off, before the step and after it"
+            then = "this drift is subtracted before and after the step"
         lines.append(_line("before the step", f"{sentence}; {then}"))
     poor = f"the residual is {times:.2g} times the noise: {NEITHER}" if times > POOR else ""
     for why in dict.fromkeys(fit.why.values()):

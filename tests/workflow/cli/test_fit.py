@@ -234,7 +234,7 @@ def test_sweeps_that_are_no_one_curve_are_no_material(capsys, tmp_path):
     rows = [f"{w} {1e6 * w**0.1} {1e5}" for w in omega] + [f"{w} {3e6 / w**0.3} 1e6" for w in omega]
     (tmp_path / "s.txt").write_text("\n".join(rows))
     text = refusal(capsys, "prony", str(tmp_path / "s.txt"), "--temperatures", "0,20")
-    assert "the sweeps are no one curve, however they are shifted" in text
+    assert "no shifts bring the sweeps onto one curve" in text
     assert "try --vertical" in text
 
 
