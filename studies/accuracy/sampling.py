@@ -8,7 +8,7 @@ import numpy as np
 from elastomer_friction.kernels import Case, Line, Quantities, rms_slope, run_case
 from elastomer_friction.workflow.plan import horizon_steps
 from elastomer_friction.workflow.reduce import fit_exponential
-from elastomer_friction.workflow.simulate import curve_steps, curve_times
+from elastomer_friction.workflow.simulate import curve_times, record_steps
 from elastomer_friction.workflow.study import Numerics
 
 from .points import RATIO, Point, RandomLine
@@ -41,7 +41,7 @@ class LineRuns(NamedTuple):
 def kept_steps_of(point: Point, elements: int, method: Method) -> tuple[np.ndarray, np.ndarray]:
     """Return the steps at which the workflow records a relaxation, and their moments in tau."""
     march_steps = horizon_steps(point.problem(elements), NUMERICS, method.steps)
-    kept_steps = curve_steps(march_steps, NUMERICS.curve_samples)
+    kept_steps = record_steps(march_steps, NUMERICS.curve_samples)
     return kept_steps, curve_times(kept_steps, method.steps * point.speed * RATIO, method.scheme)
 
 

@@ -30,7 +30,7 @@ from elastomer_friction.workflow.reduce.fits import FITTED
 from elastomer_friction.workflow.reduce.jackknife import grouped_means
 from elastomer_friction.workflow.run.collect import next_blocks
 from elastomer_friction.workflow.simulate.realizations import block_means
-from elastomer_friction.workflow.simulate.recorded_steps import curve_steps, curve_times
+from elastomer_friction.workflow.simulate.recorded_steps import curve_times, record_steps
 from elastomer_friction.workflow.simulate.tasks import Batch, Problem, Recording, Task
 from elastomer_friction.workflow.study.numerics import Numerics
 from elastomer_friction.workflow.study.study import Scene
@@ -69,7 +69,7 @@ def compute(problem: Problem, seed: int = SEED) -> Lines:
     count, recording = STUDIES * BLOCKS, Recording(SAMPLES)
     what = seed, "modal", Quantities(), "exponential", recording, (task,)
     done = block_means(Batch(*what, 0, count, QUARTET, 0.0))
-    recorded = curve_steps(march, SAMPLES)
+    recorded = record_steps(march, SAMPLES)
     time = np.full(SAMPLES - 1, np.nan)
     steps_per_tau = problem.speed * problem.ratio * steps
     time[: recorded.size] = curve_times(recorded, steps_per_tau, "exponential")

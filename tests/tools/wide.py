@@ -17,7 +17,7 @@ from elastomer_friction.kernels import Case, Line, Quantities, amplitudes, draw_
 from elastomer_friction.workflow.plan import horizon_steps, rate_error, steps_per_spacing
 from elastomer_friction.workflow.plan.error_laws import LAWS
 from elastomer_friction.workflow.reduce import FITTED, fit_relaxation, replicates
-from elastomer_friction.workflow.simulate import Problem, curve_steps, curve_times
+from elastomer_friction.workflow.simulate import Problem, curve_times, record_steps
 from elastomer_friction.workflow.study import Numerics, Scene
 
 FINER = 8
@@ -44,7 +44,7 @@ def mean_of_lines(problem: Problem, steps: int, lines: int, seed: int) -> np.nda
     b is NaN without a fit.
     """
     hurst, elements, load, speed, ratio = problem[:5]
-    kept = curve_steps(horizon_steps(problem, Numerics(), steps), Numerics().curve_samples)
+    kept = record_steps(horizon_steps(problem, Numerics(), steps), Numerics().curve_samples)
     case = Case(load, speed, (ratio,), (kept,), "exponential")
     amplitude = amplitudes(hurst, elements)
     actual, curves = [], []

@@ -10,9 +10,9 @@ from ...kernels.drive import PULLED_TRACES
 from ..plan import Plan, Variant, line_slope
 from ..simulate import (
     Task,
-    curve_steps,
     curve_times,
     programme_steps,
+    record_steps,
     row_layout,
     trace_steps,
     unpack,
@@ -102,7 +102,7 @@ def _times(plan: Plan, variant: Variant, tasks: list[Task]) -> np.ndarray:
     time = np.full((len(tasks), samples - 1), np.nan)
     for row, task in enumerate(tasks) if plan.quantities.relaxation else ():
         steps_per_tau = abs(task.problem.speed * task.problem.ratio) * task.steps_per_spacing
-        sampled = curve_steps(task.march_steps, samples, task.problem.spectrum)
+        sampled = record_steps(task.march_steps, samples, task.problem.spectrum)
         time[row, : sampled.size] = curve_times(
             sampled, steps_per_tau, scheme, task.problem.spectrum
         )

@@ -23,11 +23,11 @@ if TYPE_CHECKING:
     from .realizations import block_means, lines_at_once, load_kernels
     from .recorded_steps import (
         MAX_LISTED_STEPS,
-        curve_steps,
         curve_times,
         leg_counts,
         max_leg_counts,
         programme_steps,
+        record_steps,
         trace_steps,
     )
     from .tasks import (

@@ -12,7 +12,7 @@ from ...kernels import Outcome
 from .bodies import CaseGroup, body_of
 from .layout import HALVED_STEP_SCALARS, Layout
 from .programmes import steady_ends
-from .recorded_steps import curve_steps, curve_times
+from .recorded_steps import curve_times, record_steps
 from .tasks import Batch, Task
 
 REFINEMENT_FACTOR = 2  # of the steps per spacing
@@ -87,7 +87,7 @@ def _add_change(
 def _curve_times(batch: Batch, task: Task) -> tuple[np.ndarray, np.ndarray]:
     """Return the times of a curve with the steps of the task, and with halved steps."""
     problem = task.problem
-    steps = curve_steps(task.march_steps, batch.recording.samples, problem.spectrum)
+    steps = record_steps(task.march_steps, batch.recording.samples, problem.spectrum)
     per_tau = abs(problem.speed * problem.ratio) * task.steps_per_spacing
     law, factor = (batch.scheme, problem.spectrum), REFINEMENT_FACTOR
     return curve_times(steps, per_tau, *law), curve_times(factor * steps, factor * per_tau, *law)

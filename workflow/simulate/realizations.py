@@ -17,7 +17,7 @@ from .drawing import Draw
 from .halved_steps import REFINEMENT_FACTOR, add_halved_steps
 from .layout import Layout, row_layout, row_width
 from .programmes import add_programme, steady_ends
-from .recorded_steps import curve_steps
+from .recorded_steps import record_steps
 from .tasks import PHASES, SCALARS, Batch, BatchResult
 
 scalars_of = attrgetter(*SCALARS)
@@ -166,7 +166,7 @@ def _case(batch: Batch, rows: list[int], refinement: int) -> Case:
     if batch.quantities.relaxation:
         samples = batch.recording.samples
         recorded = tuple(
-            refinement * curve_steps(task.march_steps, samples, task.problem.spectrum)
+            refinement * record_steps(task.march_steps, samples, task.problem.spectrum)
             for task in tasks
         )
     return Case(

@@ -28,7 +28,7 @@ CACHED_MARCHES = 16
 LOOP_SAMPLES = 256  # of the last cycle of an oscillation
 
 
-def curve_steps(march_steps: int, samples: int, spectrum: Spectrum = KELVIN) -> np.ndarray:
+def record_steps(march_steps: int, samples: int, spectrum: Spectrum = KELVIN) -> np.ndarray:
     """Return the step numbers in the relaxation curve of a record.
 
     They increase from 1 to ``march_steps``, and are at most ``samples`` - 1: evenly spaced for a

@@ -17,7 +17,7 @@ from elastomer_friction.workflow import scene
 from elastomer_friction.workflow.simulate.bodies import BODIES
 from elastomer_friction.workflow.simulate.layout import row_layout, unpack
 from elastomer_friction.workflow.simulate.realizations import block_means
-from elastomer_friction.workflow.simulate.recorded_steps import curve_steps, curve_times
+from elastomer_friction.workflow.simulate.recorded_steps import curve_times, record_steps
 from tests.support.documents import without
 from tests.support.small import cut_batches, small_plan
 
@@ -41,7 +41,7 @@ def batch():
 def outcome(batch, line, times):
     (task,) = batch.tasks
     problem, steps = task.problem, times * task.steps_per_spacing
-    kept = times * curve_steps(task.march_steps, batch.recording.samples, problem.spectrum)
+    kept = times * record_steps(task.march_steps, batch.recording.samples, problem.spectrum)
     case = Case(problem.load, problem.speed, (problem.ratio,), (kept,), batch.scheme)
     return run_case(Line.measured(batch.heights[line], steps), case, QUANTITIES)
 
@@ -72,7 +72,7 @@ def test_records_of_measured_lines_hold_the_changes_due_to_halved_steps(batch):
         np.testing.assert_allclose(parts["halved_steps"][line], expected, rtol=1e-9, atol=1e-15)
         # Interpolation between late samples, far from the start, adds a negligible error.
         change = parts["halved_steps_curve"][line][: coarse.curves[0].size]
-        steps = curve_steps(task.march_steps, batch.recording.samples)
+        steps = record_steps(task.march_steps, batch.recording.samples)
         per_tau = task.problem.speed * task.problem.ratio * task.steps_per_spacing
         times = curve_times(steps, per_tau, batch.scheme)
         halved = curve_times(2 * steps, 2.0 * per_tau, batch.scheme)

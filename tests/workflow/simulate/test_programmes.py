@@ -35,9 +35,9 @@ from elastomer_friction.workflow.simulate.layout import (
 from elastomer_friction.workflow.simulate.programmes import scene_of
 from elastomer_friction.workflow.simulate.realizations import block_means
 from elastomer_friction.workflow.simulate.recorded_steps import (
-    curve_steps,
     curve_times,
     programme_steps,
+    record_steps,
     trace_steps,
 )
 from elastomer_friction.workflow.simulate.tasks import PHASES, SCALARS, Problem, Recording, Task
@@ -46,7 +46,7 @@ from tests.support.small import HOLDING, PROGRAMME, cut_batches, small_plan
 
 @given(st.integers(8, 10**6), st.integers(8, 600))
 def test_recorded_steps_run_from_the_first_to_the_last(march, samples):
-    recorded = curve_steps(march, samples)
+    recorded = record_steps(march, samples)
     assert (recorded[0], recorded[-1]) == (1, march)
     assert np.all(np.diff(recorded) >= 1)
     assert recorded.size <= samples - 1
@@ -54,7 +54,7 @@ def test_recorded_steps_run_from_the_first_to_the_last(march, samples):
 
 
 def test_every_step_of_a_short_march_is_recorded():
-    assert curve_steps(10, 64).tolist() == list(range(1, 11))
+    assert record_steps(10, 64).tolist() == list(range(1, 11))
 
 
 def deviation(moments, steps, lag=None):
@@ -180,7 +180,7 @@ def test_the_last_cycle_of_an_oscillation_is_a_closed_loop(m):
 
 
 def test_recorded_steps_of_many_times_grow_by_a_factor():
-    recorded = curve_steps(10_000, 64, Spectrum((1.0,), (1.0,), 0.0))
+    recorded = record_steps(10_000, 64, Spectrum((1.0,), (1.0,), 0.0))
     assert recorded[:3].tolist() == [1, 2, 3]
     assert recorded[-1] / recorded[-2] == pytest.approx(recorded[-2] / recorded[-3], rel=0.01)
 
