@@ -55,7 +55,7 @@ def _step(upper: Axes, lower: Axes, fit: StepFit, ageing: StepFit) -> None:
     step = fit.step
     every = slice(None, None, max(1, step.time.size // MOST_SAMPLES))
     t = step.time[every]
-    # Samples before the step have no times, so they are drawn at equal distances.
+    # Samples before the step are drawn at the mean distance of those after it.
     before = -np.arange(step.before.size, 0, -1) * (step.time[-1] / step.time.size)
     shown = before > -0.3 * step.time[-1]
     upper.plot(before[shown], step.before[shown], ".", ms=1.0, color=MEASURED)
@@ -96,7 +96,7 @@ def _rates(ax: Axes, fit: Fit, rates: Rates) -> None:
 
 
 def _jumps(ax: Axes, fit: Fit) -> None:
-    """Draw the jump over the friction after the step, and eq. 12 if grad z is determined."""
+    """Draw the jump over sqrt(mu_1 mu_2), and eq. 12 if grad z is determined."""
     known = [fitted for fitted in fit.steps if fitted.jump.known]
     mu = np.array(
         [math.sqrt(max(fitted.mu_1.value * friction_after(fitted), 0.0)) for fitted in known]

@@ -13,7 +13,7 @@ from scipy.optimize import minimize_scalar
 from ..study import GAS_CONSTANT, Arrhenius, ShiftLaw, ShiftTable, Wlf, inverse_temperature
 
 POLES = np.log(np.geomspace(1.0, 2000.0, 80))  # K below the coldest sweep: trial values of T_0
-LEAST = {"wlf": 4, "arrhenius": 3}  # temperatures: one more than there are constants
+LEAST = {"wlf": 4, "arrhenius": 3}  # temperatures: two more than there are constants
 KNOWN_TO = 1e-3  # decades: lower bound of the error of a shift
 CLOSE = 0.05  # decades: allowed deviation of a law from a shift with a small error
 DEVIATIONS = 3.0  # standard errors: allowed deviation of a law from a shift
