@@ -10,8 +10,8 @@ A simulated quantity has independent realizations, so its error is that of the j
 autocorrelation of its samples.
 
 Source: A. D. Sokal, Monte Carlo Methods in Statistical Mechanics (1997), sec. 3: the sum ends at
-the first lag of five times the sum itself. U. Wolff, Comput. Phys. Commun. 156, 143 (2004), eq. 49:
-correction for the mean of the same samples, which is subtracted from them.
+five integrated autocorrelation times, each half of the factor. U. Wolff, Comput. Phys. Commun. 156,
+143 (2004), eq. 49: correction for the mean of the same samples, which is subtracted from them.
 """
 
 import math

@@ -9,7 +9,7 @@ from ..study import Moduli
 from .master import LARGEST_RESIDUAL
 from .prony_fit import PronyFit, fit_prony
 
-LEAST_SHARE = 1e-9  # of the stiffest branch, that a relaxed modulus is
+LEAST_SHARE = 1e-9  # smallest relaxed modulus over the modulus of the stiffest branch
 
 
 def fit_material(name: str, measured: Moduli, branches: int | None) -> PronyFit:

@@ -1,7 +1,7 @@
 """Division of a record into stretches of constant velocity, and the velocity steps between them.
 
-Velocities may be noisy, zero or negative. They are divided by asinh(v/s), which is logarithmic far
-above the speed s of the noise and linear below it.
+Velocities may be noisy, zero or negative. Stretches are separated on the scale asinh(v/s), which
+is logarithmic far above the speed s of the noise and linear below it.
 """
 
 from itertools import pairwise
@@ -17,8 +17,8 @@ LEAST_CHANGE = 0.02  # of log velocity: smallest detected step
 LEAST_SAMPLES = 12  # of a stretch
 CHANCE = 5.0  # standard errors by which the means of two stretches must differ
 LARGEST_SHARE_OF_NOISE = 0.05  # largest relative standard error of a velocity
-SMOOTH = 3.0  # times the noise: speed below which velocities are divided linearly
-SLOWEST = 1e-9  # of the fastest: slower velocities are divided linearly, even without noise
+SMOOTH = 3.0  # times the noise: speed below which the scale of velocities is linear
+SLOWEST = 1e-9  # of the fastest: the scale is linear below, even without noise
 
 
 class MeasuredStep(NamedTuple):

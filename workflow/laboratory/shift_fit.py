@@ -41,8 +41,8 @@ def fit_shifts(
 
     temperatures : °C, ascending, shape (sweeps,). decades : log10 a_T, 0 at one of them.
     covariance : shape (sweeps, sweeps). reference : °C, where a_T is 1, within the temperatures.
-    law : one of SHIFT_KEYS, to require that law. Raises ValueError for fewer temperatures than the
-    law has constants, and for shifts that rise with the temperature.
+    law : one of SHIFT_KEYS, to require that law. Raises ValueError if a required law has fewer than
+    LEAST temperatures, or if its shifts rise with the temperature.
     """
     laws = {"wlf": _wlf_fit, "arrhenius": _arrhenius_fit}
     candidates = [n for n in laws if law in (None, n) and temperatures.size >= LEAST[n]]

@@ -64,7 +64,7 @@ class Relaxation(NamedTuple):
     compatible: np.ndarray  # whether each rate is compatible
     best: np.ndarray  # mu_2 and b at these rates, shape (rates, 2)
     covariances: np.ndarray  # of mu_2 and b at these rates, shape (rates, 2, 2)
-    slack: np.ndarray  # standard errors of the rate left to chance, shape (rates,)
+    slack: np.ndarray  # standard errors that mu_2 and b may still differ by, shape (rates,)
 
     def error(self, weights: np.ndarray) -> float:
         """Return the standard error of a weighted sum of mu_2 and b."""

@@ -56,7 +56,7 @@ def distinct_problems(study: Study, label: str = "") -> tuple[list[Problem], np.
     every, problems = list(settings), []
     for hurst, elements, load, speed, ratio, setting in indices:
         problem = every[setting]._replace(hurst=hurst, elements=elements, load=load)
-        if not problem.programme:  # which determines the speeds
+        if not problem.programme:  # a programme has its own speeds
             problem = problem._replace(speed=speed, ratio=ratio)
         problems.append(problem)
     return problems, np.array(index).reshape(study.shape)
