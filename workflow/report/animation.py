@@ -112,22 +112,7 @@ def _freeze_axes(figure: Figure) -> None:
         ax.set_axis_off()
         for text in [*ax.texts]:
             text.remove()
-    figure.add_artist(_Picture(np.ascontiguousarray(axes[::-1])))
-
-
-class _Picture(Artist):
-    """A picture of a whole figure, drawn on top of it."""
-
-    zorder = 10.0
-
-    def __init__(self, pixels: np.ndarray) -> None:
-        """Take the pixels, shape (height, width, 4), the lowest row first."""
-        super().__init__()
-        self.pixels = pixels
-
-    def draw(self, renderer: Any) -> None:
-        """Draw the pixels."""
-        renderer.draw_image(renderer.new_gc(), 0.0, 0.0, self.pixels)
+    figure.figimage(axes, origin="upper", zorder=10.0)
 
 
 def _pressures(ax: Axes, scene: xr.Dataset) -> Drawing:

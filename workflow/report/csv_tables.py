@@ -57,11 +57,9 @@ def _rows(groups: Groups, axes: tuple[str, ...]) -> pd.DataFrame:
     frames = {}
     for label, data in groups.items():
         names = [name for name in data.data_vars if set(data[name].dims) == set(axes)]
-        frames[label or STUDY_VARIANT] = (
-            data[names].to_dataframe(dim_order=list(axes)) if names else None
-        )
-    present = {label: frame for label, frame in frames.items() if frame is not None}
-    return pd.concat(present, names=[VARIANT_COLUMN]) if present else pd.DataFrame()
+        if names:
+            frames[label or STUDY_VARIANT] = data[names].to_dataframe(dim_order=list(axes))
+    return pd.concat(frames, names=[VARIANT_COLUMN]) if frames else pd.DataFrame()
 
 
 def _meanings(groups: Groups, tables: Tables) -> pd.DataFrame:

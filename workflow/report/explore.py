@@ -23,9 +23,7 @@ from .template import filled_template
 from .unresolved import POINT_STATUS
 
 PAGE_DIGITS = 6  # significant digits of a number; standard errors are larger
-MAX_NUMBERS = (
-    2_000_000  # of a study or a comparison, about 16 MB; the largest variables are left out
-)
+MAX_NUMBERS = 2_000_000  # of a variant, about 16 MB; the largest variables are left out
 COMPANIONS = ("error", "bias")  # NAME_error and NAME_bias belong to NAME
 FIRST_ESTIMATES = ("relaxation_rate", "mu_1", "trace_mu", "mu")  # shown at first, if present
 

@@ -49,9 +49,8 @@ def with_unit(value: float, unit: str = "", digits: int = 3) -> str:
         return EngFormatter(unit)(rounded)
     mantissa, _, power = f"{rounded:g}".partition("e")
     if power:
-        mantissa = (
-            f"{mantissa}·".removeprefix("1·") + f"10{str(int(power)).translate(SUPERSCRIPTS)}"
-        )
+        raised = f"10{str(int(power)).translate(SUPERSCRIPTS)}"
+        mantissa = f"{mantissa}·{raised}".removeprefix("1·")
     return f"{mantissa.replace('-', '−')} {unit}".rstrip()
 
 

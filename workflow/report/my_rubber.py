@@ -37,28 +37,26 @@ def scaled_friction(groups: Mapping[str, xr.Dataset]) -> dict[str, Any] | None:
     groups : the study "" and its comparisons. Returns None if no group has steady friction.
     """
     tables = json.loads(groups[""].attrs["study"])
+    material, compared = tables.get("material", {}), tables.get("compare", {})
     rubbers, without = [], []
     for name, data in groups.items():
         if "mu_1" not in data:
             continue
-        table = changed_material(
-            tables.get("material", {}), tables.get("compare", {}).get(name, {})
-        )
-        body = data.attrs.get("body", groups[""].attrs.get("body"))
         called = name or "the study"
-        why = _why_not(data, body) or ""
-        rubber = None if why else _rubber(called, data, table)
-        if rubber is not None:
-            rubbers.append(rubber)
-        else:
-            why = why or "steady friction is known nowhere at all velocities"
-            without.append(f"No rubber is scaled from {called}: {why}.")
+        why = _why_not(data, data.attrs.get("body", groups[""].attrs.get("body")))
+        if not why:
+            rubber = _rubber(called, data, changed_material(material, compared.get(name, {})))
+            if rubber is not None:
+                rubbers.append(rubber)
+                continue
+            why = "steady friction is known nowhere at all velocities"
+        without.append(f"No rubber is scaled from {called}: {why}.")
     content = {"rubbers": rubbers, "without": without, "steepest": MAX_SMALL_SLOPE}
     return content if rubbers or without else None
 
 
-def _why_not(data: xr.Dataset, body: str | None) -> str | None:
-    """Return why the friction of a group cannot be scaled to other rubbers, or None."""
+def _why_not(data: xr.Dataset, body: str | None) -> str:
+    """Return why the friction of a group cannot be scaled to other rubbers, or ""."""
     missing = [name for name in SCALING_VARIABLES if name not in data.variables]
     if missing:
         return f"the result has no {missing[0]}"
@@ -71,7 +69,7 @@ def _why_not(data: xr.Dataset, body: str | None) -> str | None:
         return "it has one velocity, and µ(v) needs two or more"
     if not np.isfinite(data.hurst.values).all():
         return "the Hurst exponent of its lines is not known"
-    return None
+    return ""
 
 
 def _rubber(name: str, data: xr.Dataset, material: Mapping[str, Any]) -> dict[str, Any] | None:
@@ -129,15 +127,14 @@ def _temperatures(
     the universal WLF constants. A result with a file of shifts holds its own temperatures only.
     """
     law = shift_law_of(material)
-    if "temperature" in data.coords and law is None:
+    if law is not None:
+        words, unit, reference = "temperature", "°C", float(first.temperature)
+    elif "temperature" in data.coords:
         factors = data.tau.values / float(first.tau)
         words = "temperature (one that was computed)"
         return _stops(words, "°C", data.temperature.values, factors, float(first.temperature))
-    words, unit, reference = "temperature above Ts", "K", 0.0
-    if law is None:
-        law = UNIVERSAL_WLF
     else:
-        words, unit, reference = "temperature", "°C", float(first.temperature)
+        law, words, unit, reference = UNIVERSAL_WLF, "temperature above Ts", "K", 0.0
     degrees = [d for step in SLIDER_DEGREES if not law.outside(d := reference + step)]
     decades = np.array([law.decades(d) for d in degrees]) - law.decades(reference)
     allowed = np.abs(decades) <= MAX_SHIFT_DECADES

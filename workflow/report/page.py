@@ -11,6 +11,7 @@ import re
 import struct
 from pathlib import Path
 
+import numpy as np
 import xarray as xr
 from markupsafe import Markup, escape
 
@@ -58,20 +59,6 @@ def write_report(folder: Path, names: list[str], scale: str | None = None) -> Pa
         at_scale = f" at scale {scale}" if scale else ""
         command = how_to_run("NAME", scale)
         raise UserError(f"{folder}: holds no result of {wanted}{at_scale}; first run: {command}")
-    with contextlib.ExitStack() as stack:
-        groups = {s.name: open_result(s, result_file(folder, s), stack) for s in present}
-        datasets = {
-            f"{n}/{g}".rstrip("/"): d
-            for n, study_groups in groups.items()
-            for g, d in study_groups.items()
-        }
-        try:
-            sections = [section(s, groups[s.name], folder) for s in present]
-            judges = known_claims()
-            claims = evaluate(judges, datasets)
-        except (OSError, RuntimeError) as error:  # netCDF reads lazily
-            raise UserError(f"{folder}: a result cannot be read: {error}") from error
-        codes = {str(study_groups[ROOT].attrs["code"]) for study_groups in groups.values()}
     of_paper = any((study.folder / "claims.py").is_file() for study in present)
     absent = [study for study in studies if study not in present] if of_paper or named else []
     page = filled_template(
@@ -79,16 +66,33 @@ def write_report(folder: Path, names: list[str], scale: str | None = None) -> Pa
         formula,
         verdict_class,
         of_paper=of_paper,
-        claims=claims,
-        unjudged=len(judges) - len(claims),
-        sections=sections,
         missing=[(how_to_run(study.name, scale), study.title) for study in absent],
         again=f"{program()} report{f' --scale {scale}' if scale else ''}",
-        codes=sorted(codes),
+        **_sections_and_claims(folder, present),
     )
     path = folder / (f"report-{scale}.html" if scale else "report.html")
     write_durably(path, page.encode())
     return path
+
+
+def _sections_and_claims(folder: Path, studies: list[AnyStudy]) -> dict[str, object]:
+    """Return the sections, the judged claims and the versions of the code of some results."""
+    with contextlib.ExitStack() as stack:
+        groups = {s.name: open_result(s, result_file(folder, s), stack) for s in studies}
+        datasets = {
+            f"{name}/{label}".rstrip("/"): dataset
+            for name, study_groups in groups.items()
+            for label, dataset in study_groups.items()
+        }
+        judges = known_claims()
+        try:
+            sections = [section(s, groups[s.name], folder) for s in studies]
+            claims = evaluate(judges, datasets)
+        except (OSError, RuntimeError) as error:  # netCDF reads lazily
+            raise UserError(f"{folder}: a result cannot be read: {error}") from error
+        codes = sorted({str(study_groups[ROOT].attrs["code"]) for study_groups in groups.values()})
+    unjudged = len(judges) - len(claims)
+    return {"sections": sections, "claims": claims, "unjudged": unjudged, "codes": codes}
 
 
 def how_to_run(name: str, scale: str | None) -> str:
@@ -119,35 +123,29 @@ def section(study: AnyStudy, groups: Groups, folder: Path) -> dict[str, object]:
     Figures and tables are written to the folder of the result.
     """
     data, result = groups[ROOT], result_file(folder, study)
-    images: list[dict[str, object]] = []
-    files = [result]
     troubles = [f"{result.name} {note}"] if (note := change_note(result)) else []
+    pictures: list[Picture] = []
+    tables: list[Path] = []
     try:
         pictures = draw_groups(study, groups, result)
-        images = [_image(picture) for picture in pictures]
-        files += [picture.pdf for picture in pictures]
     except UserError as error:
         troubles.append(f"No figure: {error}")
     try:
-        files += write_tables(study, groups, result)
+        tables = write_tables(study, groups, result)
     except UserError as error:
         troubles.append(f"No table: {error}")
     explorer = ""
     with contextlib.suppress(UserError):  # a result without variation has no explorer
         explorer = write_explorer(result).name
     changed = differing_settings(study, data.attrs)
-    fewest, most = 0, 0
-    if "realizations" in data:
-        fewest, most = int(data.realizations.min()), int(data.realizations.max())
-    lines = f", {most} realizations" if fewest == most else f", {fewest} to {most} realizations"
     scale = _scale(study, data.attrs)
     return {
         "name": study.name,
         "title": str(data.attrs["title"]),
         "smoke": scale.startswith(SMOKE),
-        "extent": scale + lines * bool(most),
-        "images": images,
-        "files": [file.name for file in files],
+        "extent": f"{scale}{_realizations(data)}",
+        "images": [_image(picture) for picture in pictures],
+        "files": [file.name for file in (result, *(each.pdf for each in pictures), *tables)],
         "explorer": explorer,
         "troubles": troubles,
         "parameters": _parameters(study, data),
@@ -156,6 +154,13 @@ def section(study: AnyStudy, groups: Groups, folder: Path) -> dict[str, object]:
         "origin": [(label, str(data.attrs[key])) for label, key in ORIGIN.items()],
         "settings": str(data.attrs["study"]),
     }
+
+
+def _realizations(data: xr.Dataset) -> str:
+    """Return the numbers of realizations of the points as text, "" without any."""
+    counts = np.unique(data.realizations) if "realizations" in data else np.zeros(1)
+    ends = " to ".join(dict.fromkeys(f"{int(count)}" for count in (counts[0], counts[-1])))
+    return f", {ends} realizations" if counts[-1] else ""
 
 
 def _scale(study: AnyStudy, attributes: dict[str, object]) -> str:

@@ -24,17 +24,12 @@ def not_resolved(points: xr.Dataset, name: str = POINT_STATUS) -> np.ndarray:
 
 def why_hollow(points: xr.Dataset) -> str:
     """Return why points are not resolved, as text: narrow contacts, or a large error."""
-    hollow = not_resolved(points)
-    known = "samples_per_contact" in points
-    wide = (
-        hollow & (points.samples_per_contact.values >= RESOLVED_SAMPLES)
-        if known
-        else np.zeros(1, bool)
-    )
-    count = np.count_nonzero(wide)
-    if not count:
+    if "samples_per_contact" not in points:
         return NARROW_CONTACTS
-    return f"{NARROW_CONTACTS} or {LARGE_BIAS}" if np.count_nonzero(hollow) > count else LARGE_BIAS
+    wide = points.samples_per_contact.values[not_resolved(points)] >= RESOLVED_SAMPLES
+    if not wide.any():
+        return NARROW_CONTACTS
+    return LARGE_BIAS if wide.all() else f"{NARROW_CONTACTS} or {LARGE_BIAS}"
 
 
 def without_unresolved(dataset: xr.Dataset) -> tuple[xr.Dataset, int]:
@@ -42,21 +37,15 @@ def without_unresolved(dataset: xr.Dataset) -> tuple[xr.Dataset, int]:
 
     Their estimates become NaN and their flags -1, as for failed points.
     """
-    if POINT_STATUS not in dataset:
+    if POINT_STATUS not in dataset or not (dataset[POINT_STATUS] == UNRESOLVED).any():
         return dataset, 0
     resolved = dataset[POINT_STATUS] != UNRESOLVED
-    count = int((~resolved).sum())
-    if not count:
-        return dataset, 0
-    grid = set(resolved.dims)
-    masked = {
-        name: values.where(resolved, np.nan if values.dtype.kind == "f" else -1).astype(
-            values.dtype
-        )
-        for name, values in dataset.data_vars.items()
-        if grid <= set(values.dims)
-    }
-    return dataset.assign(masked), count
+    masked = {}
+    for name, values in dataset.data_vars.items():
+        if {*resolved.dims} <= {*values.dims}:
+            missing = np.nan if values.dtype.kind == "f" else -1
+            masked[name] = values.where(resolved, missing).astype(values.dtype)
+    return dataset.assign(masked), int((~resolved).sum())
 
 
 class Resolved(UserDict[str, xr.Dataset]):

@@ -30,12 +30,8 @@ CAPTION = (
 )
 MAX_CURVES = MAX_COLOURS = 6
 MAX_ROWS = 4
-PREFERRED_ESTIMATES = (
-    "mu_1",
-    "jump",
-    "relaxation_rate",
-    "healing",
-)  # those that are present, otherwise the first estimates
+# Those that are present, otherwise the first estimates.
+PREFERRED_ESTIMATES = ("mu_1", "jump", "relaxation_rate", "healing")
 LOG_AXIS_RATIO = 10.0  # of the largest to the smallest value, above which an axis is logarithmic
 LINE_STYLES = ("-", "--", ":", "-.")  # of the study and its comparisons
 AXIS_PRIORITY = ("velocity", "hurst", "normal_force")  # among axes of equal length
@@ -55,48 +51,53 @@ def draw(groups: Groups) -> Figure:
     shown = _estimates_to_draw(data) if varied or not curve else []
     places = list(product(*(range(data.sizes[axis]) for axis in varied[2:])))
     rows = [dict(zip(varied[2:], places[k], strict=True)) for k in _spread(len(places), MAX_ROWS)]
-    panels = len(shown) + (curve is not None)
+    panels = len(shown) + bool(curve)
     size = (1.0 + 2.3 * panels, 0.6 + 2.4 * len(rows))
     figure, axes = plt.subplots(len(rows), panels, figsize=size, squeeze=False, sharey="col")
-    for ax in axes[:, panels - len(shown) :].flat[1:]:
-        ax.sharex(axes[0, panels - len(shown)])
+    estimates = axes[:, bool(curve) :]
+    for ax in estimates.flat[1:]:
+        ax.sharex(estimates[0, 0])
     dotted = 0
-    for row, place in zip(axes, rows, strict=True):
+    for k, place in enumerate(rows):
         at_place = {label: d.isel(place, missing_dims="ignore") for label, d in groups.items()}
-        row[0].set_title(", ".join(_axis_label(at_place[""], axis) for axis in place), fontsize=7)
+        title = ", ".join(_axis_label(at_place[""], axis) for axis in place)
+        axes[k, 0].set_title(title, fontsize=7)
         if curve:
-            dotted += _curves(row[0], at_place[""], curve, varied[:2])
-        for ax, name in zip(row[panels - len(shown) :], shown, strict=True):
+            dotted += _curves(axes[k, 0], at_place[""], curve, varied[:2])
+        for ax, name in zip(estimates[k], shown, strict=True):
             _estimate(ax, at_place, name, tuple(dict.fromkeys((*varied, *AXIS_PRIORITY)))[:2])
     for ax in axes[:-1].flat:
         ax.set_xlabel("")
     if varied and curve:
-        first = axes[0, 0].get_legend_handles_labels()[1]
-        for ax in axes[:, 0]:
-            if ax is axes[0, 0]:
-                legend_in_room(ax, 0.08 * len(first), fontsize=5.5)
-            elif ax.get_legend_handles_labels()[1] != first:
-                ax.legend(loc="upper left", fontsize=5.5)
-    if shown and axes[0, -len(shown)].get_legend_handles_labels()[0]:
-        axes[0, -len(shown)].legend(fontsize=6)  # the same in all panels of estimates
+        _name_curves(axes[:, 0])
+    if shown and estimates[0, 0].get_legend_handles_labels()[0]:
+        estimates[0, 0].legend(fontsize=6)  # the same in all panels of estimates
+    unresolved = f"Dotted curves ({dotted}) are not resolved: {NARROW_CONTACTS} or {LARGE_BIAS}."
+    model = model_in_words(data).replace("mu_1", "µ₁")
     notes = [
         _drawn(len(varied) > 1 and data.sizes[varied[1]], MAX_COLOURS, "values of the second"),
         _drawn(len(places), MAX_ROWS, "places on the other axes"),
-        f"Dotted curves ({dotted}) are not resolved: {NARROW_CONTACTS} or {LARGE_BIAS}."
-        if dotted
-        else "",
-        f"{model}." if (model := model_in_words(data).replace("mu_1", "µ₁")) else "",
+        unresolved if dotted else "",
+        f"{model}." if model else "",
         "" if shown else _single_point_text(data),
     ]
     foot_line(figure, data, " ".join(filter(None, notes)), "bars and bands" if curve else "bars")
     return figure
 
 
+def _name_curves(axes: np.ndarray) -> None:
+    """Add a legend to the first panel of curves, and to those whose curves differ from it."""
+    first, *others = axes
+    labels = first.get_legend_handles_labels()[1]
+    legend_in_room(first, 0.08 * len(labels), fontsize=5.5)
+    for ax in others:
+        if ax.get_legend_handles_labels()[1] != labels:
+            ax.legend(loc="upper left", fontsize=5.5)
+
+
 def _rank(data: xr.Dataset, axis: str) -> tuple[int, int]:
     """Return the sort key of an axis: the longest comes first."""
-    return -data.sizes[axis], AXIS_PRIORITY.index(axis) if axis in AXIS_PRIORITY else len(
-        AXIS_PRIORITY
-    )
+    return -data.sizes[axis], [*AXIS_PRIORITY, axis].index(axis)
 
 
 def _spread(size: int, count: int) -> list[int]:
@@ -114,12 +115,12 @@ def _estimates_to_draw(data: xr.Dataset) -> list[str]:
     known = [
         str(name)
         for name, values in data.data_vars.items()
-        if f"{name}_error" in data and {*COMMON_AXES} <= {*values.dims} <= {*axes_in(data)}
+        if f"{name}_error" in data
+        and {*COMMON_AXES} <= {*values.dims} <= {*axes_in(data)}
+        and np.isfinite(values).any()
     ]
-    known = [name for name in known if np.isfinite(data[name]).any()]
-    return [name for name in PREFERRED_ESTIMATES if name in known] or known[
-        : len(PREFERRED_ESTIMATES)
-    ]
+    preferred = [name for name in PREFERRED_ESTIMATES if name in known]
+    return preferred or known[: len(PREFERRED_ESTIMATES)]
 
 
 def _called(data: xr.Dataset, axis: str) -> str:
@@ -146,10 +147,9 @@ def _single_point_text(data: xr.Dataset) -> str:
     """Return the estimates of a single point, in words."""
     words = []
     for name in _estimates_to_draw(data):
-        value, error = float(data[name].squeeze()), float(data[f"{name}_error"].squeeze())
-        words += [
-            f"{value_label(name, value, unit_in_words(data[name]))} ± {with_unit(error, digits=2)}"
-        ]
+        value = value_label(name, float(data[name].squeeze()), unit_in_words(data[name]))
+        error = with_unit(float(data[f"{name}_error"].squeeze()), digits=2)
+        words.append(f"{value} ± {error}")
     return f"Estimates: {'; '.join(words)}." if words else ""
 
 

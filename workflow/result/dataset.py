@@ -47,22 +47,27 @@ def build_dataset(
     coords |= _coordinates(
         plan, variant, {str(dim) for values in data.values() for dim in values.dims}
     )
-    facts = provenance(plan.study, variant.numerics) | {"body": variant.lines.body}
-    share = plan.study.force_share(variant.label)
-    if share != 1.0:  # coordinates of a comparison are those of the study
-        facts["normal_force_share"] = share
-    if variant.lines.profile is not None:
-        facts |= {"lines": variant.lines.description, "lines_digest": variant.lines.profile.digest}
-    if variant.material.description:
-        facts["branches"] = variant.material.description
-    if variant.material.shifts and variant.material.shifts.told:
-        facts["shifts"] = variant.material.shifts.told
-    if sampled := plan.study.scene.sampled:
-        facts["programme"] = "; ".join(sampled)
-    dataset = xr.Dataset(data, coords, facts)
+    dataset = xr.Dataset(data, coords, _facts(plan, variant))
     freedom = estimates["degrees_of_freedom"]
     _annotate(dataset, int(freedom[freedom >= 0].min()))
     return dataset.set_coords([name for name in AUXILIARY if name in dataset])
+
+
+def _facts(plan: Plan, variant: Variant) -> dict[str, str | int | float]:
+    """Return the global attributes: the provenance, the body and the files that were read."""
+    lines, shifts = variant.lines, variant.material.shifts
+    facts = provenance(plan.study, variant.numerics) | {"body": lines.body}
+    share = plan.study.force_share(variant.label)
+    if share != 1.0:  # coordinates of a comparison are those of the study
+        facts["normal_force_share"] = share
+    if lines.profile is not None:
+        facts |= {"lines": lines.description, "lines_digest": lines.profile.digest}
+    files = {
+        "branches": variant.material.description,
+        "shifts": shifts.told if shifts else "",
+        "programme": "; ".join(plan.study.scene.sampled),
+    }
+    return facts | {name: description for name, description in files.items() if description}
 
 
 def _coordinates(plan: Plan, variant: Variant, dims: set[str]) -> dict[str, object]:

@@ -216,12 +216,8 @@ def differing_settings(study: AnyStudy, attributes: dict[str, Any]) -> list[str]
 
 def listed(settings: list[str]) -> str:
     """Return the settings as text, at most the first few."""
-    more = (
-        f" and {len(settings) - MAX_LISTED_SETTINGS} more"
-        if len(settings) > MAX_LISTED_SETTINGS
-        else ""
-    )
-    return ", ".join(settings[:MAX_LISTED_SETTINGS]) + more
+    text, more = ", ".join(settings[:MAX_LISTED_SETTINGS]), len(settings) - MAX_LISTED_SETTINGS
+    return f"{text} and {more} more" if more > 0 else text
 
 
 def _flat(text: object) -> dict[str, object] | None:

@@ -68,7 +68,6 @@ def table(name: str, value: Any) -> dict[str, Any]:
 
 def study_of(arguments: Mapping[str, Any]) -> Study:
     """Return the study of one point that the arguments of ``run`` describe. Raises UserError."""
-    numerics = {"samples": TRACE_SAMPLES}
     grid: dict[str, Any] = {}
     tables: dict[str, Any] = {"material": table("material", arguments["material"]), "grid": grid}
     profile = _profile(arguments)
@@ -76,10 +75,9 @@ def study_of(arguments: Mapping[str, Any]) -> Study:
         surface = table("surface", arguments["surface"])
         grid |= {key: surface.pop(key) for key in GRID_KEYS if key in surface}
         tables["surface"] = surface
+    tables["numerics"] = {"samples": TRACE_SAMPLES}
     if arguments["numerics"] is not None:
-        given = table("numerics", arguments["numerics"])
-        numerics |= given
-    tables["numerics"] = numerics
+        tables["numerics"] |= table("numerics", arguments["numerics"])
     tables["scene"] = _scene(arguments, grid)
     tables["study"] = {
         "title": SCENE_STUDY_NAME,
@@ -101,10 +99,9 @@ def _profile(arguments: Mapping[str, Any]) -> Profile | None:
         return None
     if length is None:
         raise UserError("length: missing; give the period of the profile in m")
-    given = (
-        map_of_array if toml_value("body", arguments["body"]) == HALF_SPACE else profile_of_array
-    )
-    return given(profile, positive("length", toml_value("length", length)))
+    body = toml_value("body", arguments["body"])
+    read_array = map_of_array if body == HALF_SPACE else profile_of_array
+    return read_array(profile, positive("length", toml_value("length", length)))
 
 
 def _scene(arguments: Mapping[str, Any], grid: dict[str, Any]) -> dict[str, Any]:

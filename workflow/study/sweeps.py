@@ -38,10 +38,8 @@ def temperatures_of(
                 f"--temperatures: {len(given)} are given, but {table.name!r} holds {len(sweeps)} "
                 "sweeps (blocks or monotonic runs of frequencies); give one for each"
             )
-        per_row, source = (
-            _over_rows(given, sweeps),
-            f"{len(sweeps)} sweeps at the given temperatures",
-        )
+        per_row = _over_rows(given, sweeps)
+        source = f"{len(sweeps)} sweeps at the given temperatures"
     elif (named := _temperature_column(table)) is not None:
         per_row, source = _grouped(table, named), f"temperatures: column {named.number}"
     else:

@@ -44,11 +44,8 @@ def frames(path: Path) -> list[Image.Image]:
         return [frame.convert("RGB") for frame in ImageSequence.Iterator(opened)]
 
 
-def test_there_is_a_frame_for_each_snapshot(frames):
+def test_there_is_a_frame_for_each_snapshot_and_both_halves_move(frames):
     assert len(frames) == STEPS
-
-
-def test_both_halves_of_the_picture_move(frames):
     width, height = frames[0].size
     for part in ((0, 0, width, height // 2), (0, 3 * height // 4, width, height)):
         before, after = frames[0].crop(part), frames[3].crop(part)
@@ -65,18 +62,15 @@ def test_no_file_is_left_beside_the_animation(path):
     assert list(path.parent.iterdir()) == [path]
 
 
-def test_a_scene_without_snapshots_is_refused_by_their_names():
-    scene = sliding_scene().drop_vars("snapshot_displacement")
-    with pytest.raises(UserError, match=r"snapshot_displacement; request the quantities"):
-        animate(scene, Path("scene.gif"))
-
-
-def test_another_kind_of_file_is_refused():
-    with pytest.raises(UserError, match=r"scene\.png: must end in \.gif or \.mp4"):
-        animate(sliding_scene(), Path("scene.png"))
-
-
-def test_a_missing_ffmpeg_is_said(monkeypatch):
+@pytest.mark.parametrize(
+    ("file", "missing", "words"),
+    [
+        ("scene.gif", ["snapshot_displacement"], "snapshot_displacement; request the quantities"),
+        ("scene.png", [], r"scene\.png: must end in \.gif or \.mp4"),
+        ("scene.mp4", [], "needs the program ffmpeg"),
+    ],
+)
+def test_what_cannot_be_drawn_is_refused(monkeypatch, file, missing, words):
     monkeypatch.setenv("PATH", "")
-    with pytest.raises(UserError, match="needs the program ffmpeg"):
-        animate(sliding_scene(), Path("scene.mp4"))
+    with pytest.raises(UserError, match=words):
+        animate(sliding_scene().drop_vars(missing), Path(file))

@@ -6,7 +6,7 @@ import pytest
 import xarray as xr
 
 from elastomer_friction.workflow.ground import UserError
-from elastomer_friction.workflow.reduce import RESOLVED, UNRESOLVED
+from elastomer_friction.workflow.reduce.resolution import COARSE, RESOLVED, UNRESOLVED
 from elastomer_friction.workflow.report.claims import (
     evaluate,
     judge,
@@ -65,9 +65,6 @@ def test_errors_of_points_on_the_same_lines_do_not_average_out():
     np.testing.assert_allclose(mean_error(error.isel(hurst=[0])), 0.1)
 
 
-COARSE = 1
-
-
 @pytest.fixture
 def partly():
     """Return a result of two Hurst exponents and four velocities."""
@@ -84,11 +81,8 @@ def partly():
     )
 
 
-def test_points_that_are_coarse_or_unresolved_are_found(partly):
+def test_points_that_are_coarse_or_unresolved_are_found_if_the_result_says_so(partly):
     assert not_resolved(partly).tolist() == [[True, True, False, False], [False] * 4]
-
-
-def test_nothing_is_found_where_a_result_does_not_say(partly):
     assert not not_resolved(partly.drop_vars("resolution_status")).any()
     assert not_resolved(xr.Dataset()).shape == ()
 

@@ -7,7 +7,7 @@ import xarray as xr
 from matplotlib import pyplot as plt
 from matplotlib.figure import Figure
 
-from elastomer_friction.workflow.reduce import RESOLVED, UNRESOLVED
+from elastomer_friction.workflow.reduce.resolution import COARSE, RESOLVED, UNRESOLVED
 from elastomer_friction.workflow.report.figure import write_figure
 from elastomer_friction.workflow.report.in_words import unit_in_words, with_unit
 from elastomer_friction.workflow.report.panels import (
@@ -49,9 +49,6 @@ def test_the_foot_says_how_large_the_study_was():
         "Bars show one jackknife standard error; 28 grid points, 10 realizations each, seed 2014. "
         "And a note."
     )
-
-
-COARSE = 1
 
 
 def partly_resolved():

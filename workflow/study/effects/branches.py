@@ -47,12 +47,13 @@ def read_branches(
         )
     if _of_share(table):
         columns = select_columns(table, (SHARE, BRANCH_TIME_COLUMN), None, HEADER_ADVICE)
-        return _of_shares(
-            key, columns, relaxed
-        ), f"{describe_columns(table, columns)}; G_0 from shear_modulus"
+        description = f"{describe_columns(table, columns)}; G_0 from shear_modulus"
+        return _of_shares(key, columns, relaxed), description
     columns = select_columns(table, (MODULUS, BRANCH_TIME_COLUMN), None, HEADER_ADVICE)
     moduli, description = columns[0].values, describe_columns(table, columns)
-    _check_finite(key, path, columns)
+    for column in columns:
+        if not np.isfinite(column.values).all():
+            raise UserError(f"{key} = {path.name!r}: {column.spec.meaning} is missing in a row")
     if columns[0].unit_source == "assumed" and moduli.sum() < 1.0:
         raise UserError(
             f"{key} = {path.name!r}: the moduli sum to {moduli.sum():.3g}; name the column alpha "
@@ -60,10 +61,8 @@ def read_branches(
         )
     if YOUNG_NAME.search(columns[0].title.name):
         factor = 2.0 * (1.0 + poisson)
-        moduli, description = (
-            moduli / factor,
-            f"{description}; Young's moduli divided by 2 (1 + nu) = {factor:g}",
-        )
+        moduli = moduli / factor
+        description += f"; Young's moduli divided by 2 (1 + nu) = {factor:g}"
     return np.stack([moduli, columns[1].values], axis=1).tolist(), description
 
 
@@ -85,9 +84,3 @@ def _of_shares(key: str, columns: tuple[Column, ...], relaxed: float) -> list[li
             f"{key}: the shares of G_0 sum to {whole:.4g}; the sum must lie between 0 and 1"
         )
     return np.stack([shares * relaxed / (1.0 - whole), times], axis=1).tolist()
-
-
-def _check_finite(key: str, path: Path, columns: tuple[Column, ...]) -> None:
-    for column in columns:
-        if not np.isfinite(column.values).all():
-            raise UserError(f"{key} = {path.name!r}: {column.spec.meaning} is missing in a row")

@@ -74,11 +74,6 @@ class Material(NamedTuple):
         return self._replace(temperature=None)
 
     @property
-    def longest_time(self) -> float:
-        """The longest shifted time of branches and dashpot (s), which bounds the memory."""
-        return self.shift_factor * max([self.relaxation_time, *(time for _, time in self.branches)])
-
-    @property
     def jumps(self) -> bool:
         """Return whether forces jump with the velocity, as they do with a dashpot."""
         return self.relaxation_time > 0.0
@@ -184,13 +179,10 @@ def _branches(key: str, value: object) -> tuple[Branch, ...]:
         raise UserError(
             f"{key} = {value!r:.60}: must be a list of up to {MAX_BRANCHES} pairs [modulus, time]"
         )
-    words, of_times = (
-        "[modulus in Pa, time in s]",
-        partial(within, least=TIME_RANGE[0], most=TIME_RANGE[1]),
-    )
+    words = "[modulus in Pa, time in s]"
+    time = partial(within, least=TIME_RANGE[0], most=TIME_RANGE[1])
     return tuple(
-        two_numbers(f"{key}[{i}]", entry, words, positive, of_times)
-        for i, entry in enumerate(value)
+        two_numbers(f"{key}[{i}]", entry, words, positive, time) for i, entry in enumerate(value)
     )
 
 

@@ -160,9 +160,7 @@ def read_quantities(key: str, value: object) -> tuple[str, ...]:
 
 def accuracy_estimates(quantities: tuple[str, ...]) -> tuple[str, ...]:
     """Return the estimates to which a requested accuracy applies."""
-    return tuple(
-        QUANTITIES[q].accuracy_estimate for q in quantities if QUANTITIES[q].accuracy_estimate
-    )
+    return tuple(filter(None, (QUANTITIES[name].accuracy_estimate for name in quantities)))
 
 
 def unavailable_reason(name: str, scene: Scene, materials: Materials, single_line: bool) -> str:

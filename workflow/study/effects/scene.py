@@ -10,16 +10,7 @@ from ...ground import UserError
 from ..settings import Key, as_text, choice, filled, flag, integer, read_table
 from .histories import INDENTATION_COLUMN, read_history
 from .material import Material
-from .programme import (
-    FORCE,
-    FRESH,
-    INDENTATION,
-    RELAXED,
-    STEADY,
-    Programme,
-    Scene,
-    Spring,
-)
+from .programme import FORCE, FRESH, INDENTATION, RELAXED, STEADY, Programme, Scene, Spring
 from .quantities import QUANTITIES, read_quantities
 from .segment_keys import DRIVE
 from .segments import MAX_SEGMENTS, is_pulled, read_programme

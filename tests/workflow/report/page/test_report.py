@@ -84,6 +84,8 @@ def test_a_heading_says_at_which_scale_and_how_large_a_study_was(page):
     assert [extent for _, extent in actual] == ["default scale, 10 realizations"] * len(REPORTED)
     assert "Jump and steady friction over velocity for many normal forces" in actual[0][0]
     assert 'id="smoke"' not in page
+    contents = re.search(r'aria-label="Contents">(.*?)</nav>', page, re.DOTALL)[1]
+    assert '<a href="#fig5">Jump and steady friction over velocity' in contents
 
 
 def test_a_caption_is_two_sentences_and_says_how_to_read_a_point(page):
@@ -125,11 +127,6 @@ def test_the_report_of_an_own_study_is_about_that_study(capsys, tmp_path, monkey
         assert words not in page
     assert '<a href="mine.html">Look through this result</a>' in page
     assert (tmp_path / "mine.html").is_file()
-
-
-def test_contents_are_by_title(page):
-    contents = re.search(r'aria-label="Contents">(.*?)</nav>', page, re.DOTALL)[1]
-    assert '<a href="#fig5">Jump and steady friction over velocity' in contents
 
 
 def test_smoke_data_wear_a_banner_whatever_their_file_is_called(tmp_path):
@@ -226,13 +223,6 @@ SENTENCE = r"[A-Z][^.]*(?:(?:eqs?\.|\d\.\d)[^.]*)*\."
 @pytest.mark.parametrize("name", known_studies())
 def test_every_study_has_a_caption_of_two_sentences(name):
     assert re.fullmatch(f"{SENTENCE} {SENTENCE}", figure._script(read_study(name), None).CAPTION)
-
-
-def test_a_study_without_a_script_has_the_caption_of_the_usual_figure(tmp_path):
-    path = tmp_path / "mine.toml"
-    path.write_text(known_studies()["fig6"].read_text(encoding="utf-8"), encoding="utf-8")
-    drawing = figure._script(read_study(str(path)), None)
-    assert drawing.CAPTION.startswith("The first panel shows")
 
 
 @pytest.mark.parametrize("name", known_studies())

@@ -26,7 +26,7 @@ def read(tmp_path, **given):
 def test_a_kelvin_element_is_the_dashpot_alone(tmp_path):
     material = read(tmp_path, relaxation_time=2e-3)
     assert material == Material(1e6, 2e-3)
-    assert (material.tau, material.longest_time, material.jumps) == (2e-3, 2e-3, True)
+    assert (material.tau, material.jumps) == (2e-3, True)
     assert material.spectrum() == ((), (), 1.0)
 
 
@@ -34,7 +34,6 @@ def test_tau_is_the_viscosity_at_rest_over_the_modulus(tmp_path):
     material = read(tmp_path, branches=BRANCHES, relaxation_time=1e-3)
     assert material.tau == pytest.approx(1e-3 + (5e6 * 1e-2 + 1e7 * 1e-3) / 1e6, rel=1e-15)
     assert material.branches == ((1e7, 1e-3), (5e6, 1e-2))
-    assert material.longest_time == 1e-2
     assert not read(tmp_path, branches=BRANCHES).jumps
 
 
@@ -101,7 +100,6 @@ def test_a_temperature_shifts_all_times_once_and_for_all(tmp_path):
     warm = read(tmp_path, branches=BRANCHES, relaxation_time=1e-3, wlf=WLF, temperature=50.0)
     factor = 10.0 ** (-8.86 * 30.0 / 131.6)
     assert warm.tau == pytest.approx(factor * at_reference.tau, rel=1e-12)
-    assert warm.longest_time == pytest.approx(factor * 1e-2, rel=1e-12)
     np.testing.assert_allclose(warm.spectrum().times, at_reference.spectrum().times, rtol=1e-12)
 
 
