@@ -51,12 +51,19 @@ def test_the_foot_says_how_large_the_study_was():
     )
 
 
-def partly_resolved():
-    """Return a result whose first point is unresolved, whose second is coarse, and no other."""
+@pytest.fixture
+def over_velocity():
+    """Return a result over velocity alone."""
     dataset = result("fig7", hurst=[0.7], normal_force=[0.1])
-    status = np.full(dataset.rms_slope.shape, RESOLVED, np.int8)
-    status.flat[:2] = UNRESOLVED, COARSE
-    return dataset.assign(resolution_status=(dataset.rms_slope.dims, status))
+    return dataset.isel(hurst=0, normal_force=0, spacing=0, roughness=0, velocity_step=0)
+
+
+@pytest.fixture
+def points(over_velocity):
+    """Return a result over velocity whose first point is unresolved, and the second coarse."""
+    status = np.full(over_velocity.rms_slope.shape, RESOLVED, np.int8)
+    status[:2] = UNRESOLVED, COARSE
+    return over_velocity.assign(resolution_status=("velocity", status))
 
 
 def rings(ax):
@@ -65,8 +72,7 @@ def rings(ax):
     return [x for line in hollow for x in line.get_xdata()]
 
 
-def test_points_that_are_not_resolved_are_drawn_as_rings_of_their_colour():
-    points = partly_resolved().stack(point=["velocity"]).squeeze()
+def test_points_that_are_not_resolved_are_drawn_as_rings_of_their_colour(points):
     _, ax = plt.subplots()
     error_bars(ax, points, "rms_slope", "velocity", fmt="o", color="C3", ms=2.0)
     assert rings(ax) == points.velocity.values[:2].tolist()
@@ -75,12 +81,11 @@ def test_points_that_are_not_resolved_are_drawn_as_rings_of_their_colour():
     assert ring.get_markersize() > 2.0  # larger than filled ones
     assert plt.matplotlib.colors.same_color(ring.get_color(), "C3")
     _, filled = plt.subplots()
-    error_bars(filled, points.isel(point=slice(2, None)), "rms_slope", "velocity", fmt="o")
+    error_bars(filled, points.isel(velocity=slice(2, None)), "rms_slope", "velocity", fmt="o")
     assert rings(filled) == []
 
 
-def test_a_legend_says_what_hollow_markers_are_and_how_many():
-    points = partly_resolved().stack(point=["velocity"]).squeeze()
+def test_a_legend_says_what_hollow_markers_are_and_how_many(points):
     figure, ax = plt.subplots(layout="constrained")
     error_bars(ax, points, "rms_slope", "velocity", fmt="s")
     foot_line(figure, points)
@@ -90,13 +95,12 @@ def test_a_legend_says_what_hollow_markers_are_and_how_many():
     message = "Hollow markers (2 of the points shown) have contacts of fewer than 4 samples."
     assert figure.get_label().endswith(message)
     plain, ax = plt.subplots(layout="constrained")
-    error_bars(ax, points.isel(point=slice(2, None)), "rms_slope", "velocity", fmt="s")
+    error_bars(ax, points.isel(velocity=slice(2, None)), "rms_slope", "velocity", fmt="s")
     foot_line(plain, points)
     assert not plain.legends
 
 
-def test_a_caption_does_not_call_wide_contacts_narrow():
-    points = partly_resolved()
+def test_a_caption_does_not_call_wide_contacts_narrow(points):
     samples = xr.full_like(points.rms_slope, 400.0)
     assert why_hollow(points.assign(samples_per_contact=samples)) == (
         "a discretisation error above 2 %"
@@ -106,19 +110,11 @@ def test_a_caption_does_not_call_wide_contacts_narrow():
     assert both == "contacts of fewer than 4 samples or a discretisation error above 2 %"
 
 
-def test_a_bias_is_added_to_the_bars():
-    points = result("fig7", hurst=[0.7], normal_force=[0.1]).stack(point=["velocity"]).squeeze()
+def test_a_bias_is_added_to_the_bars(points):
     _, ax = plt.subplots()
     error_bars(ax, points, "rms_slope", "velocity", bias=points.rms_slope, fmt="o")
     half = [np.ptp(bar[:, 1]) / 2.0 for bar in ax.collections[0].get_segments()]
     np.testing.assert_allclose(half, points.rms_slope_error + points.rms_slope, rtol=1e-12)
-
-
-@pytest.fixture
-def over_velocity():
-    """Return a result over velocity alone."""
-    dataset = result("fig7", hurst=[0.7], normal_force=[0.1])
-    return dataset.isel(hurst=0, normal_force=0, spacing=0, roughness=0, velocity_step=0)
 
 
 @pytest.fixture

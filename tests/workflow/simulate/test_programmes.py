@@ -220,54 +220,51 @@ def test_contact_lengths_are_counted_from_a_sixteenth_of_a_spacing_on():
     np.testing.assert_allclose(ratios, np.sqrt(2.0), rtol=1e-15)
 
 
-SMALL = "material.temperature=20.0", "grid.velocity=0.03", "numerics.samples=16"
-PLAN = small_plan(PROGRAMME, *SMALL, "numerics.steps_per_spacing=1", text=HOLDING)
+def batch_of(programme):
+    """Return the first batch of a small study with a programme."""
+    small = "material.temperature=20.0", "grid.velocity=0.03", "numerics.samples=16"
+    plan = small_plan(programme, *small, "numerics.steps_per_spacing=1", text=HOLDING)
+    return next(cut_batches(plan, set(), 1e9))
+
+
+BATCH = batch_of(PROGRAMME)
+
+
+def last_task(batch):
+    """Return the traces of the last task, shape (blocks, samples), its scene, and its quartets."""
+    task = batch.tasks[-1]
+    places = row_layout(task, batch.quantities, batch.scheme, batch.recording)
+    hurst, elements = task.problem.hurst, task.problem.elements
+
+    def quartet(number):
+        phases = draw_phases(line_generator(batch.seed, hurst, elements, number), elements)
+        return Line.quartet(amplitudes(hurst, elements), phases, elements, 1)
+
+    traces = unpack(block_means(batch).curves[-1], places)
+    return traces, scene_of(task, batch.scheme, batch.recording), quartet
 
 
 def test_mu_1_and_mu_2_belong_to_the_first_and_the_last_slide():
     """A hold lies between them, so that the programme has no velocity step."""
-    batch = next(cut_batches(PLAN, set(), 1e9))
-    scalars = dict(zip(SCALARS, block_means(batch).scalars[0, 0], strict=True))
-    fast = small_plan(
-        "scene.programme=[{slide={ratio=2.0, distance=1e-3}}]",
-        *SMALL,
-        "numerics.steps_per_spacing=1",
-        text=HOLDING,
-    )
-    other = next(cut_batches(fast, set(), 1e9))
-    expected = dict(zip(SCALARS, block_means(other).scalars[0, 0], strict=True))
+    scalars = dict(zip(SCALARS, block_means(BATCH).scalars[0, 0], strict=True))
+    fast = batch_of("scene.programme=[{slide={ratio=2.0, distance=1e-3}}]")
+    expected = dict(zip(SCALARS, block_means(fast).scalars[0, 0], strict=True))
     assert scalars["mu_2"] == pytest.approx(expected["mu_1"], rel=1e-12)
     assert scalars["mu_1"] != pytest.approx(scalars["mu_2"], rel=1e-3)
 
 
 def test_a_trace_is_the_mean_over_the_lines_of_its_block():
-    batch = next(cut_batches(PLAN, set(), 1e9))
-    done = block_means(batch)
-    task = batch.tasks[-1]
-    places = row_layout(task, batch.quantities, batch.scheme, batch.recording)
-    traces = unpack(done.curves[-1], places)["trace_mu"]
-    scene = scene_of(task, batch.scheme, batch.recording)
-    hurst, elements = task.problem.hurst, task.problem.elements
-    for block in range(batch.blocks):
-        assert batch.realizations_per_block == QUARTET
-        phases = draw_phases(line_generator(batch.seed, hurst, elements, block), elements)
-        lines = Line.quartet(amplitudes(hurst, elements), phases, elements, 1)
+    traces, scene, quartet = last_task(BATCH)
+    assert BATCH.realizations_per_block == QUARTET
+    for block, actual in enumerate(traces["trace_mu"]):
+        lines = quartet(block)
         expected = np.mean([run_scene(line, scene)["trace_mu"] for line in lines], axis=0)
-        np.testing.assert_allclose(traces[block], expected, rtol=1e-12, equal_nan=True)
+        np.testing.assert_allclose(actual, expected, rtol=1e-12, equal_nan=True)
 
 
 def test_times_and_positions_of_a_trace_are_those_of_each_line_to_the_bit():
-    batch = next(cut_batches(PLAN, set(), 1e9))
-    batch = replace(batch, realizations_per_block=12)
-    done = block_means(batch)
-    task = batch.tasks[-1]
-    places = row_layout(task, batch.quantities, batch.scheme, batch.recording)
-    means = unpack(done.curves[-1], places)
-    scene = scene_of(task, batch.scheme, batch.recording)
-    hurst, elements = task.problem.hurst, task.problem.elements
-    phases = draw_phases(line_generator(batch.seed, hurst, elements, 0), elements)
-    line = next(iter(Line.quartet(amplitudes(hurst, elements), phases, elements, 1)))
-    expected = run_scene(line, scene)
+    means, scene, quartet = last_task(replace(BATCH, realizations_per_block=12))
+    expected = run_scene(next(iter(quartet(0))), scene)
     for name in MOTION_TRACES:
         for block in means[name]:
             np.testing.assert_array_equal(block, expected[name])
@@ -276,17 +273,15 @@ def test_times_and_positions_of_a_trace_are_those_of_each_line_to_the_bit():
 def test_the_time_of_a_programme_is_added_to_marching(monkeypatch):
     """Here it is a million seconds for each line, and far less for everything else."""
     monkeypatch.setattr(realizations, "add_programme", lambda *_: 1e6)
-    batch = next(cut_batches(PLAN, set(), 1e9))
-    megaseconds = block_means(batch).spent // 1e6
-    lines = batch.blocks * batch.realizations_per_block
+    megaseconds = block_means(BATCH).spent // 1e6
+    lines = BATCH.blocks * BATCH.realizations_per_block
     assert (megaseconds[:, PHASES.index("marching")] == lines).all()
-    assert megaseconds.sum() == lines * len(batch.tasks)
+    assert megaseconds.sum() == lines * len(BATCH.tasks)
 
 
 def test_snapshots_are_taken_on_request():
-    batch = next(cut_batches(PLAN, set(), 1e9))
-    task, plain = batch.tasks[0], batch.recording
+    task, plain = BATCH.tasks[0], BATCH.recording
     requested = plain._replace(requested=("trace", "snapshots"))
-    assert scene_of(task, batch.scheme, plain).frames.size == 0
+    assert scene_of(task, BATCH.scheme, plain).frames.size == 0
     steps = trace_steps(task.problem, task.steps_per_spacing, requested)
-    assert scene_of(task, batch.scheme, requested).frames.tolist() == steps.tolist()
+    assert scene_of(task, BATCH.scheme, requested).frames.tolist() == steps.tolist()
