@@ -19,8 +19,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-DEVIATIONS = 3.0  # standard errors allowed for chance, as everywhere in this program
-WINDOW = 5.0  # integrated autocorrelation times in the sum
+DEVIATIONS = 3.0  # standard errors that count as chance, as everywhere in this program
+WINDOW = 5.0  # largest lag of the sum, in autocorrelation times
 
 
 class Estimate(NamedTuple):
@@ -44,7 +44,7 @@ class Estimate(NamedTuple):
 
 
 def correlation_factor(residual: np.ndarray) -> float:
-    """Return the factor on variances, 1 for independent samples; residual : shape (samples,).
+    """Return the factor by which correlation increases variances; residual : shape (samples,).
 
     It is at least one, since anticorrelation does not justify smaller errors.
     """

@@ -1,4 +1,4 @@
-"""Figure of a fit: each step with its fits and residuals, and rates and jumps over the speed."""
+"""Figure of a fit: each step with fits and residuals, rates over speed, jumps over friction."""
 
 import math
 from pathlib import Path
@@ -13,7 +13,7 @@ from ..report import COLOURS, Picture, write_below, write_figure
 from .step_fit import StepFit
 from .together import Fit, Rates, friction_after, predicted_jump
 
-ACROSS = 3  # steps beside each other
+STEPS_PER_ROW = 3
 MOST_STEPS = 12  # that are drawn
 MOST_SAMPLES = 4000  # of a step that are drawn
 EQ_6, AGEING = COLOURS[4], COLOURS[0]
@@ -21,21 +21,21 @@ MEASURED = "0.6"
 
 
 def draw_fit(fit: Fit, path: Path) -> list[Picture]:
-    """Draw the fit as PNG and PDF. Raises UserError if the disk refuses."""
+    """Draw the fit as PNG and PDF. Raises UserError if the files cannot be written."""
     return write_figure(lambda: figure_of(fit), path)
 
 
 def figure_of(fit: Fit) -> Figure:
     """Return the figure of a fit."""
     steps = list(zip(fit.steps, fit.ageing, strict=True))[:MOST_STEPS]
-    rows = math.ceil(len(steps) / ACROSS)
+    rows = math.ceil(len(steps) / STEPS_PER_ROW)
     several = fit.rates is not None and len(fit.steps) > 1
     heights = [2.0, 0.8] * rows + [2.2] * several
-    across = ACROSS if several else min(len(steps), ACROSS)
+    across = STEPS_PER_ROW if several else min(len(steps), STEPS_PER_ROW)
     figure = plt.figure(figsize=(1.0 + 2.4 * across, 0.5 + sum(heights)))
     grid = figure.add_gridspec(len(heights), across, height_ratios=heights)
     for i, (step, ageing) in enumerate(steps):
-        row, place = 2 * (i // ACROSS), i % ACROSS
+        row, place = 2 * (i // STEPS_PER_ROW), i % STEPS_PER_ROW
         upper = figure.add_subplot(grid[row, place])
         lower = figure.add_subplot(grid[row + 1, place], sharex=upper)
         _step(upper, lower, step, ageing)
@@ -80,7 +80,7 @@ def _rates(ax: Axes, fit: Fit, rates: Rates) -> None:
     known = [fitted for fitted in fit.steps if fitted.rate.known]
     v = np.array([fitted.step.v2 for fitted in known])
     k, error = np.array([fitted.rate for fitted in known]).T
-    ax.set_xlim(0.5 * v.min(), 2.0 * v.max())  # also of steps that are all at one speed
+    ax.set_xlim(0.5 * v.min(), 2.0 * v.max())  # not empty if all steps are at one speed
     ax.errorbar(v, k, error, fmt="o", color="k", ms=3)
     span = np.geomspace(0.7 * v.min(), 1.4 * v.max(), 200)
     if rates.exponent.known:

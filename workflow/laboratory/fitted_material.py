@@ -13,7 +13,7 @@ LEAST_SHARE = 1e-9  # smallest relaxed modulus over the modulus of the stiffest 
 
 
 def fit_material(name: str, measured: Moduli, branches: int | None) -> PronyFit:
-    """Return the material of moduli at one temperature. branches : number, or None for the fewest.
+    """Fit a material to moduli at one temperature. branches : number, or None for the fewest.
 
     name : of the file, for messages. Raises UserError if the fit fails, or if the material has no
     relaxed modulus to carry a load.

@@ -12,7 +12,7 @@ from .sentences import shown
 from .shift_fit import ShiftFit, fit_shifts
 from .superposition import Superposition, superposed
 
-LARGEST_RESIDUAL = 0.15  # rms of G*, of a material
+LARGEST_RESIDUAL = 0.15  # largest relative rms residual of G* that is accepted
 
 
 class Shifting(NamedTuple):
@@ -24,10 +24,10 @@ class Shifting(NamedTuple):
 
 
 def master_curve(name: str, measured: Moduli, options: Shifting) -> tuple[Moduli, tuple[str, ...]]:
-    """Return the moduli of several temperatures shifted to one, and lines of [material].
+    """Return moduli shifted to one temperature, and lines for [material] of a study.
 
-    name : of the file, for messages. Raises UserError for a reference that was not measured, for
-    sweeps that do not overlap or do not form one curve, and for a law that does not fit the shifts.
+    name : of the file, for messages. Raises UserError for a reference outside the sweeps, for
+    sweeps that do not overlap or do not form one curve, and for a law that they cannot determine.
     """
     assert measured.temperatures is not None
     temperatures = np.unique(measured.temperatures)

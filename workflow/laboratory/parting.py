@@ -29,7 +29,7 @@ class MeasuredStep(NamedTuple):
     v2: float
     change: float  # s: between the last sample at v1 and the first at v2
     before: np.ndarray  # friction: the later half of sliding at v1, shape (samples,)
-    before_time: np.ndarray  # s at these samples, since the middle of the change
+    before_time: np.ndarray  # s, negative: times of these samples, since the middle of the change
     time: np.ndarray  # s since the middle of the change, at v2, shape (n,)
     after: np.ndarray  # friction at these times
 
@@ -58,7 +58,7 @@ def measured_steps(record: Record, window: float | None = None) -> list[Measured
 
 
 def no_steps_of(record: Record) -> list[str]:
-    """Describe the velocity changes that are not steps, and the reversed slides."""
+    """Describe the velocity changes that are not steps, and the backward slides."""
     stretches = _sliding(record)
     rests = sum(stretch.sign == 0.0 for stretch in stretches)
     reversals = sum(one.sign * two.sign < 0.0 for one, two in pairwise(stretches))
@@ -153,8 +153,8 @@ def _no_step(record: Record) -> str:
 def constant_stretches(values: np.ndarray) -> list[slice]:
     """Return the stretches in which values are constant up to noise, in order.
 
-    The values are divided where that reduces their scatter most, and so are the parts as long as
-    their means differ. Parts that are short, or have a trend, belong to a gradual change of
+    The values are cut where that reduces their scatter most, and each part is cut again as long as
+    the two means differ. Parts that are short, or have a trend, belong to a gradual change of
     velocity. Neighbours with equal means are merged.
     """
     noise = noise_of(np.diff(values))

@@ -4,7 +4,7 @@ G* = G + sum_b g_b i omega t_b/(1 + i omega t_b) and G(t) = G + sum_b g_b exp(-t
 >= 0. For given times this is a least-squares problem with bounds (Lawson & Hanson 1974, chapter
 23), whose solution on a dense grid of times is sparse. Neighbouring times are then merged, times
 are refined, and branches are joined while the residual stays within that of the data. Residuals
-are relative, |model - data|/|data|. A relaxation test has the frequency 1/t.
+are relative, |model - data|/|data|. For a relaxation test, 1/t takes the place of a frequency.
 
 Branches may be up to ten times slower than the lowest frequency; slower ones count as relaxed. If
 the data leave the relaxed modulus open, branches may be a hundred times slower. If the best fit
@@ -23,12 +23,12 @@ LOSS = 1.1  # growth of the rms residual allowed for fewer branches
 SMALL = 1e-2  # rms residual that needs no improvement
 DEVIATIONS = 3.0  # standard errors
 ROUNDING = 1e-4  # of the rms residual: error due to the spacing of the grid of times
-LIKE = 1.1  # ratio of the bounds of a determined relaxed modulus
+LIKE = 1.1  # largest ratio of the bounds at which a relaxed modulus is determined
 NONE = 1e-6  # of the largest possible relaxed modulus: smaller values are zero
 SCAN = np.linspace(0.0, 1.0, 41)  # relaxed modulus over the largest possible one
 
 
-# The share of its modulus that a branch has at a frequency times its time, and d/d log of it.
+# Function of omega t_b or t_b/t; returns the share of g_b in G* or G(t), and its d/d ln t_b.
 Shares = Callable[[np.ndarray], tuple[np.ndarray, np.ndarray]]
 
 
@@ -50,23 +50,23 @@ class PronyFit(NamedTuple):
     shear_modulus: float  # relaxed, in the unit of the data
     branches: tuple[tuple[float, float], ...]  # (modulus, time), times ascending
     rms: float  # of the relative residual
-    worst: float  # the largest one
+    worst: float  # largest relative residual
     residual: np.ndarray  # its size at each frequency, shape (n,)
-    dense: float  # rms with as many branches as wanted
+    dense: float  # rms with the whole dense grid of times
     slowest: float  # time, s, beyond which all counts as relaxed
-    least: float  # relaxed moduli with which the data can be described as well
+    least: float  # least, most : bounds of the relaxed modulus
     most: float
 
     @property
     def determined(self) -> bool:
-        """Return whether the data determine the relaxed modulus within a tenth."""
+        """Return whether the bounds of the relaxed modulus differ by at most a tenth."""
         return self.most <= LIKE * self.least
 
 
 def fit_prony(omega: np.ndarray, moduli: np.ndarray, branches: int | None = None) -> PronyFit:
     """Fit a Prony series to complex moduli at angular frequencies, or to G(t).
 
-    omega : rad/s, shape (n,), positive; of a relaxation test 1/t in 1/s. moduli : G' + i G'', shape
+    omega : rad/s, shape (n,), positive; for a relaxation test, 1/t. moduli : G' + i G'', shape
     (n,), or real G(t). branches : maximum number; by default the fewest that fit as well as many
     do. Raises ValueError for fewer than four frequencies, and for moduli that are not positive and
     finite.
@@ -90,10 +90,10 @@ def fit_prony(omega: np.ndarray, moduli: np.ndarray, branches: int | None = None
         times, series, rms = _few(data, grid, allowed, branches)
     positive = series[1:] > 0.0
     off = data.weighted(times)[0] @ series - data.wanted
-    residual = np.linalg.norm(off.reshape(-1, omega.size), axis=0)  # of one or two parts
+    residual = np.linalg.norm(off.reshape(-1, omega.size), axis=0)  # over real and imaginary part
     pairs = zip((unit * series[1:][positive]).tolist(), times[positive].tolist(), strict=True)
     relaxed = discarded + float(series[0])
-    within = rms <= allowed  # a fit with too few branches does not determine it
+    within = rms <= allowed  # too few branches do not determine the relaxed modulus
     return PronyFit(
         shear_modulus=unit * relaxed,
         branches=tuple(pairs),
@@ -177,7 +177,7 @@ def solved(
     scale = np.linalg.norm(columns, axis=0)
     columns = columns / scale
     square, turned = columns, wanted
-    if columns.shape[0] > 4 * columns.shape[1]:  # a triangular factor with the same solution
+    if columns.shape[0] > 4 * columns.shape[1]:  # solve with the triangular factor
         basis, square = np.linalg.qr(columns)
         turned = basis.T @ wanted
     moduli, _ = nnls(square, turned, maxiter=100 * scale.size)
@@ -217,7 +217,7 @@ def _moved(data: MeasuredModuli, times: np.ndarray, reach: np.ndarray) -> np.nda
         columns, later = data.weighted(np.exp(logs[moduli.size :]))
         return np.hstack([columns * values, later * values[1:]])
 
-    free = np.full(moduli.size, 50.0)  # logarithm
+    free = np.full(moduli.size, 50.0)  # bound of |ln modulus|
     bounds = [
         np.concatenate([side * free, np.full(times.size, end)])
         for side, end in zip((-1.0, 1.0), reach, strict=True)
@@ -255,7 +255,7 @@ def _joined(
 def _bounds(data: MeasuredModuli, grid: np.ndarray, best: float) -> tuple[float, float]:
     """Return the smallest and the largest relaxed modulus within three standard errors.
 
-    The sum of squares has grown there by nine mean squares.
+    At these the sum of squares exceeds its minimum by nine mean squares.
     """
     allowed = best * np.sqrt(1.0 + DEVIATIONS**2 / data.wanted.size) + ROUNDING
     top = 1.05 * float(np.min(data.size))

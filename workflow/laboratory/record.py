@@ -52,7 +52,7 @@ def read_record(
     units, which replace those of the file; the defaults are s and m/s. displacement : unit of a
     displacement in place of the velocity, if the file does not state it.
 
-    Rows with a missing value are left out; samples with one time stamp are spread up to the next.
+    Rows with a missing value are left out; equal time stamps are spread evenly up to the next one.
     Raises UserError for a file that does not determine the columns, for an unknown unit, for times
     that decrease, and for displacements that are too noisy to be differenced.
     """
@@ -114,7 +114,7 @@ def _spread(t: np.ndarray) -> np.ndarray:
 def _differenced(path: Path, t: np.ndarray, place: np.ndarray) -> tuple[np.ndarray, int]:
     """Return finite-difference velocities and the number of samples per difference.
 
-    The number is chosen so that the noise of displacements, from their second differences, is
+    The number is chosen so that the noise of the velocity, from second differences of place, is
     small.
     """
     step = float(np.median(np.abs(np.diff(place))))

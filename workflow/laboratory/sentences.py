@@ -115,7 +115,7 @@ def _open(fit: Fit, rates: Rates, names: list[str]) -> list[str]:
 
 
 def _whole(fit: Fit, rates: Rates) -> list[str]:
-    """Describe the fitted branch of eq. 13, and the law as a Python call."""
+    """Describe the law of eq. 13 below x = 1 that fits better, and KineticLaw as a Python call."""
     branch = "is 1: contacts creep with tau" if rates.time_below_one else "is x, as eq. 13 has it"
     lines = [_line("below v_2 tau q_max = 1", f"b {branch}; sum of squares {rates.squares:.2g}")]
     table = _steady(fit)

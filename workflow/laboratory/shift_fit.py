@@ -13,7 +13,7 @@ from scipy.optimize import minimize_scalar
 from ..study import GAS_CONSTANT, Arrhenius, ShiftLaw, ShiftTable, Wlf, inverse_temperature
 
 POLES = np.log(np.geomspace(1.0, 2000.0, 80))  # K below the coldest sweep: trial values of T_0
-LEAST = {"wlf": 4, "arrhenius": 3}  # temperatures: two more than there are constants
+MIN_TEMPERATURES = {"wlf": 4, "arrhenius": 3}  # temperatures: two more than there are constants
 KNOWN_TO = 1e-3  # decades: lower bound of the error of a shift
 CLOSE = 0.05  # decades: allowed deviation of a law from a shift with a small error
 DEVIATIONS = 3.0  # standard errors: allowed deviation of a law from a shift
@@ -23,11 +23,11 @@ class ShiftFit(NamedTuple):
     """A law, its constants with errors, and its deviation from the shifts."""
 
     law: ShiftLaw
-    errors: tuple[float, ...]  # of c1 and c2 in K, or of E_a in J/mol; () for a table
+    errors: tuple[float, ...]  # of c1 and of c2 (K), or of E_a (J/mol); () for a table
     decades: np.ndarray  # log10 a_T of each sweep, 0 at the reference; shape (sweeps,)
     worst: float  # decades: largest deviation of the law from a shift
     scatter: float  # sum of squares over variances, per degree of freedom
-    holds: bool  # whether the law misses no shift by more than CLOSE, or DEVIATIONS errors
+    holds: bool  # whether every shift is met within CLOSE or DEVIATIONS errors
 
 
 def fit_shifts(
@@ -41,18 +41,18 @@ def fit_shifts(
 
     temperatures : °C, ascending, shape (sweeps,). decades : log10 a_T, 0 at one of them.
     covariance : shape (sweeps, sweeps). reference : °C, where a_T is 1, within the temperatures.
-    law : one of SHIFT_KEYS, to require that law. Raises ValueError if a required law has fewer than
-    LEAST temperatures, or if its shifts rise with the temperature.
+    law : one of SHIFT_KEYS, to require that law. Raises ValueError if a required law has fewer
+    temperatures than MIN_TEMPERATURES, or if its shifts rise with the temperature.
     """
     laws = {"wlf": _wlf_fit, "arrhenius": _arrhenius_fit}
-    candidates = [n for n in laws if law in (None, n) and temperatures.size >= LEAST[n]]
+    candidates = [n for n in laws if law in (None, n) and temperatures.size >= MIN_TEMPERATURES[n]]
     every = temperatures, decades, reference
     fits = (laws[name](*every, _weighted(covariance)) for name in candidates)
     successful = [fit for fit in fits if fit is not None]
     if law in laws and not successful:
         raise ValueError(
-            f"{temperatures.size} temperatures give no law {law}: it wants {LEAST[law]}, and times "
-            "that fall with the temperature"
+            f"{temperatures.size} temperatures do not determine a law {law}: it needs "
+            f"{MIN_TEMPERATURES[law]}, and times that fall with the temperature"
         )
     successful = [fit for fit in successful if law is not None or fit.holds]
     if successful:
@@ -65,9 +65,9 @@ def fit_shifts(
 class _Weighted(NamedTuple):
     """Weights that express differences of shifts in standard errors."""
 
-    free: np.ndarray  # which sweeps were shifted
-    root: np.ndarray  # of the inverse covariance of their shifts
-    errors: np.ndarray  # of the shifts of all
+    free: np.ndarray  # which sweeps were shifted, shape (sweeps,)
+    root: np.ndarray  # square root of the inverse covariance of their shifts
+    errors: np.ndarray  # standard errors of the shifts of all sweeps
 
     def off(self, values: np.ndarray) -> np.ndarray:
         """Return values at all sweeps minus that of the fixed sweep, in standard errors."""
@@ -124,7 +124,7 @@ def _fit_of(
     temperatures: np.ndarray,
     decades: np.ndarray,
 ) -> ShiftFit:
-    """Return a law with its errors; slopes : weighted derivatives by its constants."""
+    """Return a law with its errors; slopes : weighted derivatives with respect to its constants."""
     values = np.array([law.decades(t) for t in temperatures.tolist()])
     off = weighting.off(values - decades)
     scatter = float(off @ off) / (off.size - len(slopes))

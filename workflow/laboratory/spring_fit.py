@@ -4,7 +4,7 @@ The record holds the velocity V of the load point, behind a spring of stiffness 
 normal force (1/m). The slider follows at v:
 
     d mu/dt = k (V - v)                       the spring, without inertia
-    mu = mu_1 + a ln(v/v1) + b phi            with phi = ln(v1 theta/D_c), the state of rate_state
+    mu = mu_1 + a ln(v/v1) + b phi            with phi = ln(v1 theta/D_c), see rate_state.py
 
 v follows from mu and phi, and scipy's ``solve_ivp`` integrates both from steady sliding at v1.
 ``least_squares`` fits mu_1, ln a, b, ln D_c and the moment of the step. The moment is constrained
@@ -28,7 +28,7 @@ from .estimate import Estimate, correlation_factor, mean
 from .parting import MeasuredStep
 
 STARTS = np.array([0.01, 0.1, 0.5])  # of the distance slid after the step: trial values of D_c
-SHARES = np.array([0.5, 2.0])  # of the largest change: trial values of a ln r
+SHARES = np.array([0.5, 2.0])  # of the largest change: trial values of a ln(v2/v1)
 LARGEST = 40.0  # of ln(v/v1)
 ACCURACY = 1e-7  # of the integration
 COARSE = 200  # samples on which starts are compared
@@ -49,8 +49,8 @@ class Sprung(NamedTuple):
 def fit_behind_spring(step: MeasuredStep, law: str, stiffness: float) -> Sprung:
     """Fit one step; stiffness in 1/m, law : "ruina" or "dieterich"."""
     before = mean(step.before)
-    size = max(before.error, 1e-12)  # of mu_1, which is also known from sliding before the step
-    spread = step.change / math.sqrt(12.0)  # of a moment uniformly distributed over the change
+    size = max(before.error, 1e-12)  # error of mu_1 from sliding before the step
+    spread = step.change / math.sqrt(12.0)  # error of a moment uniform over the change
 
     def residual(p: np.ndarray, every: int = 1) -> np.ndarray:
         after = step.after[::every]

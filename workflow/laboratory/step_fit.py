@@ -5,9 +5,9 @@ the equivalent constants a = jump/ln r, b = amplitude/ln r, D_c = v2/k with r = 
 
 For a given rate the model mu_2 + b g(k t) is linear, so many rates are tried, and the best one is
 refined by scipy's ``least_squares``. All rates whose sum of squares exceeds the minimum by less
-than nine variances are compatible with the data within three standard errors. Every estimate is
-judged over all of them: if nothing relaxes, or more slowly than was recorded, any rate is
-compatible. The variance is that of the residual, times the factor for correlated noise.
+than nine variances are compatible with the data within three standard errors. If the rate is
+undetermined, as when nothing relaxes or more slowly than was recorded, errors include all of
+them. The variance is that of the residual, times the factor for correlated noise.
 
 Source: Li et al. (2014), doi:10.1038/srep05795, eqs. 6 and 8; the laws stand in
 workflow/reduce/rate_state.py.
@@ -28,7 +28,7 @@ from .spring_fit import fit_behind_spring
 RATES = 80  # tried
 SLOWEST = 0.1  # rate times the whole time: slower is a straight line
 FASTEST = 1.0  # rate times the first interval of samples: faster is part of the jump
-STEADY = 0.1  # of the largest change after a step: drift before it that counts
+STEADY = 0.1  # smallest drift before a step that counts, over the largest change after it
 POOR = 5.0  # times the noise: residual that noise does not explain
 SMALL = 1e-12  # of a coefficient of friction: smaller changes are rounding
 LARGEST_SHARE = 1.0 / DEVIATIONS  # largest relative standard error of an estimate
@@ -37,7 +37,7 @@ NOTHING = "nothing relaxes that stands out from the noise"
 TOO_SHORT = "friction still relaxes where the record ends; a longer one is needed"
 TOO_COARSE = "friction relaxes within a few samples; it must be sampled faster"
 TOO_NOISY = "its standard error is more than a third of it"
-# Estimates that are undetermined together with the rate: relaxation may be endless or immediate.
+# Estimates that are left undetermined, by the reason why the rate is undetermined.
 OPEN_WITH = {
     NOTHING: ("mu_2", "amplitude", "rate"),
     TOO_SHORT: ("mu_2", "amplitude", "rate"),
@@ -71,7 +71,7 @@ class Relaxation(NamedTuple):
         return float(np.sqrt(weights @ self.covariance[:2, :2] @ weights))
 
     def spread(self, weights: np.ndarray) -> float:
-        """Return the standard error over all compatible rates: half the range over three."""
+        """Return the standard error over all compatible rates: a sixth of the range of the sum."""
         values = self.best @ weights
         widths = self.slack * np.sqrt(np.einsum("p,kpq,q->k", weights, self.covariances, weights))
         ends = (values + widths)[self.compatible], (values - widths)[self.compatible]
@@ -185,7 +185,7 @@ class StepFit(NamedTuple):
 def fit_step(step: MeasuredStep, law: str = "ruina", stiffness: float | None = None) -> StepFit:
     """Fit one step; law : "ruina", which is eq. 6, or "dieterich".
 
-    stiffness : of the machine (1/m), whose spring then is part of the fit; None: it is stiff. If
+    stiffness : of the machine (1/m), whose spring is then modelled; None: a stiff machine. If
     friction drifts before the step, the drift is subtracted before and after it, provided that this
     reduces the residual. The errors of the estimates include that of the drift.
     """
@@ -320,9 +320,9 @@ def _levels(
     any_rate : whether the rate is undetermined; errors then include all compatible rates.
     """
     log_ratio = math.log(step.ratio)  # g at the moment of the step, of either law
-    # The step came at some time, equally likely, between two samples.
+    # The step happened between two samples, at any time with equal probability.
     timing = abs(fit.p[1] * log_ratio) * math.exp(fit.p[2]) * step.change / math.sqrt(12.0)
-    size = float(np.max(np.abs(curve - mu_1.value)))  # of the total change
+    size = float(np.max(np.abs(curve - mu_1.value)))  # largest change of friction
     requested = {
         "mu_2": (np.array([1.0, 0.0]), Estimate(0.0, 0.0)),
         "amplitude": (np.array([0.0, log_ratio]), Estimate(0.0, 0.0)),

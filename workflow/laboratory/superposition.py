@@ -1,11 +1,13 @@
 """Shifts of sweeps at several temperatures to one master curve: a_T, b_T and their errors.
 
-b_T G*(omega, T) = G*(omega a_T, T_ref): times are longer by a_T and, on request, moduli are smaller
-by b_T. The first guess is the mean distance of neighbouring sweeps along log omega at equal moduli
+b_T G*(omega, T) = G*(omega a_T, T_ref): at T, times are a_T times longer and, on request, moduli
+b_T times smaller. First guess: mean distance of adjacent sweeps along log omega at equal moduli
 (the closed-form shifting of Gergesova et al., J. Rheol. 55, 1 (2011), doi:10.1122/1.3503529,
 ISO 18437-6). Then all shifts are varied together until one Prony series on a dense grid of times
-describes all sweeps best. G' and G'' are fitted together, and the residual gives the errors. Since
-either shift moves a power law in the same way, log10 b_T has a prior of 0 within LIKELY. The series
+describes all sweeps best. G' and G'' are fitted together. The residual is misfit of the series as
+well as noise, so neither theory of estimate.py applies; its mean square per degree of freedom is
+the variance of the data, as usual in least squares, and gives the errors. Since
+both shifts move a power law in the same way, log10 b_T has a prior of 0 +- LIKELY. The series
 is eliminated by variable projection (Kaufman, BIT 15, 49 (1975)).
 
 Two packages with the same purpose were not used. pyvisco 2.1 requires JupyterLab, Voila and
@@ -23,10 +25,10 @@ from scipy.optimize import least_squares
 
 from .prony_fit import TIME_MARGIN, MeasuredModuli, grid_of_times, measured_moduli, solved
 
-MARGIN = 10.0  # factor by which shifts may leave the first guess before the grid of times ends
+MARGIN = 10.0  # factor by which the grid of times allows shifts to leave the first guess
 TIMES_PER_DECADE = 16  # fine enough not to affect the shifts
 LIKELY = 0.1  # decades of b_T: densities and absolute temperatures change by less
-LEVELS = 50  # of the modulus at which distances are taken
+LEVELS = 50  # moduli at which distances of sweeps are taken
 Sweep = tuple[np.ndarray, np.ndarray]  # omega in rad/s, G* (or 1/t, G(t)), shapes (n,)
 
 
@@ -100,9 +102,9 @@ def superposed(
 def _projected(
     data: MeasuredModuli, grid: np.ndarray, owner: np.ndarray, free: np.ndarray, vertical: bool
 ) -> tuple[np.ndarray, np.ndarray, int]:
-    """Return the residual of the best series, its derivatives by shifts, and its branches.
+    """Return the residual of the best series, derivatives by shifts, and the number of branches.
 
-    owner : number of the sweep of each modulus. The derivatives are orthogonal to all changes that
+    owner : index of the sweep of each modulus. The derivatives are orthogonal to all changes that
     the series can make.
     """
     solution, _ = solved(data, grid)

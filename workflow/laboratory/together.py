@@ -1,10 +1,10 @@
 """Joint fit of all steps: tau, H and q_max from their rates, grad z from their jumps.
 
-The rates at several speeds (eq. 13) are those after the steps, at which friction relaxes. With s =
-log v2, y = log k, Q = log q_max, T = log tau they form a line with a kink at s_c = -Q - T, where x
+Eq. 13 gives the rate k at which friction relaxes at the speed v2 after a step. With s =
+log v2, y = log k, Q = log q_max, T = log tau, y(s) is a line with a kink at s_c = -Q - T, where x
 = v2 tau q_max = 1:
 
-    y = s + Q - H max(0, s - s_c)                  as printed: b = x below x = 1
+    y = s + Q - H max(0, s - s_c)                  as in the paper: b = x below x = 1
     y = max(s, s_c) + Q - H max(0, s - s_c)        b = 1 below x = 1, see KineticLaw
 
 For a given kink y is linear in Q and H. All kinks of both laws are therefore tried, each with all Q
@@ -25,11 +25,11 @@ from .parting import measured_steps, no_steps_of
 from .record import Record
 from .step_fit import LARGEST_SHARE, StepFit, fit_step
 
-LEAST_ERROR = 1e-3  # lower bound of the error of the logarithm of a rate or jump
+LEAST_ERROR = 1e-3  # smallest relative standard error of a rate or jump
 KINK = 2e-3  # distance of the trial kinks between the speeds
 BEYOND = 14.0  # log of speeds: distance of trial kinks beyond the speeds
-ACROSS = np.linspace(0.0, 1.0, 9)  # trial values of H of each kink
-FLAT = 1e-12  # share of the largest: no dependence
+HURST_FRACTIONS = np.linspace(0.0, 1.0, 9)  # trial values of H at each kink, within its range there
+FLAT = 1e-12  # relative: smaller coefficients of a square count as zero
 LARGEST_ERROR_OF_H = 0.15
 APART = 0.02  # log of speeds: smallest distance of two speeds
 SLOPES = np.geomspace(1e-2, 1e4, 20_001)  # tried, in units of the largest friction
@@ -50,9 +50,9 @@ class Rates(NamedTuple):
     hurst: Estimate
     q_max: Estimate  # 1/m
     exponent: Estimate  # of k over v2: a power law through all speeds
-    at: float  # m/s, the speed at which ...
-    rate: Estimate  # ... this is the rate by the power law, 1/s
-    time_below_one: bool  # the second of the two laws fits better
+    at: float  # m/s, speed at the weighted mean of log v2
+    rate: Estimate  # 1/s, by the power law at the speed ``at``
+    time_below_one: bool  # whether the second law, b = 1 below x = 1, fits better
     squares: float  # sum of squares over variances of the better law
     speeds: int
 
@@ -63,7 +63,7 @@ class _Kinks(NamedTuple):
     kink: np.ndarray
     a: tuple[np.ndarray, np.ndarray, np.ndarray]
     q: tuple[np.ndarray, np.ndarray]
-    weight: float  # of the squares in Q; infinite where Q is given
+    weight: float  # coefficient of Q^2; infinite if Q is given
 
     def squares(self, h: np.ndarray) -> np.ndarray:
         """Return the sums of squares at given H, shape (kinks, ...)."""
@@ -104,7 +104,7 @@ def fit_rates(fits: list[StepFit], known: Known) -> Rates | None:
 
 
 def _kinks(s: np.ndarray, y: np.ndarray, w: np.ndarray, known: Known, below: bool) -> _Kinks:
-    """Return the sums of squares of one law; below : b = 1 below x = 1."""
+    """Return the sums of squares of one law; below : whether b = 1 below x = 1."""
     fine = np.arange(s.min() - 0.5, s.max() + 0.5, KINK)
     far = np.arange(0.5, BEYOND, 0.05)
     c = np.concatenate([s.min() - far[::-1], fine, s.max() + far])
@@ -119,7 +119,7 @@ def _kinks(s: np.ndarray, y: np.ndarray, w: np.ndarray, known: Known, below: boo
         q0, q1 = (r @ w) / w.sum(), (m @ w) / w.sum()
     else:
         q0, q1 = q_given, np.zeros_like(c)
-    r, m = r - q0[:, None], m - q1[:, None]  # the squares of r + H m
+    r, m = r - q0[:, None], m - q1[:, None]  # residuals are r + H m
     a = ((r * r) @ w, (r * m) @ w, (m * m) @ w)
     return _Kinks(c, a, (q0, q1), float(w.sum()) if q_given is None else np.inf)
 
@@ -144,7 +144,7 @@ def _within(law: _Kinks, most: float, known: Known) -> np.ndarray:
     room = most - a0 + a1**2 / steep
     half = np.sqrt(np.clip(room, 0.0, None) / steep)
     low, high = (np.clip(-a1 / steep + side * half, 0.0, 1.0) for side in (-1.0, 1.0))
-    h = low[:, None] + (high - low)[:, None] * ACROSS
+    h = low[:, None] + (high - low)[:, None] * HURST_FRACTIONS
     if known.hurst is not None:
         h = np.full_like(h, known.hurst)
     left = most - law.squares(h)

@@ -15,8 +15,8 @@ from .variant import Variant, samples_of, sharing
 
 MIN_BATCH_SECONDS, MAX_BATCH_SECONDS = 1.0, 10.0
 MANY_BATCHES = 200  # from this number on batches get longer: each costs the scheduler milliseconds
-MAX_SHARED_LENGTH = 6.0  # batch lengths up to which tasks that share sweeps stay in one batch
-RECUT_FACTOR = 2.0  # over the target, from which a piece is cut again at the measured rate
+MAX_SHARED_LENGTH = 6.0  # in batch lengths: up to it tasks that share sweeps stay in one batch
+RECUT_FACTOR = 2.0  # pieces longer than this times the target are cut again, at the measured rate
 
 
 class Missing(NamedTuple):
@@ -91,7 +91,7 @@ def make_batches(
         each piece when its batches are made, so that finished batches correct those to come.
     """
     for piece in pieces:
-        predicted = target / rate(piece.variant.label)  # seconds that take ``target``
+        predicted = target / rate(piece.variant.label)  # predicted seconds done in ``target``
         long = piece.seconds > RECUT_FACTOR * predicted
         for part in _pieces(plan, piece, predicted) if long else [piece]:
             blocks, end = max(1, round(predicted / part.seconds)), part.first_block + part.blocks
@@ -103,7 +103,7 @@ def batch_of(plan: Plan, piece: Missing, first_block: int, blocks: int) -> Batch
     """Return the batch of some blocks of a piece."""
     block_size = plan.study.realizations_per_block
     lines = piece.variant.lines
-    heights, modes = None, lines.amplitudes  # in h, of measured lines and of lines like them
+    heights, modes = None, lines.amplitudes  # in h; modes: of random lines like measured ones
     if lines.profile is not None:
         roughness = lines.profile.roughness
         if modes is None:
@@ -137,7 +137,7 @@ def _missing_runs(
     requested = [[task for task, count in counts if count >= end] for end in ends]
 
     def lacking(block: int) -> list[Task]:
-        if not stored:  # the same tasks up to the next end
+        if not stored:  # up to the next end the same tasks lack every block
             return requested[bisect_right(ends, block)]
         return [t for t, count in counts if block < count and (t.key, block) not in stored]
 

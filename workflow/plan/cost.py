@@ -2,8 +2,8 @@
 
 The constants are CPU times of one core of a server of 2023. For whole studies they are within a
 factor of COST_FACTOR of the truth; single problems are further off. A run replaces them by the
-rates of its first batches, and `plan --sample` times batches of the study itself. No key and no
-number of a result depends on them.
+rates of its first batches, and `plan --sample` times batches of the study itself. No task key and
+no result depends on them.
 
 The functions take a problem, or many of them together (problems.py), and steps for each.
 """
@@ -25,21 +25,21 @@ STATES_SECONDS = 1.2e-8  # per sample: both steady states and the jump
 MARCH_SECONDS = 4e-9  # per sample: to sort the samples of a march
 LISTED_SECONDS = 1.2e-11  # per sample and step of such a march
 # Elements with internal variables, and programmes of any elements.
-SWEEP_SECONDS = 2e-9  # per sample and turn of a steady state
-SWEEP_TURNS = 10  # of a steady state, and one more for each internal variable
+SWEEP_SECONDS = 2e-9  # per sample and turn round the periodic line
+SWEEP_TURNS = 10  # to reach a steady state, and one more for each internal variable
 STEP_SECONDS = 5e-7  # per step
-ELEMENT_SECONDS = 3e-10, 6e-11  # per step and sample, and more for each internal variable
-ALL_ELEMENTS = 5.0  # times as long, where elements that cannot touch are stepped too
-PULLED_STEPS = 2.0  # steps on a spring for each step of its drive
+ELEMENT_SECONDS = 3e-10, 6e-11  # per step and sample; the second for each internal variable
+ALL_ELEMENTS = 5.0  # factor on a step that moves elements that cannot touch, too
+PULLED_STEPS = 2.0  # steps of the line per step of a drive with a spring
 # Maps on a half-space: passes of conjugate gradients.
 PASS_SECONDS = 1.5e-8  # per sample
 KELVIN_PASSES, BRANCH_PASSES = 800.0, 300.0  # of both steady states
 STEP_PASSES, JUMP_PASSES = 4.5, 18.0
-HALVED_STEPS_COST = 4.0  # of a line that is run again with halved steps, over the line itself
+HALVED_STEPS_COST = 4.0  # cost of a repeated run with halved steps, over that of the line
 
 
 def drawing_seconds(samples: Numbers) -> Numbers:
-    """Return the predicted time to draw a line or a map. samples : of it."""
+    """Return the predicted time to draw a line or a map. samples : their number."""
     return DRAWING_SECONDS * samples
 
 
@@ -73,7 +73,7 @@ def realization_seconds(
 def _memory_seconds(
     problem: Problem, samples: Numbers, marched: Numbers, quantities: Quantities, scheme: str
 ) -> Numbers:
-    """Return the time of elements whose memory variables are stepped, or of a programme."""
+    """Return the time of elements with internal variables, or of a programme."""
     variables = len(problem.spectrum.moduli) + (problem.spectrum.viscosity > 0.0)
     states = quantities.anything + (quantities.steady or quantities.relaxation)
     states += problem.start == "steady" and bool(problem.programme)

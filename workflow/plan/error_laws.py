@@ -2,10 +2,10 @@
 
 All are relative and measured with the scheme ``exponential``, r = 1.2. Errors: 224 random problems,
 H 0 ... 1, Fbar 1e-3 ... 25, x 0.03 ... 3200, N 320 ... 10 000, against the finest m (64 to 512) on
-the same lines. They are upper bounds for 9 in 10 problems, and for 480 others (tests/tools/wide.py,
+the same lines. They bound 9 in 10 problems, and 9 in 10 of 480 others (tests/tools/wide.py,
 docs/accuracy.md). Scatter: standard errors times the root of the number of lines, which come in
-quartets; 290 problems, Fbar 1e-3 ... 25, x 0.25 ... 600, N 320 ... 3200, over 16 quartets. Two in
-three are within a factor of 1.7.
+quartets; 290 problems, Fbar 1e-3 ... 25, x 0.25 ... 600, N 320 ... 3200, over 16 quartets. Of
+these, two in three are within a factor of 1.7 of the law.
 
 The functions take a problem, or many of them together (problems.py), and steps for each. refine :
 whether contacts of steady sliding are located between the samples.
@@ -27,7 +27,7 @@ FEW = 2.0  # patches of contact that carry the load
 
 
 def known(problem: Problem, body: str = FOUNDATION) -> Numbers:
-    """Return whether the laws of a body hold: Kelvin elements under load, one step forwards."""
+    """Return whether the laws of a body hold: Kelvin elements, load > 0, no reversal of motion."""
     plain = problem.spectrum == KELVIN and not problem.programme and not problem.surface.measured
     plain = plain and problem.surface.body == body
     numbers = np.stack([problem.load, problem.speed, problem.ratio])
@@ -43,16 +43,16 @@ class Coarseness(NamedTuple):
     sliding: float  # exponent of 1 + 1/vbar
     elements: float  # unit of the number of elements
     rough: float  # exponent of that number, times H
-    whole: float  # additional error of every contact, times m^2
+    whole: float  # error whatever the contacts, added in quadrature, times m^2
 
 
 STEADY = Coarseness(0.060, -0.32, 0.41, 0.92, 88.0, -1.22, 0.03)
 JUMP = Coarseness(0.158, -0.26, 0.61, 0.68, 94.0, -1.36, 0.06)
-FOLLOWED = 1e-5  # error of both with located contacts; 3 of 1000 jumps of a line exceed it
+FOLLOWED = 1e-5  # error of mu_1 and jump with located contacts; 3 of 1000 jumps exceed it
 
 
 def coarse_error(law: Coarseness, problem: Problem, steps: Numbers, refine: bool = True) -> Numbers:
-    """Return the error of an estimate: second order, or that of located contacts."""
+    """Return the error of mu_1 or jump: second order in 1/m, or FOLLOWED with located contacts."""
     _, elements, load, speed, _ = problem[:5]
     contacts = load**law.load * (1.0 + viscous_pressure(problem) / load) ** law.pressed
     line = (elements / law.elements) ** (law.rough * problem.hurst)
@@ -62,7 +62,7 @@ def coarse_error(law: Coarseness, problem: Problem, steps: Numbers, refine: bool
 
 
 def _slides(problem: Problem) -> Numbers:
-    """Return whether contacts are renewed within a relaxation time: x >= 1."""
+    """Return whether sliding replaces the contacts within a relaxation time: x >= 1."""
     return speed_ratio(problem) >= 1.0
 
 
@@ -95,21 +95,21 @@ def shape_error(steps: Numbers) -> Numbers:
 def first_order_rate_error(problem: Problem, steps: Numbers, rate: Numbers) -> Numbers:
     """Return the additional error of b due to the implicit Euler scheme.
 
-    A mode of rate b decays at ln(1 + s)/s of it, where s is the share of a relaxation time in a
-    step. In a spectrum of modes the error is up to four times as large.
+    A mode of rate b decays at the rate b ln(1 + s)/s, where s is the time step over the relaxation
+    time 1/b. In a spectrum of modes the error is up to four times as large.
     """
     share = _share(problem, steps, rate)
     return 4.0 * (1.0 - np.log1p(share) / share)
 
 
 def _share(problem: Problem, steps: Numbers, rate: Numbers) -> Numbers:
-    """Return the share of a relaxation time in a step, at the slower speed."""
+    """Return the time step over the relaxation time, at the slower speed."""
     fastest = np.maximum(rate, expected_rate(problem))
     return fastest / (problem.speed * np.minimum(1.0, problem.ratio) * steps)
 
 
 def allowed_share(problem: Problem) -> Numbers:
-    """Return the share of a relaxation time in a step at which the error of b is 2 %."""
+    """Return the time step over the relaxation time at which the error of b is 2 %."""
     return np.minimum(1.0, 0.27 * np.minimum(speed_ratio(problem), 1.0) ** -0.8)
 
 
@@ -131,7 +131,7 @@ def contact_width(problem: Problem) -> Numbers:
 def touchable_share(hurst: Numbers, load: Numbers, viscous_pressure: Numbers) -> Numbers:
     """Return the share of the line below the indentation, which a march visits.
 
-    At rest it grows with the load; at speed a smaller area carries the load, which is load over
+    At rest it grows with the load; at speed a smaller share carries it, about the load over the
     viscous pressure. Of 1500 random problems, Fbar 1e-4 ... 30, vbar 0.02 ... 1000, N 700 ...
     12000, half are within 20 % and nine in ten within a factor of 2.2.
     """
@@ -141,11 +141,11 @@ def touchable_share(hurst: Numbers, load: Numbers, viscous_pressure: Numbers) ->
 
 
 def window_rate(problem: Problem) -> Numbers:
-    """Return the rate that sets the window of a march, at least that of the curve.
+    """Return the rate that sets the length of a march, at least the expected rate b.
 
     It is x^(1 - H) if many patches carry the load. One or two patches are renewed once they have
-    slid their own width. Of 92 measured problems with x > 1, N to 3000, 94 % fell to 5 % within
-    four such times, the others within 4.2; with x^(1 - H) alone it took up to 100 times longer.
+    slid their own width. Of 92 measured curves with x > 1, N to 3000, 94 % fell to 5 % within
+    4 over this rate, the others within 4.2; by x^(1 - H) alone marches took up to 100 times longer.
     """
     rate = expected_rate(problem)
     with np.errstate(all="ignore"):  # loads of zero, where no law holds
@@ -156,9 +156,9 @@ def window_rate(problem: Problem) -> Numbers:
 
 
 def relaxing_share(problem: Problem) -> Numbers:
-    """Return the share of the jump that relaxes, beyond its sign and above 1e-3.
+    """Return the magnitude of the share of the jump that relaxes, valid above 1e-3.
 
-    In 112 of the same problems it was below 0.01; the law finds 105 of them, and 4 others.
+    In 112 of the same problems it was below 0.01; by the law, in 105 of these and in 4 more.
     """
     hurst, elements, load, _, _ = problem[:5]
     x = speed_ratio(problem)
@@ -177,7 +177,7 @@ def mu_1_scatter(problem: Problem) -> Numbers:
 
 
 def jump_scatter(problem: Problem) -> Numbers:
-    """Return the scatter of the jump; heavy tails at light loads."""
+    """Return the scatter of the jump, whose distribution has heavy tails at light loads."""
     hurst, elements, load, _, _ = problem[:5]
     contacts = (1.0 + load) ** -1.1 * (1.0 + viscous_pressure(problem) / load) ** 0.30
     sliding = 1.6 * contacts * np.exp(-3.35 * hurst) * elements ** (0.633 * hurst - 0.545)
@@ -198,7 +198,7 @@ def relaxation_rate_scatter(problem: Problem) -> Numbers:
 class Laws(NamedTuple):
     """The laws of one estimate."""
 
-    error: Callable[..., Numbers]  # of a problem and its steps, with refine as above
+    error: Callable[..., Numbers]  # of (problem, steps, refine)
     scatter: Callable[[Problem], Numbers]  # of one line
 
 

@@ -26,20 +26,20 @@ from .error_laws import (
 from .half_space import LEAST_OF_MAPS, MOST_SAMPLES, laws_of, may_be_so_fine, steps_for
 from .problems import Numbers, expected_rate, viscous_pressure
 
-JACKKNIFE_GROUPS = 32  # of the jackknife at most; fewer blocks are groups of their own
-MIN_BLOCKS, MIN_RATE_BLOCKS = 2, 8  # of a point; with fewer, b is rarely significant
-FIRST_SHARE = 0.3  # of the predicted need; measured errors then determine the rest
-TRIED = 3  # fine enough steps to compare, each twice the one before; finer ones never pay
-STATES = 28.0  # updates of the march that drawing and both steady states of a sample are worth
+JACKKNIFE_GROUPS = 32  # at most; with fewer blocks, each block is a group
+MIN_BLOCKS, MIN_RATE_BLOCKS = 2, 8  # per point; with fewer than the second, b is rarely significant
+FIRST_SHARE = 0.3  # of the predicted need, run first; its measured errors determine the rest
+TRIED = 3  # number of m compared: the first fine enough and its doubles; finer never pays
+STATES = 28.0  # cost of drawing and of both steady states per sample, in updates of the march
 
 
 class Goal(NamedTuple):
     """Settings with which a problem, or each of a stack, reaches the accuracy."""
 
     steps: Numbers  # per spacing
-    bias: dict[str, Numbers]  # bound of the relative discretisation error of each estimate judged
-    scatter: dict[str, Numbers]  # predicted standard error of each, of one line
-    realizations: Numbers  # predicted need
+    bias: dict[str, Numbers]  # bound of the relative discretisation error, by estimate
+    scatter: dict[str, Numbers]  # predicted standard error for one line, by estimate
+    realizations: Numbers  # predicted to be needed
 
     def split(self, number: int) -> "list[Goal]":
         """Return the goals of the single problems of a stack."""
@@ -56,7 +56,7 @@ class Goal(NamedTuple):
 def goal_of(problem: Problem, scene: Scene, numerics: Numerics) -> Goal:
     """Return the cheapest settings for the accuracy, by the laws of error_laws.py and cost.py.
 
-    Discretisation may use up to half of the accuracy. If no line that fits into a worker is fine
+    Discretisation may use up to half of the accuracy. If no line that a worker can hold is fine
     enough, the finest of those is used. A number of steps given by the user is kept, and its error
     is not counted: the accuracy is then that of the given discretisation. b is not judged if almost
     nothing is expected to relax.
@@ -75,7 +75,7 @@ def goal_of(problem: Problem, scene: Scene, numerics: Numerics) -> Goal:
     first = LEAST_OF_MAPS if on_map else least_steps(problem, scene)
     least = np.broadcast_to(first, np.shape(problem.load))
     check_resolution(problem, least, numerics)
-    # Where the search begins, to be replaced by the first steps that are tried.
+    # A start for the search; the first steps that are tried replace it.
     best, tried = Goal(least, dict.fromkeys(names, np.inf), scatter, np.inf), np.zeros_like(least)
     lowest, steps = np.full(least.shape, np.inf), least
     share = touchable_share(problem.hurst, problem.load, viscous_pressure(problem))
@@ -88,9 +88,9 @@ def goal_of(problem: Problem, scene: Scene, numerics: Numerics) -> Goal:
         marched = 0.0
         if "relaxation" in scene.quantities:
             marched = share * horizon_steps(problem, numerics, steps)
-        updates = steps * (STATES + marched)  # of elements in a march, which a realization takes
+        updates = steps * (STATES + marched)  # element updates of a realization, per spacing
         if on_map:
-            updates = steps**3  # samples of a map times steps of a march
+            updates = steps**3  # of a map: m^2 samples times m steps, per spacing
         cost = np.where(fine, lines * updates, np.inf)
         better = open_ones & ((cost < lowest) | (tried == 0))
         best = Goal(
@@ -105,12 +105,12 @@ def goal_of(problem: Problem, scene: Scene, numerics: Numerics) -> Goal:
 
 
 def _need(wanted: float, bias: dict[str, Numbers], scatter: dict[str, Numbers]) -> Numbers:
-    """Return the realizations that reduce every standard error to what the bias leaves."""
+    """Return the realizations that reduce every standard error to ``allowed``."""
     return np.max([(scatter[name] / allowed(wanted, bias[name])) ** 2 for name in bias], axis=0)
 
 
 def allowed(wanted: float, bias: Numbers) -> Numbers:
-    """Return the relative standard error allowed besides a bias, at least half of the accuracy."""
+    """Return the relative standard error allowed: wanted - bias, at least 0.5 wanted."""
     return np.maximum(wanted - bias, 0.5 * wanted)
 
 
@@ -145,10 +145,10 @@ def whole_blocks(study: Study, realizations: Numbers, most: int) -> Numbers:
 
 MAX_SAMPLES_PER_LINE = 6_000_000  # keeps a worker below 1 GiB
 MIN_STEPS = 8  # of a march
-BIAS = 0.02  # relative discretisation error that "auto" keeps
-GENERAL_STEPS = 8  # where elements have internal variables, or a programme is marched
-RENEWAL = 0.04  # of the line, after which contacts are renewed
-FIRST_ORDER = 8  # times the steps, that a scheme of first order takes
+BIAS = 0.02  # largest relative discretisation error by "auto"
+GENERAL_STEPS = 8  # m for elements with internal variables, or for a programme
+RENEWAL = 0.04  # share of the line after which sliding has replaced the contacts
+FIRST_ORDER = 8  # factor on the steps for a first-order scheme
 MOST_FOR_CONTACTS = 64
 
 
@@ -160,7 +160,7 @@ def rung(need: Numbers) -> Numbers:
 
 
 def least_steps(problem: Problem, scene: Scene) -> Numbers:
-    """Return the smallest m for the requested quantities, limited by the relaxation."""
+    """Return the smallest m that resolves the relaxation in time; 1 if none is requested."""
     if "relaxation" not in scene.quantities:
         return 1
     slowest = np.maximum(problem.speed * np.minimum(1.0, problem.ratio), SPEED_LIMITS[0])
@@ -171,7 +171,7 @@ def steps_per_spacing(problem: Problem, scene: Scene, numerics: Numerics) -> Num
     """Return m: the given number, or for "auto" the smallest with a bias below BIAS.
 
     For steady friction and jumps it is 4 (quick/contacts/between_samples.py). A relaxation needs
-    resolved steps and contacts (error_laws.py). To resolve contacts m is at most MOST_FOR_CONTACTS,
+    a fine m in time and in space (error_laws.py). For contacts m is at most MOST_FOR_CONTACTS,
     and the line must fit into a worker; the result marks points that remain coarse. First-order
     schemes take FIRST_ORDER times as many.
     """
@@ -188,7 +188,7 @@ def steps_per_spacing(problem: Problem, scene: Scene, numerics: Numerics) -> Num
             most = np.minimum(MOST_FOR_CONTACTS, MAX_SAMPLES_PER_LINE // problem.elements)
             width, rate = contact_width(problem), expected_rate(problem)
             coarse = np.array(True)
-            while coarse.any():  # by the law of b, as far as m may go
+            while coarse.any():  # until the law of b is met or m reaches its limit
                 finer = rung(steps + 1)
                 coarse = rate_error(problem, steps, width * steps, rate) > BIAS
                 coarse = coarse & (finer <= most)
@@ -205,16 +205,16 @@ def may_be_so_long(problem: Problem, steps: Numbers) -> Numbers:
 
 
 def fits_worker(problem: Problem, steps: int) -> bool:
-    """Return whether a line with these steps per spacing fits into a worker without rounding."""
+    """Return whether a line with this m fits into a worker, and no step is lost in rounding."""
     fastest = max(abs(problem.speed), abs(problem.speed * problem.ratio))
     lost = steps * fastest * min_step(problem.spectrum) > 1.0
     return may_be_so_long(problem, steps) and not lost
 
 
 def check_resolution(problem: Problem, steps: Numbers, numerics: Numerics) -> None:
-    """Raise UserError for a line that does not fit into a worker, and if rounding would show.
+    """Raise UserError for a line too long for a worker, and for speeds at which rounding shows.
 
-    The kernels refuse the same speeds (kernels/quick/cases.py).
+    The kernels refuse these speeds too (kernels/quick/cases.py).
     """
     elements, _, speed, ratio, steps = np.broadcast_arrays(*problem[1:5], steps)
     if problem.surface.body == HALF_SPACE:

@@ -5,11 +5,11 @@ The functions take a problem, or many of them together, like the laws of the fou
 
 Errors: 15 problems at H = 0.7, N = 16, sigma_0/(E* grad z) 0.01 ... 0.2, x 0.3 ... 30, four maps
 each with m = 2, 4, 8 against m = 16. The error of mu_1 was 1 to 2.4 % at m = 4 and at most 0.5 % at
-m = 8, for any load and x. The error of the jump is as small if contact patches hold many samples,
-otherwise up to 2 over their number.
+m = 8, for any load and x. The error of the jump is as small with many samples per contact patch,
+otherwise up to 2 over the samples per patch.
 
 Scatter: standard errors times the root of the number of maps; 264 problems, sigma_0/(E* grad z)
-0.002 ... 0.6, x 0.1 ... 30, H 0 ... 1, one or two longest waves per side, N 8 ... 64. Two in three
+0.002 ... 0.6, x 0.1 ... 30, H 0 ... 1, side of one or two longest waves, N 8 ... 64. Two in three
 are within a factor of 1.6. The scatter of b follows no law.
 """
 
@@ -27,13 +27,13 @@ LEAST_OF_MAPS, MOST_STEPS = 4, 16
 MOST_SAMPLES = 4096**2  # of a map; a worker then needs 4 GiB and more
 # Measured at 512 and 1024 samples a side, without branches and with 13.
 MAP_BYTES, BRANCH_BYTES = 260.0, 25.0  # of a worker, for each sample
-# Of the scatter: its logarithm for ln of area, of what does not touch, of the longest waves a side,
-# of the shortest in each, for H, and for ln x.
+# Logarithm of the scatter: constant, coefficients of ln of the contact area, of the free area, of
+# longest waves per side, of shortest waves in each; of H; of ln x.
 SCATTER = {
     "mu_1": (-1.09, -0.40, 0.37, -1.12, -0.87, 0.87, -0.14),
     "jump": (-0.28, -0.40, 0.43, -1.20, -1.00, 0.63, -0.02),
 }
-LEAST_FREE = 0.1  # in contacts of more the scatter was not measured
+LEAST_FREE = 0.1  # share out of contact, below which the scatter was not measured
 
 
 def steps_for(problem: Problem, wanted: float) -> Numbers:
@@ -56,7 +56,7 @@ def may_be_so_fine(problem: Problem, steps: Numbers) -> Numbers:
 
 
 def map_error(name: str, steps: Numbers, samples: Numbers) -> Numbers:
-    """Return the error of an estimate; samples : in a connected patch of contact."""
+    """Return the error of an estimate; samples : number in a connected contact patch."""
     whole = 0.38 / np.asarray(steps) ** 2.0
     if name == "mu_1":
         return whole
@@ -80,7 +80,7 @@ def expected_error(name: str, problem: Problem, steps: Numbers, refine: bool = T
 
 
 def expected_area(problem: Problem) -> Numbers:
-    """Return the expected share of real contact; nine in ten are 0.7 to 1.2 of it.
+    """Return the expected share of real contact; nine in ten measured ones are 0.7 to 1.2 times it.
 
     Under very light loads it is that of Persson's theory, 2.26 sigma_0/(E* grad z), if sliding does
     not stiffen the elastomer.

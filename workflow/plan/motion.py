@@ -36,8 +36,8 @@ from ..study import (
     accuracy_estimates,
 )
 
-MANTISSA_BITS = 40  # values closer than 1e-12 are one: rounding of the input must not split them
-MIN_ROUNDING = 0.02  # of the residual force: from 1 on steps would be halved forever
+MANTISSA_BITS = 40  # values within 1e-12 become equal, lest rounding of the input split them
+MIN_ROUNDING = 0.02  # largest rounding of a force over the residual; at 1, steps are halved forever
 
 
 def canonical(values: np.ndarray) -> np.ndarray:
@@ -62,7 +62,7 @@ class Scale(NamedTuple):
 
 
 def with_scene(base: Problem, scene: Scene, scale: Scale, depth: float) -> Problem:
-    """Return a problem with the contribution of a scene at a point, if it has a programme.
+    """Return a problem with the programme of a scene, its start, control and drive, if it has one.
 
     depth : prescribed indentation, m; NaN if the study has none.
     """
@@ -90,7 +90,7 @@ def with_scene(base: Problem, scene: Scene, scale: Scale, depth: float) -> Probl
 
 
 def _drive(spring: Spring | None, scale: Scale) -> Drive | None:
-    """Return a drive in the units of friction, E* L h^2/dx, of lengths and of times."""
+    """Return a drive in dimensionless units: of friction E* L h^2/dx, of length dx, of time tau."""
     if spring is None:
         return None
     unit = scale.stiffness * (scale.roughness / scale.spacing) ** 2  # of a spring, N/m
@@ -105,7 +105,7 @@ def _drive(spring: Spring | None, scale: Scale) -> Drive | None:
 def _speeds(scene: Scene, scale: Scale) -> tuple[float, float]:
     """Return the speed before the first velocity step, and the ratio of the speed after it.
 
-    Without a step it is the initial speed of the programme or, if it begins at rest, its first
+    Without a step the speed is the initial one of the programme or, if that is zero, the typical
     speed.
     """
     segments = scene.segments
@@ -207,7 +207,7 @@ def _check_pull(problem: Problem, drive: Drive) -> None:
 
 
 def kernel_quantities(study: Study) -> Quantities:
-    """Return the quantities requested from the kernels; a relaxation starts from the jump."""
+    """Return the quantities requested from the kernels; a relaxation also requires the jump."""
     requested = study.scene.quantities
     curve = any(name in requested for name in ("relaxation", "peak", "rate_state"))
     return Quantities(
@@ -219,14 +219,14 @@ def kernel_quantities(study: Study) -> Quantities:
     )
 
 
-FINER = 4  # lines that are run with halved steps too
+FINER = 4  # blocks whose first line is also run with halved steps
 
 
 def recording_of(study: Study, label: str) -> Recording:
     """Return the Recording of the marches of a variant.
 
-    The discretisation error of measured lines, and of lines like them, follows no law. If "auto"
-    chooses the steps, the error is measured by halving the steps on a few of them.
+    No law gives the discretisation error of measured lines and random lines like them. If "auto"
+    chooses the steps, the error is measured by halving the steps on a few of these lines.
     """
     requested, numerics, surface = (
         study.scene.quantities,

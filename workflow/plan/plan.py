@@ -20,9 +20,9 @@ BYTES_PER_STEP = 65  # of the longest programme
 BYTES_PER_SAMPLE = 130  # line, state and temporaries at the peak
 BYTES_PER_TASK = 2000  # of the plan
 BYTES_PER_RECORD = 1  # many share an entry of the index
-BYTES_PER_POINT = 4500  # of the result, all estimates, as they are collected
-MOST_RECORDS = 20_000_000  # planned, indexed and collected in minutes and in 2 GiB
-BYTES_PER_CURVE_SAMPLE = 80  # the same, curves
+BYTES_PER_POINT = 4500  # of the grid, for all estimates of the result
+MOST_RECORDS = 20_000_000  # that are planned, indexed and collected within minutes and 2 GiB
+BYTES_PER_CURVE_SAMPLE = 80  # of the curves of the result, per grid point
 
 
 class Plan(NamedTuple):
@@ -31,8 +31,8 @@ class Plan(NamedTuple):
     study: Study
     variants: list[Variant]
     quantities: Quantities  # of the kernels
-    first: dict[str, int]  # blocks of the first round by key of the task, all where no goals are
-    expected: dict[str, int]  # blocks that the goals are predicted to need
+    first: dict[str, int]  # blocks of the first round by task key, or all without goals
+    expected: dict[str, int]  # blocks that the goals are predicted to need, by task key
 
     @property
     def points(self) -> int:
@@ -46,7 +46,7 @@ class Plan(NamedTuple):
 
     @property
     def records(self) -> int:
-        """Number of records (task, block) of the whole study, predicted if there are goals."""
+        """Number of records (task, block) of the whole study, predicted if goals are set."""
         return sum(sum(map(self.expected.__getitem__, v.rows)) for v in self.variants)
 
     def longest_line(self) -> int:
@@ -138,7 +138,7 @@ def make_plan(study: Study, origin: Origin = ZERO_ORIGIN) -> Plan:
             counts = whole_blocks(study, share * needs, most).tolist()
             blocks.update(zip(variant.goals, counts, strict=True))
     records = sum(expected.values())
-    if records > MOST_RECORDS:  # than a run can keep account of
+    if records > MOST_RECORDS:  # more than a run can index
         least = study.realizations_per_block * math.ceil(records / MOST_RECORDS)
         raise UserError(
             f"study.realizations_per_block = {study.realizations_per_block}: {records} records "

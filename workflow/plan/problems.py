@@ -24,7 +24,7 @@ from .motion import Scale, canonical, line_modes, rounded, with_scene
 
 LEAST_CHANGE = 1e-13  # |dv/v1| vbar; below it rounding is over 1e-3 of the jump
 TYPICAL_HURST = 0.8  # of measured lines, for predictions of cost alone
-Numbers = Any  # one, or an array of one for each of many problems together
+Numbers = Any  # a number, or an array with one entry per problem of a stack
 Points = dict[str, np.ndarray]  # axis -> its value at every point of the grid
 
 
@@ -87,10 +87,10 @@ def stack_problems(problems: list[Problem]) -> list[tuple[np.ndarray, Problem]]:
 def _settings(
     parts: Parts, points: Points, indices: dict[Problem, int], length: float
 ) -> np.ndarray:
-    """Return per point the index of its setting among those found, and find those that lack.
+    """Return the index of the setting of each point; new settings are added to ``indices``.
 
     A setting is a problem without its numbers: what follows from material, lines and scene.
-    length : of the lines that a drive pulls together, m.
+    length : total length of the lines that one drive pulls, m.
     """
     names = ["elements"]
     if parts.scene.programme:
@@ -116,7 +116,7 @@ def _settings(
 
 
 def _numbers(study: Study, label: str, others: list[Parts], points: Points) -> list[np.ndarray]:
-    """Return load, speed and ratio at every point, without a programme; the last axis : others."""
+    """Return load, speed (0 in a programme) and ratio (1) at every point; last axis : others."""
     modulus = np.array([parts.material.contact_modulus for parts in others])
     tau = np.array([parts.material.tau for parts in others])
     at = {axis: values[..., None] for axis, values in points.items()}
@@ -132,7 +132,7 @@ def _numbers(study: Study, label: str, others: list[Parts], points: Points) -> l
         if study.surface.profile is not None:
             check_load("grid.normal_force", study.surface.profile, load)
     _check("velocity", "v1 tau/dx", speed, SPEED_LIMITS)
-    if study.scene.programme:  # which says the speeds
+    if study.scene.programme:  # which has its own speeds
         speed, step = np.zeros_like(speed), np.zeros_like(speed)
     else:
         step = np.broadcast_to(at["velocity_step"], speed.shape)
@@ -148,26 +148,26 @@ def _rounded_spectrum(material: Material) -> Spectrum:
 
 
 def speed_ratio(problem: Problem) -> Numbers:
-    """Return x = v1 tau q_max, the abscissa of figure 7; pi vbar if all waves are present."""
+    """Return x = v1 tau q_max, the abscissa of figure 7; pi vbar without cutoff (q_max = pi/dx)."""
     if problem.surface.cutoff:
         return abs(problem.speed) * 2.0 * math.pi * problem.surface.cutoff / problem.elements
     return math.pi * abs(problem.speed)
 
 
 def expected_rate(problem: Problem) -> Numbers:
-    """Return the expected rate b (eq. 13): x^(1 - H) above x = 1, creep with tau below."""
+    """Return the expected rate b (eq. 13): x^(1 - H) above x = 1, and 1 (creep with tau) below."""
     return relaxation_rate(speed_ratio(problem), problem.hurst, time_below_one=True)
 
 
 def viscous_pressure(problem: Problem) -> Numbers:
-    """Return vbar grad z, the viscous pressure on a mean slope in units of G h."""
+    """Return vbar grad z, the viscous pressure at the rms slope, in units of G h."""
     return abs(problem.speed) * line_slope(problem)
 
 
 def line_slope(problem: Problem, normalisation: str = "modal") -> Numbers:
     """Return the spectral rms slope of the lines of a problem, in h/dx."""
     rolloff, cutoff, measured, slope, body, _ = problem.surface
-    if measured or np.ndim(slope):  # of many problems together
+    if measured or np.ndim(slope):  # array : of a stack of problems
         return slope
     return _slope(body, problem.hurst, problem.elements, normalisation, rolloff, cutoff)
 
@@ -183,7 +183,7 @@ def _slope(
 
 
 def _check_steps(step: np.ndarray, speed: np.ndarray) -> None:
-    """Raise UserError for a velocity step whose 1 + dv/v1 or jump is lost in rounding."""
+    """Raise UserError for a velocity step whose ratio 1 + dv/v1 or jump is lost in rounding."""
     least = np.maximum(MIN_RATIO_STEP, LEAST_CHANGE / speed)
     lost = (step != 0.0) & (np.abs(step) < least)
     if lost.any():

@@ -1,7 +1,7 @@
-"""Error of the model: measured friction of the foundation over that of a half-space.
+"""Error of the model: simulated friction of the foundation over that of a half-space.
 
-The study `bodies` makes ratio_of_bodies.csv (studies/bodies/ratio_table.py) at one nominal
-pressure, F_N = sigma_0 lambda_r L on the foundation. Between its points the logarithm of the ratio
+The study `bodies` makes ratio_of_bodies.csv (studies/bodies/ratio_table.py) at equal nominal
+pressure, F_N = sigma_0 lambda_r L on the foundation. Between table rows the logarithm of the ratio
 is linear in H and in the logarithms of waves, load and x. Outside the table the ratio is unknown.
 """
 
@@ -69,7 +69,7 @@ def model_ratio(problem: Problem, normalisation: str = "modal") -> tuple[float, 
 
 
 def _of_point(entries: dict[str, np.ndarray], place: InTable) -> np.ndarray | None:
-    """Return (ln ratio, relative error) at a load and speed, between four points of a grid."""
+    """Return (ln ratio, relative error) at a load and speed, interpolated on a grid of both."""
     ratios = []
     for name in ("ratio", "error"):
         along = [
@@ -81,7 +81,7 @@ def _of_point(entries: dict[str, np.ndarray], place: InTable) -> np.ndarray | No
 
 
 def _inside(at: float, x: np.ndarray, values: np.ndarray) -> float:
-    """Return the value at a place between others, or NaN outside them."""
+    """Return ``values`` interpolated linearly at ``at``, or NaN outside ``x``."""
     if not x[0] - ROUNDING <= at <= x[-1] + ROUNDING:
         return math.nan
     return float(np.interp(at, x, values))
@@ -90,7 +90,7 @@ def _inside(at: float, x: np.ndarray, values: np.ndarray) -> float:
 def _between(
     table: dict[float, Any], at: float, value: Callable, scale: Callable
 ) -> np.ndarray | None:
-    """Return the value between the two entries of a table next to a key, or None outside."""
+    """Return the value interpolated between the two table keys next to ``at``, or None outside."""
     below = [key for key in table if key <= at * (1.0 + ROUNDING) + 1e-12]
     above = [key for key in table if key >= at * (1.0 - ROUNDING) - 1e-12]
     if not (below and above):

@@ -25,7 +25,7 @@ from .goal import Goal, fits_worker, goal_of, horizon_steps, steps_per_spacing
 from .motion import check_programme, recording_of
 from .problems import distinct_problems, stack_problems
 
-PROBLEM_BYTES = struct.Struct("<dqddd")  # H, N, load, speed and ratio as they enter a key
+PROBLEM_BYTES = struct.Struct("<dqddd")  # H, N, load, speed and ratio, as hashed in a task key
 STEPS_BYTES = struct.Struct("<qq")
 
 
@@ -44,7 +44,7 @@ class Variant(NamedTuple):
     goals: dict[str, Goal]  # by key of the task; empty without a requested accuracy
     rows: dict[str, int]  # index into tasks by key
     seconds: list[float]  # predicted, of one realization without the drawing of its line
-    longest: int  # samples of a line
+    longest: int  # largest number of samples of a line
 
     def realization_seconds(self, tasks: Sequence[Task]) -> float:
         """Return the predicted time of one realization of tasks that share their lines."""
@@ -90,7 +90,7 @@ def problems_of(study: Study) -> dict[str, Problems]:
 
 def _distinct(study: Study, label: str) -> Problems:
     problems, points = distinct_problems(study, label)
-    # Many problems share the fields after the first five, so that each text is made once.
+    # Many problems share the fields after the first five, so these are converted to text once.
     settings = {rest: repr(rest).encode() for rest in {problem[5:] for problem in problems}}
     key_bytes = [PROBLEM_BYTES.pack(*p[:5]) + settings[p[5:]] for p in problems]
     return Problems(problems, key_bytes, points, stack_problems(problems))
@@ -206,7 +206,7 @@ def _by_line(tasks: list[Task]) -> list[list[Task]]:
 def sharing(task: Task) -> tuple[int, float]:
     """Return the key of tasks on a line whose steady states are computed in one call.
 
-    Loads may differ: thresholds are the same, and sweeps lie side by side (quick/steady).
+    Loads may differ: thresholds do not depend on them, and sweeps run together (quick/steady).
     """
     return task.steps_per_spacing, task.problem.speed
 

@@ -1,7 +1,7 @@
 """The active-set march: step only the samples whose contact state is undecided.
 
 **Idea.** After a velocity jump few samples change between touching and not touching. Kelvin
-elements slide at constant speed under constant load. Let E be the decay of a step and
+elements slide at constant speed under constant load. Let E be the decay factor of a step and
 
     a_j = z_j - E z_(j+1),    D(t) = d(t) - E d(t - 1),
 
@@ -12,8 +12,8 @@ D - a_j. While d and D keep within bounds, every sample is of one of three kinds
 - It always touches, and so does the sample upstream. The n samples of this kind together carry
   n D - sum a, so only sums over them are kept (``listed_samples``).
 - It never touches, and passes displacements on. Samples of this kind form gaps. An element that
-  leaves contact with u at the upstream end of a gap arrives at the other end, q samples farther,
-  with E^q u (``gap_crossings``).
+  leaves contact at the upstream end of a gap with displacement u arrives q samples farther, at
+  the other end, with E^q u (``gap_crossings``).
 - It is undecided. Undecided samples form runs. They are listed, and stepped exactly as the plain
   march of model/march.py steps every sample (``stepping``, ``step_indentation``).
 
@@ -22,7 +22,7 @@ bound all displacements on the way from one to the other (``displacement_bounds`
 one pass over the line against the motion decides the kind of every sample (``undecided_runs``).
 A few comparisons decide a whole span of sixteen samples, so most samples are not visited.
 
-**Fallback.** Every step checks that d and D stay inside the bounds. If they leave them, the march
+**Fallback.** Every step checks that d and D stay inside the bounds. If either is outside, the march
 starts again with wider bounds, up to three times (``active``). After that the caller uses the
 plain march.
 
@@ -30,5 +30,5 @@ plain march.
 become decided. ``shortened_lists`` then makes shorter lists, if they save more steps than they
 cost. Where an element certainly lands after a gap that it entered from certain contact, its
 overlap depends on the past of d alone, and ``certain_landings`` sums all these samples. If d
-leaves the narrower bounds, the march returns to the last step of longer lists whose bounds hold.
+leaves the narrower bounds, the march returns to where it left longer lists whose bounds hold.
 """

@@ -1,4 +1,4 @@
-"""The active-set march: the march of model/march.py, of undecided samples alone."""
+"""The active-set march: the march of model/march.py, stepping undecided samples alone."""
 
 import numpy as np
 
@@ -35,7 +35,7 @@ def active_march(problem, control, kept_steps, margins=BOUND_MARGINS):
         runs, collected, sums = undecided_runs(problem, bounds)
         listed = listed_samples(runs, collected)
         depth, moment, _ = pressure_sums(collected.c_end, None, collected.weight, end.d)
-        # Averaged over a step (model/friction.py).
+        # mu of steady sliding at v2, averaged over a step (model/friction.py).
         settled = (sums.moment + moment) / (sums.depth + depth)
         entries = run_entries(law, listed, runs, flight, problem.z, last)
         landings = no_landings(end.d, start.d, last)

@@ -45,7 +45,7 @@ def spread_bounds(law, visited, margin):
 
 @refcount_free_kernel
 def initial_bounds(problem, d, margin):
-    """Return the Bounds of a whole march whose first step leads to about ``d``."""
+    """Return the Bounds of a whole march; ``d`` : estimate after the first step."""
     one, two = problem.start.d, problem.end.d
     advance = indentation_advance(problem.law, d, one)
     visited = Bounds(min(one, two, d), max(one, two, d), advance, advance)
@@ -54,6 +54,6 @@ def initial_bounds(problem, d, margin):
 
 @kernel
 def extended_bounds(visited, d, advance):
-    """Return the range of the visited values of d and D, extended by another pair."""
+    """Return the range of the visited values of d and D, extended to this d and D."""
     least, most = min(visited.advance_min, advance), max(visited.advance_max, advance)
     return Bounds(min(visited.d_min, d), max(visited.d_max, d), least, most)

@@ -5,7 +5,7 @@ always touches there, its overlap is
 
     d(t) - z_j + E^q (z_s - d(t - q)).
 
-All such samples together depend on the past of d alone, with one term for every distance q.
+The sum over these samples depends on the past of d alone, with one term for every distance q.
 """
 
 from typing import NamedTuple
@@ -30,7 +30,7 @@ class Gap(NamedTuple):
 class Landings(NamedTuple):
     """All certain landings of a march, to which more are added on the way."""
 
-    reference: float  # an indentation; relative to it the sums of overlaps lose no digits
+    reference: float  # indentation to which overlaps refer, so that sums lose no digits
     tally: np.ndarray  # shape (4,), see listed_samples.py
     crossing: np.ndarray  # shape (2, largest q + 1): sums of E^q, and of E^q times lagged slopes
     distances: np.ndarray  # the distances q in use, increasing
@@ -47,7 +47,7 @@ def no_landings(reference, d, steps):
 
 @refcount_free_kernel
 def add_landing(law, landings, gap, z, weight, past, w, steps):
-    """Add a landing sample if the past of d determines its arrivals; return whether it does.
+    """Add a landing sample if the past of d determines its arrivals; return whether it was added.
 
     z, weight : height and lagged slope of the sample. gap, past, w, steps : see crossing_decay.
     """
@@ -99,7 +99,7 @@ def restored_landings(landings, saved):
 
 @refcount_free_kernel
 def landing_sums(landings, step, d, row):
-    """Return (number of samples, their sum at the indentation d in a step).
+    """Return (number of landing samples, sum over them at the indentation d in a step).
 
     row : 0 for the sum of overlaps, 1 for that of overlaps times lagged slopes.
     """
@@ -121,7 +121,7 @@ def landing_sums(landings, step, d, row):
 def crossing_decay(law, gap, past, w, steps):
     """Return E^q if all elements in a gap left contact at its source within the march, else 0.
 
-    past : d up to now. w : present displacements of all samples, of elements that arrive within
+    past : d up to now. w : present displacements, valid for elements that arrive within
     ``steps``.
     """
     source_z, source, q = gap

@@ -1,7 +1,7 @@
 """Contact kinds of single samples and whole spans, from two steady states and the bounds of d.
 
 The displacements of the two steady states bound all displacements in between: free elements decay
-with E at one speed or the other, and touching elements have u = z - d.
+by the factor E of one speed or of the other, and touching elements have u = z - d.
 """
 
 from typing import NamedTuple
@@ -11,7 +11,7 @@ from ...rheology.law import MIN_MAGNITUDE
 from ..steady.spans import SPAN
 from .jump_problem import SteadyState, line_rise
 
-# Contact kinds of a sample. ALWAYS_TOUCHES includes the sample upstream. FORCED_UNDECIDED, a kind
+# Contact kinds. ALWAYS_TOUCHES: so does the sample upstream. FORCED_UNDECIDED, a kind
 # of the first sample of the line only, means UNDECIDED whatever the bounds say.
 NEVER_TOUCHES, UNDECIDED, ALWAYS_TOUCHES, FORCED_UNDECIDED = 0, 2, 3, 4
 
@@ -27,7 +27,7 @@ class DisplacementBounds(NamedTuple):
 
 @kernel
 def displacement_bounds(problem, bounds):
-    """Return the DisplacementBounds: w changes by at most the change of d times a step's decay."""
+    """Return the DisplacementBounds; a slack is E times how far d may pass its steady value."""
     near, far, near_is_start = problem.start, problem.end, True
     if problem.before.decay > problem.law.decay:
         near, far, near_is_start = far, near, False
@@ -39,7 +39,7 @@ def displacement_bounds(problem, bounds):
 
 @refcount_free_kernel
 def decayed_displacement(decay, u):
-    """Return the displacement of an element one sample after u, if no force acts on it."""
+    """Return the displacement one sample after it was u, if no force acts on the element."""
     return decay.sample * u if u < -MIN_MAGNITUDE else 0.0
 
 

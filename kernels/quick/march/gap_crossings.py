@@ -1,8 +1,8 @@
 """Elements on their way to the runs, from the neighbouring contact or across a gap.
 
-No sample of a gap touches: an element leaves the sample upstream of it with u and arrives q steps
-later with E^q u. Slots hold the displacements at arrival, one slot per step to come. If elements
-cross the gap within the march the slots form a ring, and the element that leaves takes the slot of
+No sample of a gap touches: an element leaves contact with displacement u and arrives q steps
+later with E^q u. ``arrivals`` has one place per step to come, for these displacements. If elements
+cross the gap within the march the places form a ring: the element that leaves takes the place of
 the one that arrives.
 """
 
@@ -48,7 +48,7 @@ class Entries(NamedTuple):
 
 
 class SteadyFlight(NamedTuple):
-    """Free elements in steady sliding at v1: between runs they decay from the last contact."""
+    """Free elements in steady sliding at v1; displacements decay from the last contact on."""
 
     decay: float  # of a displacement over one sample
     d: float  # indentation
@@ -58,8 +58,8 @@ class SteadyFlight(NamedTuple):
 def fill_arrivals(flight, arrivals, powers, line, leading, distance, u):
     """Fill in the displacements at arrival of the elements now upstream of a leading sample.
 
-    flight : present displacements, a State of all samples or SteadyFlight. distance, u : of the
-    source that elements come from, and the displacement there.
+    flight : present displacements, a State of all samples or SteadyFlight. distance : to the
+    source that elements come from. u : displacement there.
     """
 
 

@@ -14,7 +14,7 @@ class SteadyState(NamedTuple):
     """Steady sliding at one speed, as elements pass the spans of the line (steady/spans.py)."""
 
     decay: DecayFactors
-    thresholds: np.ndarray  # of contact, of the whole spans (steady/thresholds.py)
+    thresholds: np.ndarray  # indentation from which a whole span touches (steady/thresholds.py)
     entered: np.ndarray  # displacement of the element that enters each span (contact_pieces.py)
     d: float  # indentation
 
@@ -34,13 +34,13 @@ class JumpProblem(NamedTuple):
 
 @kernel
 def indentation_advance(law, d, previous):
-    """Return D(t) = d(t) - E d(t - 1), with 1 - E = 1/K, which loses no digits near E = 1."""
+    """Return D(t) = d(t) - E d(t - 1), using 1 - E = 1/K, to lose no digits near E = 1."""
     return (d - previous) + previous / law.stiffness
 
 
 @kernel
 def line_rise(law, z, upstream):
-    """Return a_j = z_j - E z_(j+1) of the heights z_j and, upstream of it, z_(j+1).
+    """Return a_j = z_j - E z_(j+1); z : z_j. upstream : z_(j+1).
 
     An element that comes from contact upstream overlaps the line by d - c = D - a_j.
     """

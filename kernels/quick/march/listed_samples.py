@@ -1,7 +1,7 @@
 """Samples that a march steps: those listed, run by run, and the others that touch, as sums.
 
 The sums are built span by span from the known sums of the line. Over a span, from its first sample
-0 to the first sample upstream of it, let Delta f_j = f_(j+1) - f_j. Then
+0 to the first sample upstream of it, let Delta f_j = f_(j+1) - f_j. With slopes s_j and any level,
 
     level - a_j = (level - z_j / K) + E Delta z_j,    lagged slope = s_j + lag Delta s_j,
 
@@ -34,7 +34,7 @@ class ListedSamples(NamedTuple):
     begin: np.ndarray  # first slot of each run, and the end of the last; shape (runs + 1,)
     z: np.ndarray  # heights
     weight: np.ndarray  # lagged slopes (friction.py)
-    c: np.ndarray  # thresholds of the last step (contact.py)
+    c: np.ndarray  # contact thresholds of the last step (model/contact.py)
 
 
 class CollectedSamples(NamedTuple):

@@ -3,8 +3,8 @@
 They pay off in long marches in which d moves far (docs/speed.md). Samples that have become decided
 move from the lists to the sums, or to the gaps. Only the runs are visited. Samples where elements
 certainly land after a gap are summed too (certain_landings.py).
-The recursion for the gaps g is that of undecided_runs.py. As the elements on their way are known,
-their displacements u are bounded in addition.
+Gaps g are bounded as in undecided_runs.py. As the present displacements are known, those of
+arriving elements are bounded in addition.
 """
 
 from typing import NamedTuple
@@ -29,8 +29,8 @@ from .stepping import ActiveSet, MarchState, step_until
 from .undecided_runs import MIN_GAP_SAMPLES, UNKNOWN_GAP, Runs, allocate_runs, contact_kind
 
 FIRST_MARGIN = 0.6  # of narrower bounds, relative to the spread; doubled after each fall-back
-MIN_NARROWING = 0.25  # of the spread of D
-FIRST_SHORTENING = 6  # step after which lists may be shortened; then half as many steps again
+MIN_NARROWING = 0.25  # smallest relative reduction of the spread of D that pays off
+FIRST_SHORTENING = 6  # first step after which lists may be shortened; each next 1.5 times the last
 CERTAIN_LANDING = 5  # a contact kind: elements always land here, after a gap
 
 
@@ -70,7 +70,7 @@ class RunSlots(NamedTuple):
 def march_with_shortening(problem, control, active, bounds, state, last, recorder, worth):
     """March as step_until does, with shorter lists wherever they save more than they cost.
 
-    If d leaves the bounds, the march returns to the last step of longer lists whose bounds hold
+    If d leaves the bounds, the march returns to where it left longer lists whose bounds hold
     and continues with those; the next narrower bounds leave more room.
     active : the ActiveSet at the start. worth : factor that multiplies the savings.
     """
@@ -110,7 +110,7 @@ def march_with_shortening(problem, control, active, bounds, state, last, recorde
 
 @kernel
 def _no_saved_marches(example):
-    """Return an empty list whose items have the type of the example, which numba infers."""
+    """Return an empty list; from ``example`` numba infers the type of its items."""
     saved = [example]
     saved.pop()
     return saved
@@ -134,7 +134,7 @@ def savings_ratio(bounds, narrower, listed, crossings, steps):
 
 @kernel
 def narrower_bounds(law, bounds, visited, d_end, margin):
-    """Return Bounds inside ``bounds`` for d between the visited range and its final value.
+    """Return Bounds inside ``bounds`` for the visited range of d, extended to its final value.
 
     margin : extra width on each side, relative to the spread of d and of D.
     """
@@ -229,7 +229,7 @@ def _walk_lists(law, line, bounds, active, past, w, steps, slots, added):
 def _list_sample(slots, count, j, i, previous, source, near):
     """Add sample j in slot i to the last shorter run or to a new one; return the number of runs.
 
-    previous : contact kind of the sample upstream. near : whether the source lies in this longer
+    previous : kind of the sample upstream. near : whether the source lies in the same longer
     run, so that the samples between are listed already.
     """
     runs = slots.runs
@@ -249,7 +249,7 @@ def _list_sample(slots, count, j, i, previous, source, near):
 def _entering_bounds(law, line, bounds, runs, r, crossings, crossing, steps, upstream):
     """Return (bounds of the displacements that enter run r, SampleBounds of its source).
 
-    crossing : the next of the crossings. steps : still to come. upstream : SampleBounds at the end
+    crossing : index of the next crossing. steps : still to come. upstream : SampleBounds at the end
     of the run before.
     """
     if runs.source_touches[r]:

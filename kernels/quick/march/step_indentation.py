@@ -10,16 +10,16 @@ from ..contacts.pressed_samples import pressure_sums
 from .jump_problem import indentation_advance
 
 MAX_SHORT_LIST = 128  # samples, below which ``overlap`` is faster than ``pressure_sums``
-MIN_D_SHARE = 0.1  # of the old d that a prediction of the first step keeps
+MIN_D_SHARE = 0.1  # smallest predicted d after the first step, over the old d
 RATE_FACTOR = 1.2  # predicted change of d over the one that d' just after the jump gives
 
 
 @refcount_free_kernel
 def predict_first_indentation(control, problem):
-    """Return an estimate of d after the first step, rather too far than too near.
+    """Return an estimate of d after the first step that rather overestimates its change.
 
-    d follows d' as a touching element does, by 1 - E = 1 / K in a step. If the load is almost zero
-    d' is rounding; the indentation at which one element carries the load bounds the estimate.
+    In a step d changes by about d' (1 - E) = d' / K, like a touching element. At almost zero load
+    d' is rounding, so the d at which one element carries the load limits the estimate.
     """
     law, d = problem.law, problem.start.d
     new = max(d + RATE_FACTOR * problem.rate / law.stiffness, MIN_D_SHARE * d)
@@ -33,8 +33,8 @@ class PartlyListed(NamedTuple):
     """
 
     c: np.ndarray  # thresholds of the listed samples
-    d_old: float  # an indentation
-    carried: float  # force that the others carry at it
+    d_old: float  # indentation before the step
+    carried: float  # force that the others carry at ``d_old``
     samples: float  # number of the others
 
 

@@ -20,7 +20,7 @@ class MarchState(NamedTuple):
     step: int
     recorded: int  # number of recorded steps so far
     d: float  # indentation
-    guess: float  # of the next one
+    guess: float  # predicted d after the next step
     advance: float  # D
 
 
@@ -87,7 +87,7 @@ def move_listed(law, listed, d):
 def average_friction(listed, sums, landing_depth, landing_moment, d, advance):
     """Return mu averaged over a step: eq. 5, as step_average of model/friction.py.
 
-    The sums over samples are those of model/friction.py, and of contacts/pressure.py at an instant.
+    model/friction.py has the same sums, and contacts/pressure.py has them at an instant.
     landing_depth, landing_moment : sums of certain landings. advance : D of the summed samples.
     """
     depth, moment, _ = pressure_sums(listed.c, None, listed.weight, d)

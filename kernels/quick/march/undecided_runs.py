@@ -45,16 +45,16 @@ class Runs(NamedTuple):
 
     leading: np.ndarray  # first sample of each run that elements reach, with the highest number
     trailing: np.ndarray  # last sample of each run
-    distance: np.ndarray  # from the leading sample to the source, the sample elements come from
+    distance: np.ndarray  # from the leading sample to its source, where elements come from
     source_touches: np.ndarray  # whether the source always touches
 
 
 @kernel
 def undecided_runs(problem, bounds):
-    """Return (Runs, CollectedSamples, SummedContact); other samples never touch in the bounds."""
+    """Return (Runs, CollectedSamples, SummedContact); others never touch within the bounds."""
     levels = displacement_bounds(problem, bounds)
     first = kind_of_first(problem, bounds, levels)
-    # Round the period, samples may hold each other in contact: assume it first, then check it.
+    # Certain contact needs certain contact upstream, round the period: assume it, then check it.
     runs, collected, sums, gap_max = walk_line(problem, bounds, levels, first)
     if first == ALWAYS_TOUCHES and gap_max > 0.0:
         runs, collected, sums, _ = walk_line(problem, bounds, levels, FORCED_UNDECIDED)
@@ -134,7 +134,7 @@ def _walk_span(problem, bounds, levels, first, b, state, runs, collected, level,
         else:
             gap_min, gap_max = 0.0, UNKNOWN_GAP
         if kind == NEVER_TOUCHES:
-            # Collected in advance: listed if an undecided sample ends the gap soon.
+            # Stored in advance; it is listed only if an undecided sample ends the gap soon.
             if source - j < MIN_GAP_SAMPLES and source < z.size:
                 weight, slot = lagged_slope_at(slope, law.lag, j), size + source - 1 - j
                 _collect(collected, slot, z[j], bounds.d_max, weight, w_start, w_end)
@@ -162,7 +162,7 @@ def _walk_span(problem, bounds, levels, first, b, state, runs, collected, level,
 @refcount_free_kernel
 def _collect(collected, slot, z, d_max, weight, w_start, w_end):
     """Store a sample. w_start, w_end : free displacements at v1 and v2."""
-    # A sample above d_max cannot touch; a height of d_max costs w no digits.
+    # A sample above d_max cannot touch; its height is cut to d_max to keep the digits of w.
     collected.z[slot] = min(z, d_max)
     collected.c[slot] = collected.z[slot] - w_start
     collected.c_end[slot] = z - w_end
@@ -191,7 +191,7 @@ def gap_bounds(law, bounds, levels, z, rise, near, far, gap_min, gap_max):
 def contact_kind(forced, touches, least, most):
     """Return the contact kind of a sample with gap bounds least, most.
 
-    touches : whether this sample, at most zero above the line, and the one upstream always touch.
+    touches : whether the gaps of this sample and of the one upstream never exceed zero.
     """
     if forced:
         return UNDECIDED
