@@ -212,7 +212,7 @@ def test_refusals_of_prony(capsys, tmp_path, arguments, answer):
     ("arguments", "answer"),
     [
         (["--reference", "90"], "--reference 90: must lie within the sweeps, 0 to 20 °C"),
-        (["--law", "wlf"], "2 temperatures give no law wlf: it wants 4"),
+        (["--law", "wlf"], "2 temperatures do not determine a law wlf: it needs 4"),
     ],
 )
 def test_refusals_of_sweeps(capsys, tmp_path, arguments, answer):

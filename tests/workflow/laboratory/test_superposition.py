@@ -142,5 +142,7 @@ def test_shifts_that_no_law_describes_are_a_table_that_is_zero_at_the_reference(
 @pytest.mark.parametrize(("law", "count"), [("wlf", 3), ("arrhenius", 2)])
 def test_a_law_with_as_many_constants_as_shifts_is_none(law, count):
     own = slice(REST, REST + count)
-    with pytest.raises(ValueError, match=f"{count} temperatures give no law {law}: it wants"):
+    with pytest.raises(
+        ValueError, match=f"{count} temperatures do not determine a law {law}: it needs"
+    ):
         fit_shifts(TEMPERATURES[own], TRUE[own], KNOWN[own, own], 20.0, law)
