@@ -1,4 +1,4 @@
-"""Checks of a given motion v(t), and its division into small changes of the velocity."""
+"""Validation of a given motion v(t), and its resampling in small velocity steps."""
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -11,7 +11,7 @@ class LawError(UserError, ValueError):
 
 
 def finite_numbers(name: str, values: ArrayLike) -> np.ndarray:
-    """Return an array. Raises UserError for values that are not finite, not real, or masked."""
+    """Return values as floats. Raises UserError if any is not finite, not real, or masked."""
     try:
         if np.iscomplexobj(values) or np.ma.is_masked(values):
             raise ValueError("they are complex or masked")
@@ -24,7 +24,7 @@ def finite_numbers(name: str, values: ArrayLike) -> np.ndarray:
 
 
 def given_motion(time: ArrayLike, velocity: ArrayLike) -> tuple[np.ndarray, np.ndarray]:
-    """Return times and velocities of shape (n,). Raises UserError for times that decrease."""
+    """Return times and velocities, shape (n,). Raises UserError for decreasing times."""
     t, v = finite_numbers("time", time), finite_numbers("velocity", velocity)
     if t.shape != v.shape or t.ndim != 1 or not (np.diff(t) >= 0.0).all():
         raise LawError("time must increase, and velocity hold one value per time")
@@ -34,25 +34,25 @@ def given_motion(time: ArrayLike, velocity: ArrayLike) -> tuple[np.ndarray, np.n
 def finely(
     time: np.ndarray, velocity: np.ndarray, least: float, piece: float
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Return times and velocities in small changes, and the indices of the given samples in them.
+    """Return times and velocities resampled in small steps, and the indices of the given samples.
 
-    A change is at most the share ``piece`` of the speed, or of ``least`` (m/s, NaN: unknown), below
-    which friction is linear in the velocity. A jump is not divided.
+    A step changes the velocity by at most ``piece`` times the speed, or times ``least`` (m/s) at
+    lower speeds, where friction is linear in velocity (NaN: a default). Jumps are not divided.
     """
     if time.size < 2:
         return time, velocity, np.arange(time.size)
     change, duration = np.diff(velocity), np.diff(time)
     least = least if 0.0 < least < np.inf else max(1e-3 * float(np.max(np.abs(velocity))), 1e-300)
-    place = np.arcsinh(velocity / least)
-    parts = np.where(duration > 0.0, np.ceil(np.abs(np.diff(place)) / piece), 1.0)
+    stretched = np.arcsinh(velocity / least)
+    parts = np.where(duration > 0.0, np.ceil(np.abs(np.diff(stretched)) / piece), 1.0)
     parts = np.maximum(parts, 1.0).astype(int)
-    last = np.concatenate([[0], np.cumsum(parts)])
-    at = np.interp(np.arange(last[-1] + 1), last, np.arange(last.size))
-    of = np.minimum(at.astype(int), change.size - 1)
-    v = least * np.sinh(np.interp(at, np.arange(last.size), place))
-    v[last] = velocity
-    moved = np.where(change[of] != 0.0, change[of], 1.0)
-    along = np.where(change[of] != 0.0, (v - velocity[of]) / moved, at - of)
-    t = time[of] + np.clip(along, 0.0, 1.0) * duration[of]
-    t[last] = time
-    return t, v, last
+    given = np.concatenate([[0], np.cumsum(parts)])
+    index = np.interp(np.arange(given[-1] + 1), given, np.arange(given.size))
+    k = np.minimum(index.astype(int), change.size - 1)
+    v = least * np.sinh(np.interp(index, np.arange(given.size), stretched))
+    v[given] = velocity
+    divisor = np.where(change[k] != 0.0, change[k], 1.0)
+    fraction = np.where(change[k] != 0.0, (v - velocity[k]) / divisor, index - k)
+    t = time[k] + np.clip(fraction, 0.0, 1.0) * duration[k]
+    t[given] = time
+    return t, v, given

@@ -1,6 +1,6 @@
-"""The kinetic law of elastomer friction, eqs. 12 to 16, for other people's models.
+"""The kinetic law of elastomer friction, eqs. 12 to 16, for use in other models.
 
-Needs numpy alone. Friction first follows a velocity change by a jump (eq. 12), then relaxes to
+It requires only numpy. After a velocity change, friction first jumps (eq. 12), then relaxes to
 the steady value (eqs. 6, 13):
 
     law = KineticLaw(relaxation_time=1e-3, hurst=0.7, q_max=1.6e6, rms_slope=0.02,
@@ -8,12 +8,12 @@ the steady value (eqs. 6, 13):
     mu = law.after_jump(0.1, 0.12, time)     # step from 0.1 to 0.12 m/s at time 0
     mu = law.response(time, velocity)        # any v(t): stick-slip, control, rest and reversal
 
-Two things stand here otherwise than the paper prints them, as the model has them. Eq. 12 is that
-of a small change; larger ones are the sum of small ones, so that it does not matter in how many
-parts a velocity changes. And the rate of eq. 13 is that at the velocity after the step.
+Two details follow the model rather than the printed equations. Eq. 12 holds for a small step; a
+large step is the sum of small ones, so that the result does not depend on their number. The rate
+of eq. 13 is evaluated at the velocity after the step.
 
-Source: Li, Dimaki, Popov, Psakhie, Popov (2014), doi:10.1038/srep05795, p. 3 to 4. Where the
-printed eqs. 10 to 15 have dz, read the rms slope grad z.
+Source: Li, Dimaki, Popov, Psakhie, Popov (2014), doi:10.1038/srep05795, p. 3 to 4. In the printed
+eqs. 10 to 15, dz means the rms slope grad z.
 """
 
 import warnings
@@ -26,9 +26,9 @@ from numpy.typing import ArrayLike
 from .given_motion import LawError, finely, finite_numbers, given_motion
 
 PLATEAU = 0.4  # eq. 11
-LARGEST_SHARE_OF_LOAD = 0.2  # that eta v h is of F_N: beyond it too few peaks touch
-FLAT = 1e-6  # change of a logarithm that is none
-PIECE = 0.02  # change of the velocity, as a share of it, within which rates are constant
+LARGEST_SHARE_OF_LOAD = 0.2  # limit of eta v h/F_N; above it too few peaks touch
+FLAT = 1e-6  # smaller changes of a logarithm count as zero
+PIECE = 0.02  # relative velocity change of one step, within which the rate is constant
 
 
 def normalised_jump(mu_bar: ArrayLike) -> np.ndarray:
@@ -39,12 +39,12 @@ def normalised_jump(mu_bar: ArrayLike) -> np.ndarray:
 def jump_between(
     mu_1: ArrayLike, mu_2: ArrayLike, log_ratio: ArrayLike, rms_slope: ArrayLike
 ) -> np.ndarray:
-    """Return the jump between two velocities: eq. 12 of small steps, summed up.
+    """Return the jump between two velocities: the sum of the jumps of small steps (eq. 12).
 
-    mu_1, mu_2 : steady friction at both, above 0, a power law of the velocity between them.
-    log_ratio : ln(v2/v1). rms_slope : grad z. They broadcast. With P = 0.4 grad z the sum is
-    int (1/mu^2 + 1/P^2)^(-1/2) dv/v = ln(v2/v1) P (asinh(mu_2/P) - asinh(mu_1/P))/ln(mu_2/mu_1):
-    mu_2 - mu_1 in region I, P ln(v2/v1) on the plateau.
+    mu_1, mu_2 : positive steady friction at v1 and v2; a power law of velocity in between.
+    log_ratio : ln(v2/v1). rms_slope : grad z. All broadcast. With P = 0.4 grad z, the sum is
+    int (1/mu^2 + 1/P^2)^(-1/2) dv/v = ln(v2/v1) P (asinh(mu_2/P) - asinh(mu_1/P))/ln(mu_2/mu_1).
+    It is mu_2 - mu_1 in region I, and P ln(v2/v1) on the plateau.
     """
     mu_1, mu_2 = np.asarray(mu_1, dtype=float), np.asarray(mu_2, dtype=float)
     limit = PLATEAU * np.asarray(rms_slope, dtype=float)
@@ -57,11 +57,10 @@ def jump_between(
 
 
 def relaxation_rate(x: ArrayLike, hurst: float, time_below_one: bool = False) -> np.ndarray:
-    """Return b = x^alpha (eq. 13), x = v2 tau q_max after the step.
+    """Return the rate b = x^alpha in 1/tau (eq. 13), with x = v2 tau q_max after the step.
 
-    alpha is 1 for x < 1 and 1 - H above. ``time_below_one`` replaces the branch x < 1 by b = 1,
-    which is what the model gives when it is converged in time (docs/model.md, "Where the program
-    departs from the paper").
+    alpha is 1 for x < 1 and 1 - H above. With ``time_below_one``, b = 1 for x < 1, as in the model
+    if it is converged in time (docs/model.md, "Where the program departs from the paper").
     """
     x = np.asarray(x, dtype=float)
     return x ** np.where(x < 1.0, 0.0 if time_below_one else 1.0, 1.0 - hurst)
@@ -72,12 +71,12 @@ class BeyondKineticLawWarning(UserWarning):
 
 
 class KineticLaw:
-    """mu(t) after velocity changes, from tau, H, q_max, grad z and the steady friction mu(v).
+    """Friction mu(t) after velocity changes, from tau, H, q_max, grad z and steady friction mu(v).
 
-    Velocities may be zero or negative; friction is odd in them. Up to the speed v at which eta v h
-    is 0.2 F_N the law misses a simulated curve after a step of -0.2 to 0.3 v1 by 0.13 of the whole
-    change of friction in the median, by 0.37 at most. At ten times that speed a single peak carries
-    the load, and the law misses the whole change (docs/verification.md).
+    Velocities may be zero or negative; friction is an odd function of velocity. Compared with
+    simulations of velocity steps of -20 and 30 %, the error is 13 % of the total change of friction
+    in the median, and at most 37 %, up to the speed v at which eta v h = 0.2 F_N. At ten times that
+    speed a single peak carries the load, and the error is the whole change (docs/verification.md).
     """
 
     def __init__(
@@ -92,12 +91,12 @@ class KineticLaw:
         time_below_one: bool = False,
         fastest: float | None = None,
     ) -> None:
-        """Take tau (s), H, q_max (1/m), grad z and a table of steady friction over velocity (m/s).
+        """Store tau (s), H, q_max (1/m), grad z and a table of steady friction over velocity (m/s).
 
-        Between the points of the table friction is a power law of the velocity, which is exact
-        where it is in proportion to v; it is in proportion to v below the table and constant above
-        it. fastest : the speed (m/s) up to which the law holds, where known; it warns beyond.
-        time_below_one : b = 1 below x = 1. Raises UserError for values without meaning.
+        Friction is a power law of velocity between the points of the table, proportional to
+        velocity below the table, and constant above it. fastest : the highest speed (m/s) at which
+        the law holds, if known; higher speeds cause a warning. time_below_one : use b = 1 for
+        x < 1. Raises UserError for invalid values.
         """
         self.velocity = finite_numbers("velocity", velocity)
         self.friction = finite_numbers("friction", friction)
@@ -134,13 +133,13 @@ class KineticLaw:
         point: Mapping[str, Any] | None = None,
         time_below_one: bool = True,
     ) -> Self:
-        """Return the law of a result of a study with several velocities, an xarray.Dataset.
+        """Return the law for the result of a study with several velocities, an xarray.Dataset.
 
-        point : the place on the other axes of the grid, nearest values, as
-        {"hurst": 0.7, "normal_force": 1.0}; an axis of one value may be left out, and
-        velocity_step too. time_below_one : b = 1 below x = 1, as converged results have it. Raises
-        UserError for a point that is not given whole, and where friction is not known or there
-        are not two velocities.
+        point : values on the other axes of the grid, such as {"hurst": 0.7, "normal_force": 1.0};
+        the nearest grid values are used. Axes of one value, and velocity_step, may be omitted.
+        time_below_one : use b = 1 for x < 1, as in converged results. Raises UserError if
+        ``point`` omits another axis, if friction is unknown, or if there are fewer than two
+        velocities.
         """
         try:
             chosen = dataset[["mu_1", "rms_slope", "tau", "q_max", "shear_modulus"]]
@@ -148,7 +147,7 @@ class KineticLaw:
                 chosen = chosen.sel({axis: value}, method="nearest")
         except (AttributeError, LookupError, TypeError, ValueError) as error:
             raise LawError(f"the dataset, or the point in it, is none: {error}") from error
-        if "velocity_step" in chosen.dims:  # of no influence on what is steady at v1
+        if "velocity_step" in chosen.dims:  # does not affect steady friction at v1
             chosen = chosen.isel(velocity_step=0)
         chosen = chosen.squeeze()
         open_axes = [str(axis) for axis in chosen.dims if axis != "velocity"]
@@ -179,27 +178,27 @@ class KineticLaw:
         return np.sign(v) * inside * np.minimum(speed / self.velocity[0], 1.0)
 
     def jump(self, v1: ArrayLike, v2: ArrayLike) -> np.ndarray:
-        """Return the instantaneous change of mu when v1 becomes v2 (eq. 12, summed up)."""
+        """Return the instantaneous change of mu from v1 to v2 (eq. 12, summed over small steps)."""
         return self._jumps_from_rest(v2) - self._jumps_from_rest(v1)
 
     def relaxation_times(self, v: ArrayLike) -> np.ndarray:
-        """Return the relaxation time tau/b in s at v; above v tau q_max = 1 it is eq. 16.
+        """Return the relaxation time tau/b (s) at velocity v; for v tau q_max > 1 it is eq. 16.
 
-        At rest it is infinite, tau with ``time_below_one``.
+        At rest it is infinite, or tau with ``time_below_one``.
         """
         x = np.abs(np.asarray(v, dtype=float)) * self.relaxation_time * self.q_max
         with np.errstate(divide="ignore"):
             return self.relaxation_time / relaxation_rate(x, self.hurst, self.time_below_one)
 
     def relaxation_length(self, v: ArrayLike) -> np.ndarray:
-        """Return the distance slid in a relaxation time, in m: D_c = 1/q_max below x = 1."""
+        """Return the distance D_c (m) slid in a relaxation time: 1/q_max for x < 1 and b = x."""
         return np.abs(v) * self.relaxation_times(v)
 
     def after_jump(self, v1: float, v2: float, time: ArrayLike) -> np.ndarray:
-        """Return mu(t) for a jump from v1 to v2 at t = 0; time in s, mu(v1) for t < 0.
+        """Return mu(t) for a velocity jump from v1 to v2 at t = 0; mu(v1) for t < 0, time in s.
 
-        Eqs. 14 and 15 with mu(v2) for its linearisation mu(v1) + mu'(v1) dv, which eq. 8 has, and
-        with the rate at v2, where friction relaxes. Warns where the law does not hold.
+        Eqs. 14 and 15, with mu(v2) in place of its linearisation mu(v1) + mu'(v1) dv (eq. 8), and
+        with the relaxation rate at v2. Warns where the law does not hold.
         """
         self._warn(np.array([v1, v2]))
         time = np.asarray(time, dtype=float)
@@ -211,10 +210,10 @@ class KineticLaw:
     def response(self, time: ArrayLike, velocity: ArrayLike) -> np.ndarray:
         """Return mu at sampled times (s) for sampled velocities (m/s), both of shape (n,).
 
-        v(t) is linear between the samples, and two samples of one time are a step. Sliding is
-        steady before. The same v(t) gives the same friction however it is sampled: changes are
-        taken in small parts, each with the rate at its own velocity. Warns where the law does not
-        hold. Raises UserError for times that decrease and for what is not finite.
+        v(t) is linear between samples; two samples at one time are a step. Sliding is steady before
+        the first sample. Velocity changes are divided into small steps, each with the relaxation
+        rate at its own velocity, so that the result does not depend on the sampling of v(t). Warns
+        where the law does not hold. Raises UserError for decreasing times or non-finite values.
         """
         time, velocity = given_motion(time, velocity)
         if not time.size:
@@ -222,7 +221,7 @@ class KineticLaw:
         self._warn(velocity)
         least = min(self.velocity[0], 1.0 / (self.relaxation_time * self.q_max))
         t, v, last = finely(time, velocity, least, PIECE)
-        over = self._jumps_from_rest(v) - self.steady(v)  # what a quick change leaves over
+        over = self._jumps_from_rest(v) - self.steady(v)  # after an instantaneous change
         decay = np.diff(t) / self.relaxation_times(0.5 * (v[1:] + v[:-1]))
         keep = np.exp(-decay)
         fresh = np.diff(over) * np.where(decay > FLAT, (1.0 - keep) / np.maximum(decay, FLAT), 1.0)
@@ -232,7 +231,7 @@ class KineticLaw:
         return self.steady(velocity) + excess[last]
 
     def _jumps_from_rest(self, v: ArrayLike) -> np.ndarray:
-        """Return the sum of all small jumps (eq. 12) from rest to v; its differences are jumps."""
+        """Return the sum of small jumps (eq. 12) from rest to v; its differences are jumps."""
         v = np.asarray(v, dtype=float)
         speed, mu = np.abs(v), np.abs(self.steady(v))
         limit = PLATEAU * self.rms_slope
@@ -245,7 +244,7 @@ class KineticLaw:
         )
 
     def _warn(self, v: np.ndarray) -> None:
-        """Warn where a velocity lies beyond the table, or beyond where eqs. 12 to 16 hold."""
+        """Warn if a speed lies above the table, or above the range of eqs. 12 to 16."""
         fastest = float(np.max(np.abs(v)))
         if fastest > self.velocity[-1] * (1.0 + FLAT):
             message = f"{fastest:g} m/s is above the table of steady friction, which ends at "

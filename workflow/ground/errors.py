@@ -17,12 +17,12 @@ class UserError(Exception):
     place: str = ""  # file and line of the faulty key, if known
 
     def __init__(self, *lines: str) -> None:
-        """Keep the lines of the message."""
+        """Store the lines of the message."""
         super().__init__(*map(_shown, lines))
 
     @property
     def errors(self) -> "list[UserError]":
-        """The single errors."""
+        """The individual errors."""
         return [self]
 
     def __str__(self) -> str:
@@ -34,13 +34,13 @@ class UserErrors(UserError):
     """Several errors, each with its own line."""
 
     def __init__(self, errors: Iterable[UserError]) -> None:
-        """Keep the errors."""
+        """Store the errors."""
         self._errors = list(errors)
         super().__init__(*(line for error in self._errors for line in error.args))
 
     @property
     def errors(self) -> list[UserError]:
-        """The single errors."""
+        """The individual errors."""
         return self._errors
 
 

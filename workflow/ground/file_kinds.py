@@ -1,8 +1,8 @@
-"""Kinds of files by their bytes: archives, text in some encoding, or neither."""
+"""Detection of the kind of a file from its bytes: archive, text in some encoding, or neither."""
 
 TEXT_BYTES = bytes(byte for byte in range(256) if byte >= 32 or byte in b"\t\n\r\f\v")
 CLEAN_BYTES = 4096  # bytes at the start of a text that hold no control character
-CONTROL_SHARE = 1e-3  # of the bytes of a text
+CONTROL_SHARE = 1e-3  # maximum share of control characters in the bytes of a text
 ARCHIVE_SIGNATURES = {
     b"PK\x03\x04": "a zip archive",
     b"\x1f\x8b": "a gzip archive",
@@ -28,7 +28,7 @@ def is_text(data: bytes) -> bool:
     """
     if _utf_16_encoding(data):
         return True
-    data = data.rstrip(b"\x1a\0")  # end marks of old systems
+    data = data.rstrip(b"\x1a\0")  # end-of-file marks of old systems
     controls = data.translate(None, TEXT_BYTES)
     return not data[:CLEAN_BYTES].translate(None, TEXT_BYTES) and len(
         controls
@@ -57,5 +57,5 @@ def decoded(data: bytes) -> str:
         try:
             text = data.decode("utf-8-sig")
         except UnicodeDecodeError:
-            text = data.decode("latin-1")  # decodes every byte, also the micro sign
+            text = data.decode("latin-1")  # decodes every byte, including the micro sign
     return text.replace("\u2212", "-")

@@ -5,7 +5,7 @@ import contextlib
 import gc
 from collections.abc import Iterator
 
-atexit.register(gc.freeze)  # saves a search for garbage that would end with the process anyway
+atexit.register(gc.freeze)  # skips the last collection; the process frees all memory anyway
 
 
 @contextlib.contextmanager

@@ -16,7 +16,7 @@ Lookup = Callable[[str], Any]
 
 
 def public_names(package: str, file: str) -> tuple[list[str], Lookup, Callable[[], list[str]]]:
-    """Return ``__all__``, ``__getattr__`` and ``__dir__`` of the package of an ``__init__``."""
+    """Return ``__all__``, ``__getattr__`` and ``__dir__`` of a package; file : its ``__init__``."""
     tree = ast.parse(Path(file).read_text(encoding="utf-8"))
     homes = {
         alias.asname or alias.name: ("." * statement.level + str(statement.module), alias.name)

@@ -1,4 +1,4 @@
-"""Safe access to regular files: no pipes, devices or unexpected links, and a limit of size."""
+"""Safe access to regular files: no pipes, devices or unexpected links, and a size limit."""
 
 import errno
 import os

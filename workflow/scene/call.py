@@ -127,7 +127,7 @@ def _scene(arguments: Mapping[str, Any], grid: dict[str, Any]) -> dict[str, Any]
 
 
 def line_and_material(study: Study) -> str:
-    """Return the identity of line, material and steps, which a continued scene must share."""
+    """Return a text that identifies line, material and time steps; continued scenes share it."""
     tables = json.loads(study.text)
     shared = {name: tables.get(name) for name in ("material", "surface")}
     grid = {key: value for key, value in tables.get("grid", {}).items() if key in GRID_KEYS}
@@ -173,7 +173,7 @@ def compute(study: Study, resumed: SavedState | None = None) -> xr.Dataset:
 
     resumed : state of a single line from which the programme continues; by default the initial
     state of the study. A note on the standard error stream announces the compilation of kernels.
-    Raises UserError for a refused plan, ValueError as the kernels do.
+    Raises UserError for a refused plan, and ValueError as the kernels do.
     """
     plan = make_plan(study, origin=resumed.origin if resumed else ZERO_ORIGIN)
     (variant,) = plan.variants
@@ -202,7 +202,7 @@ def _estimates(plan: Plan, variant: Variant, resumed: SavedState | None) -> Esti
     assert scalars is not None
     estimates = reduce_blocks(blocks_of(plan, variant, tasks, scalars, values))
     counts = np.full(len(tasks), study.realizations, np.int32)
-    estimates.pop("rate_replicates", None)  # for a fit over many points
+    estimates.pop("rate_replicates", None)  # serve only fits over many points
     return completed(plan, variant, estimates, np.arange(len(tasks)), counts)
 
 
@@ -242,25 +242,25 @@ def run(
     seed: int = 0,
     state: xr.Dataset | None = None,
 ) -> xr.Dataset:
-    """Take a rigid line through a programme of motion over an elastomer; all in SI units.
+    """Slide a rigid line over an elastomer by a programme of motion; all values in SI units.
 
-    profile : heights in m of one period, shape (n,) or (lines, n), used without preparation. On a
-        half-space a map (n, n), the last axis along x, or (n,) for a line contact. length : of that
-        period, m.
-    surface : random lines in place of a profile: the keys of the table [surface], and hurst,
-        roughness and spacing as in [grid].
-    material : the keys of [material]. numerics : those of [numerics].
-    normal_force : N, or normal_pressure : Pa, or prescribed_indentation : m over the mean line, or
-        the name of a file of times in s and indentations in m.
-    drive : the keys of [scene.drive], for a programme of segments pull.
+    profile : heights (m) of one period, shape (n,) or (lines, n), used without preparation. On a
+        half-space: a map (n, n) with the last axis along x, or (n,) for a line contact.
+    length : length of that period (m).
+    surface : random lines in place of a profile, described by the keys of the table [surface] and
+        by hurst, roughness and spacing as in [grid].
+    material, numerics : keys of the tables [material] and [numerics].
+    normal_force : load (N). Alternatives are normal_pressure (Pa) and prescribed_indentation: a
+        number (m, over the mean line), or the name of a file of times (s) and indentations (m).
+    drive : keys of [scene.drive], for a programme of segments ``pull``.
     body : "foundation" or "half-space", as in [scene].
-    programme : list of segments, each as in [[scene.programme]] or {"time": s, "velocity": m/s}
-        with two arrays; start, repeat and quantities : as in [scene].
-    realizations : lines; with several, every mean has its standard error. seed : of random lines.
-    state : a dataset with the quantity "state", from which the programme continues exactly.
+    programme : list of segments, each as in [[scene.programme]], or {"time": ..., "velocity": ...}
+        with arrays in s and m/s. start, repeat, quantities : as in [scene].
+    realizations : number of lines; several lines give standard errors. seed : of random lines.
+    state : dataset with the quantity "state", from which the programme continues exactly.
 
-    Returns the variables of a result file (docs/scenes.md) without dimensions of the grid, times
-    in s, with its provenance. Raises UserError, one line, for input that a study would refuse.
+    Returns a dataset with the variables and the provenance of a result file (docs/scenes.md),
+    without dimensions of the grid, times in s. Raises UserError, one line, for invalid input.
     """
     arguments = dict(locals())
     import_dask()

@@ -11,10 +11,10 @@ from .numerals import is_missing, is_numeral
 DELIMITERS = (";", "\t", "|", ",", None)  # None: whitespace
 COMMENT_MARKS = ("#", "%", "//", "!")
 TRAILING_REMARK = re.compile(r"(?:(?<=\s)|(?<=\d))#(?!N/A|DIV|NUM|VALUE).*$")  # at the end of a row
-# Several numbers in one cell, from a wrong delimiter; a date with a time of day is excepted.
+# Several numbers in a cell indicate a wrong delimiter; a date with a time of day does not match.
 SEVERAL_NUMBERS = re.compile(r"(?!\s*\d+([-/.])\d+\1\d+\s+\d+:\d).*\d[\s;]+[-+.\d]")
-LEADING_ZERO = re.compile(r"0\d+")  # occurs among decimals, not among integers
-# Limits of the sample of lines, from the start and the middle, that decides on the delimiter.
+LEADING_ZERO = re.compile(r"0\d+")  # occurs in the decimals of 1,05, not in integers
+# Limits of the sample of lines, from the start and the middle, used to find the delimiter.
 MAX_SAMPLE_LINES, MIN_SAMPLE_LINES, MAX_SAMPLE_CHARACTERS = 250, 20, 50_000
 
 
@@ -25,7 +25,7 @@ class Cells(NamedTuple):
     lines: list[int]  # line number of each row, from 1
     numeric: list[int]  # indices of the columns that hold numbers
     above: list[str]  # lines before the first row
-    between: list[tuple[int, list[str]]]  # index of the next row, lines before it
+    between: list[tuple[int, list[str]]]  # (index of the next row, lines before it)
     delimiter: str | None
     plain: bool = True  # whether all cells are numbers with decimal points only
 
@@ -49,8 +49,8 @@ def cells_of(text: str) -> Cells:
     """Return the rows of a text.
 
     A row has the most frequent number of cells, with numbers in the columns that mostly hold
-    numbers. Raises ValueError without a row of numbers, and for a row of another length below the
-    first row.
+    numbers. Raises ValueError if there is no row of numbers, or if a row below the first has
+    another length.
     """
     lines = text.splitlines()
     content = [
@@ -98,7 +98,7 @@ def _plain_row_pattern(delimiter: str | None, width: int) -> re.Pattern[str]:
 
 
 def _row_cells(line: str, number: int, table: Cells, width: int) -> list[str] | None:
-    """Return the cells of a row; None for comments, and lines of words between blocks."""
+    """Return the cells of a row; None for comments and lines of words. Raises ValueError."""
     if is_comment(line):
         return None
     untrimmed = split(TRAILING_REMARK.sub("", line), table.delimiter)
@@ -146,7 +146,7 @@ def _delimiter_and_width(sample: list[str]) -> tuple[str | None, int]:
         for row in rows:
             several = sum(1 for cell in row if cell in DELIMITERS or SEVERAL_NUMBERS.match(cell))
             numbers = sum(map(is_numeral, row))
-            score[len(row)] += numbers * (3 * numbers > len(row)) - 3 * several  # words otherwise
+            score[len(row)] += numbers * (3 * numbers > len(row)) - 3 * several  # 0 for words
         width, points = max(score.items(), key=lambda item: item[1], default=(1, 0))
         if points > best[0]:
             best = (points, delimiter, width)
@@ -154,7 +154,7 @@ def _delimiter_and_width(sample: list[str]) -> tuple[str | None, int]:
 
 
 def _has_decimal_commas(rows: list[list[str]]) -> bool:
-    """Return whether the comma in every row of two cells is decimal, as in 1,05."""
+    """Return whether commas are decimal marks: all numeric rows are pairs, one such as 1,05."""
     pairs = [row for row in rows if all(map(is_numeral, row))]
     return (
         bool(pairs)

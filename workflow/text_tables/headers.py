@@ -1,9 +1,9 @@
 """Names and units of columns, recognised by two tables of patterns.
 
-A line above the rows is divided into one title per column by one of LINE_PATTERNS. A title is
-divided into name and unit by one of TITLE_PATTERNS. A line that two patterns divide differently, or
-none, is unread; so is a unit that belongs to no column. Columns without a unit are refused below an
-unread line.
+One of LINE_PATTERNS divides a line above the rows into one title per column. One of TITLE_PATTERNS
+divides a title into name and unit. A line is unread if no pattern divides it, if two patterns
+divide it differently, or if it holds a unit that belongs to no column. Below an unread line,
+columns without a unit are refused.
 """
 
 import re
@@ -73,7 +73,7 @@ class Title(NamedTuple):
 
 
 class Header(NamedTuple):
-    """Titles of the columns, and a line that may hold others."""
+    """Titles of the columns, and a line with further names or units."""
 
     titles: tuple[Title, ...] = ()  # of all columns, or empty
     unread: str = ""  # line with units or names that no title contains
@@ -136,7 +136,7 @@ def _cells_of(line: str, delimiter: str | None, width: int) -> list[str]:
 
 
 def _titles_in(cells: list[str]) -> tuple[Title, ...]:
-    """Return the titles in the cells of a line; empty if one is not a title, or all are empty."""
+    """Return the titles in the cells of a line; empty if a cell is not a title or all are empty."""
     titles = tuple(title for title in map(title_of, cells) if title is not None)
     return titles if any(cells) and len(titles) == len(cells) else ()
 
@@ -152,7 +152,7 @@ def title_of(cell: str) -> Title | None:
         return Title(f"{bracket[1]} {bracket[6]}".strip(), inside, stated=bool(inside))
     if len(text) > 1 and unit_of(text):
         return Title("", text, stated=True)
-    for match in SEPARATOR.finditer(text):  # the first one leaves the longest unit
+    for match in SEPARATOR.finditer(text):  # the first match leaves the longest unit
         name, unit = text[: match.start()], text[match.end() :]
         if match[0] == "_":
             unit = re.sub("_per_|_", "/", unit)
@@ -178,9 +178,9 @@ def _bare_unit(cell: str) -> str:
 
 
 def _are_units(cells: list[str], named: bool) -> bool:
-    """Return whether cells hold only units, with at least one longer than a letter or bracketed.
+    """Return whether cells hold only units, at least one of them bracketed or of several letters.
 
-    named : whether a line of names is beside it; then up to half of its units may be unknown.
+    named : whether an adjacent line holds names; then up to half of the units may be unknown.
     """
     filled = [cell for cell in cells if cell.strip()]
     known = list(filter(_bare_unit, filled))
@@ -196,18 +196,18 @@ def contains_unit(word: str) -> bool:
 
 
 def _unread_line(above: list[str], near: list[str], used: list[str]) -> str:
-    """Return a line with units that no title contains; "" without one.
+    """Return the last line with units that no title contains; "" without one.
 
-    near : lines above the rows, the last one first. used : those with the titles. "Cutoff 0.8 mm"
-    does not count, as its unit belongs to a number. A single letter counts in the last two lines.
+    near : lines above the rows, the last one first. used : those with the titles. A unit after a
+    number, as in "Cutoff 0.8 mm", does not count. One letter counts only in the last two lines.
     """
     for line in reversed(above):
         if line in used:
             continue
         words = _words(line) if line in near[:2] else []
         units = [word for word in words if unit_of(word) and word not in ENGLISH_UNIT_WORDS]
-        few_units = len(words) > 1 and 2 * len(units) >= len(words)
-        if few_units or any(map(contains_unit, _words(QUANTITY.sub(" ", line)))):
+        mostly_units = len(words) > 1 and 2 * len(units) >= len(words)
+        if mostly_units or any(map(contains_unit, _words(QUANTITY.sub(" ", line)))):
             return line.strip()
     return ""
 

@@ -50,7 +50,7 @@ def marks_of(words: Iterable[str]) -> Marks:
     if not commas:
         grouped = any(word.count(".") > 1 for word in points)
         return Marks("," if grouped else ".", "." if grouped else "")
-    if all(map(COMMA_GROUPS.fullmatch, commas)):  # all may be integers in groups of three digits
+    if all(map(COMMA_GROUPS.fullmatch, commas)):  # every comma may separate thousands
         if any("." in word or word.count(",") > 1 for word in commas):
             return Marks(".", ",")
         word = min(commas)

@@ -14,7 +14,7 @@ from .numerals import Marks, is_missing, is_numeral, marks_of
 from .units import unit_of
 
 MAX_LISTED = 12  # columns in one message
-MIN_BLOCK_ROWS = 3  # mean size, if empty lines or comments separate blocks
+MIN_BLOCK_ROWS = 3  # minimum mean size of blocks separated by empty lines or comments
 
 
 def _is_words(line: str) -> bool:

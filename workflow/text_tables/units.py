@@ -87,7 +87,7 @@ FOLDED_UNITS = {
     word.lower(): entry for word, entry in reversed(KNOWN_UNITS.items()) if len(word) > 1
 } | {name.lower(): KNOWN_UNITS[name] for name in ("MPa", "MHz", "s")}
 ZERO = 273.15  # K at 0 °C
-TEMPERATURES = {  # in lower case: factor, offset in K
+TEMPERATURES = {  # spelling in lower case -> factor, offset in K
     **dict.fromkeys(("°c", "c", "degc", "deg c", "deg. c", "ºc", "oc"), (1.0, ZERO)),
     **dict.fromkeys(("celsius", "degrees celsius"), (1.0, ZERO)),
     **dict.fromkeys(("°f", "degf", "deg f", "fahrenheit"), (5.0 / 9.0, 459.67 * 5.0 / 9.0)),
