@@ -73,10 +73,10 @@ class BeyondKineticLawWarning(UserWarning):
 class KineticLaw:
     """Friction mu(t) after velocity changes, from tau, H, q_max, grad z and steady friction mu(v).
 
-    Velocities may be zero or negative; friction is an odd function of velocity. Compared with
-    simulations of velocity steps of -20 and 30 %, the error is 13 % of the total change of friction
-    in the median, and at most 37 %, up to the speed v at which eta v h = 0.2 F_N. At ten times that
-    speed a single peak carries the load, and the error is the whole change (docs/verification.md).
+    Velocities may be zero or negative; friction is an odd function of velocity. After steps of -20
+    and 30 % to speeds v with eta v h < 0.2 F_N, the law deviates from simulations by 13 % of the
+    total change of friction in the median, and by 37 % at most. At ten times that speed a single
+    peak carries the load, and the law misses the whole change (docs/verification.md).
     """
 
     def __init__(
@@ -102,15 +102,15 @@ class KineticLaw:
         self.friction = finite_numbers("friction", friction)
         names = ("relaxation_time", "q_max", "rms_slope", "hurst")
         given = (relaxation_time, q_max, rms_slope, hurst)
-        *positive, share = map(finite_numbers, names, given)
+        *positive, exponent = map(finite_numbers, names, given)
         if self.velocity.ndim != 1 or self.velocity.shape != self.friction.shape:
             raise LawError("velocity and friction must be one-dimensional and of one length")
         if self.velocity.size < 2 or (np.diff(self.velocity) <= 0).any() or self.velocity[0] <= 0:
             raise LawError("velocity must hold two or more increasing positive values")
         if not (self.friction > 0.0).all():
             raise LawError("friction must be positive")
-        known = share.ndim == 0 and 0.0 <= share <= 1.0
-        if not known or any(value.ndim or value <= 0.0 for value in positive):
+        in_range = exponent.ndim == 0 and 0.0 <= exponent <= 1.0
+        if not in_range or any(value.ndim or value <= 0.0 for value in positive):
             raise LawError("relaxation_time, q_max, rms_slope must be positive, hurst in [0, 1]")
         if fastest is not None and not fastest > 0.0:
             raise LawError("fastest must be positive")
@@ -191,7 +191,7 @@ class KineticLaw:
             return self.relaxation_time / relaxation_rate(x, self.hurst, self.time_below_one)
 
     def relaxation_length(self, v: ArrayLike) -> np.ndarray:
-        """Return the distance D_c (m) slid in a relaxation time: 1/q_max for x < 1 and b = x."""
+        """Return the distance D_c (m) slid in a relaxation time; where b = x < 1, it is 1/q_max."""
         return np.abs(v) * self.relaxation_times(v)
 
     def after_jump(self, v1: float, v2: float, time: ArrayLike) -> np.ndarray:
@@ -221,7 +221,7 @@ class KineticLaw:
         self._warn(velocity)
         least = min(self.velocity[0], 1.0 / (self.relaxation_time * self.q_max))
         t, v, last = finely(time, velocity, least, PIECE)
-        over = self._jumps_from_rest(v) - self.steady(v)  # after an instantaneous change
+        over = self._jumps_from_rest(v) - self.steady(v)  # excess after an instantaneous change
         decay = np.diff(t) / self.relaxation_times(0.5 * (v[1:] + v[:-1]))
         keep = np.exp(-decay)
         fresh = np.diff(over) * np.where(decay > FLAT, (1.0 - keep) / np.maximum(decay, FLAT), 1.0)
@@ -236,9 +236,9 @@ class KineticLaw:
         speed, mu = np.abs(v), np.abs(self.steady(v))
         limit = PLATEAU * self.rms_slope
         k = np.clip(np.searchsorted(self.velocity, speed, "right") - 1, 0, None)
-        since = np.log(np.maximum(speed, self.velocity[0]) / self.velocity[k])
-        known = np.where(speed < self.velocity[0], self.friction[0], mu)
-        above = self._sums[k] + jump_between(self.friction[k], known, since, self.rms_slope)
+        log_ratio = np.log(np.maximum(speed, self.velocity[0]) / self.velocity[k])
+        upper = np.where(speed < self.velocity[0], self.friction[0], mu)
+        above = self._sums[k] + jump_between(self.friction[k], upper, log_ratio, self.rms_slope)
         return np.sign(v) * np.where(
             speed < self.velocity[0], limit * np.arcsinh(mu / limit), above
         )

@@ -45,7 +45,7 @@ class UserErrors(UserError):
 
 
 class ErrorCollector:
-    """Collects user errors raised in ``with`` blocks; ``raise_collected`` raises them together."""
+    """Collector of user errors from ``with`` blocks; ``raise_collected`` raises them together."""
 
     def __init__(self) -> None:
         """Begin without errors."""

@@ -1,4 +1,4 @@
-"""A pause of Python's garbage collector, for work that makes next to no cyclic garbage."""
+"""A pause of Python's garbage collector, for work that creates almost no cyclic garbage."""
 
 import atexit
 import contextlib
@@ -10,7 +10,7 @@ atexit.register(gc.freeze)  # skips the last collection; the process frees all m
 
 @contextlib.contextmanager
 def garbage_collection_paused() -> Iterator[None]:
-    """Disable the collection of cyclic garbage within this block."""
+    """Disable the collection of cyclic garbage within a ``with`` block."""
     enabled = gc.isenabled()
     gc.disable()
     try:

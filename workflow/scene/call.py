@@ -211,9 +211,9 @@ def _in_seconds(dataset: xr.Dataset, study: Study) -> xr.Dataset:
     tau, converted = study.material.tau, {}
     for name in (*dataset.data_vars, *dataset.coords.keys() & {*IN_TAU}):
         variable = dataset[name]
-        plain = str(name).removesuffix("_error")
-        if plain in IN_TAU or plain in PER_TAU:
-            scale, unit = (tau, "s") if plain in IN_TAU else (1.0 / tau, "s-1")
+        base = str(name).removesuffix("_error")
+        if base in IN_TAU or base in PER_TAU:
+            scale, unit = (tau, "s") if base in IN_TAU else (1.0 / tau, "s-1")
             long_name = variable.attrs["long_name"].replace(", (t - t0)/tau", "")
             long_name = long_name.replace(", per tau", "").replace(" in tau", "")
             attributes = {**variable.attrs, "units": unit, "long_name": long_name}
@@ -250,8 +250,8 @@ def run(
     surface : random lines in place of a profile, described by the keys of the table [surface] and
         by hurst, roughness and spacing as in [grid].
     material, numerics : keys of the tables [material] and [numerics].
-    normal_force : load (N). Alternatives are normal_pressure (Pa) and prescribed_indentation: a
-        number (m, over the mean line), or the name of a file of times (s) and indentations (m).
+    normal_force : load (N). Alternatives are normal_pressure (Pa) and prescribed_indentation: that
+        of the mean line (m), or the name of a file of times (s) and indentations (m).
     drive : keys of [scene.drive], for a programme of segments ``pull``.
     body : "foundation" or "half-space", as in [scene].
     programme : list of segments, each as in [[scene.programme]], or {"time": ..., "velocity": ...}

@@ -1,4 +1,4 @@
-"""The study as described by the user: study.toml, read once, checked, and then immutable.
+"""The study described by the user: study.toml is read once and checked; the result is immutable.
 
 Depends on the kernels for the names of schemes and spectra, and on no later stage.
 """

@@ -1,7 +1,7 @@
-"""The axes of a grid: name, unit, the table that holds the values, and the part they change.
+"""Axes of a grid: name, unit, the table that holds the values, and the part that they change.
 
-An axis of the table [grid] is a number of every point, made dimensionless in plan/problems.py.
-Any other axis is a number of a material, a surface or a scene. Each of its values gives another
+An axis of the table [grid] is a parameter of each point, made dimensionless in plan/problems.py.
+Any other axis is a parameter of a material, a surface or a scene. Each of its values gives another
 material, surface or scene, from which G, tau, the spectrum and the load are derived.
 """
 
@@ -31,9 +31,9 @@ class Axis(NamedTuple):
     name: str  # of the dimension and of the key
     unit: str  # in a result file
     long_name: str
-    table: str = "grid"  # that holds the values; otherwise also the changed part
+    table: str = "grid"  # table of the values; if not "grid", also the changed part
     put: Callable[[Any, str, float], Any] | None = None  # part, axis, value -> changed part
-    within: str = ""  # inline table of that table which holds the values
+    within: str = ""  # inline table inside ``table`` that holds the values, if any
 
     def changed(self, parts: Parts, value: float) -> Parts:
         """Return the parts of a study with one value of this axis."""
@@ -45,7 +45,7 @@ class Axis(NamedTuple):
         return parts._replace(**{self.table: changed})
 
 
-def _stiffer(scene: Scene, _: str, stiffness: float) -> Scene:
+def _set_stiffness(scene: Scene, _: str, stiffness: float) -> Scene:
     assert scene.drive is not None
     return scene._replace(drive=scene.drive._replace(stiffness=stiffness))
 
@@ -60,7 +60,7 @@ ROWS = (
     Axis("prescribed_indentation", "m", "prescribed indentation d over the mean line"),
     Axis("temperature", "degree_Celsius", "temperature of the elastomer", "material"),
     Axis("hold", "s", "duration of the hold", "scene", Scene.with_axis_value),
-    Axis("stiffness", "N m-1", "stiffness of the drive's spring", "scene", _stiffer, "drive"),
+    Axis("stiffness", "N m-1", "stiffness of the drive's spring", "scene", _set_stiffness, "drive"),
     Axis(
         "velocity_amplitude",
         "m s-1",
@@ -102,9 +102,9 @@ def _listed(key: Key) -> Key:
 
 
 def separated(tables: Mapping[str, dict[str, Any]]) -> tuple[dict[str, dict[str, Any]], Grid]:
-    """Return checked tables with the first value of each axis, and the values of these axes.
+    """Return checked tables with one value per axis, the first, and all values of these axes.
 
-    The table [grid] is not changed.
+    Axes of the table [grid] are not separated.
     """
     single, several = dict(tables), {}
     for row in ROWS[len(COMMON_AXES) :]:

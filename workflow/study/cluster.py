@@ -11,7 +11,7 @@ from .settings import TEXT, Key, as_text, filled, integer, matching, positive
 
 LOCAL = "local"
 RETIREMENT_MARGIN = 0.1  # share of the walltime left when a worker of a job retires
-BATCHES_PER_LIFETIME = 20  # a worker that retires loses its current batch
+BATCHES_PER_LIFETIME = 20  # minimum; a worker loses its current batch when it retires
 MIN_WALLTIME_SECONDS = 60.0
 MEMORY_PATTERN = "[0-9.]+ ?[kMGT]i?B"
 WORD_PATTERN, WORD_DESCRIPTION = r"[\w.,:@%+/=-]*", "one word of letters, digits and .,:@%+/=-"
@@ -21,7 +21,7 @@ class BatchSystem(NamedTuple):
     """A batch system whose jobs can be workers, through dask-jobqueue."""
 
     jobqueue: str  # class of dask_jobqueue
-    directives: tuple[str, ...]  # of every job script; lost jobs are replaced by the program itself
+    directives: tuple[str, ...]  # of every job script; the program itself replaces lost jobs
     trial: tuple[str, ...] = ()  # command that checks whether a job script would be accepted
 
 
@@ -31,7 +31,7 @@ BATCH_SYSTEMS = {"slurm": BatchSystem("SLURMCluster", ("--no-requeue",), ("sbatc
 class Cluster(NamedTuple):
     """Workers: processes of this machine, jobs of a batch system, or those of a Dask scheduler."""
 
-    where: str = LOCAL  # or a batch system, or the address of a scheduler
+    where: str = LOCAL  # "local", a batch system, or the address of a scheduler
     patience: float = 600.0  # s to wait without a worker
     jobs: int = 1
     cores: int = 1  # of each job

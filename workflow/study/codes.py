@@ -9,7 +9,7 @@ MIN_CODE_DISTANCE = 100.0  # from the median of the other values, in spreads
 
 
 class Code(NamedTuple):
-    """Number that marks a missing value."""
+    """A number that marks missing values."""
 
     value: float
     times: int  # number of occurrences
@@ -22,7 +22,7 @@ def missing_code(values: np.ndarray, repeated: bool = True) -> Code | None:
     The smallest and the largest finite value are examined. Either is a code if it is listed in
     CODES, exceeds 1e29 in magnitude or, with ``repeated``, occurs at least twice. It must
     also lie more than MIN_CODE_DISTANCE spreads from the median of the other values. The spread
-    is the distance from their 5th to their 95th percentile; for equal values, their magnitude.
+    is the distance from their 5th to their 95th percentile or, if that is zero, their magnitude.
     """
     finite = values[np.isfinite(values)]
     for value in (finite.min(), finite.max()) if finite.size else ():

@@ -39,10 +39,10 @@ from ..text_tables import (
 from .codes import missing_code
 
 LOGARITHM_NAME = r"^(log|lg|ln)([\W_\d]|$)"  # name of a column of logarithms
-STRESS_NAME = r"^(?!.*modul).*(stress|spannung)"  # stress: same unit as a modulus
-ANGULAR_NAME = r"omega|\u03c9|^w$|angular|circular|kreis"  # of a frequency in rad/s if in 1/s
+STRESS_NAME = r"^(?!.*modul).*(stress|spannung)"  # a stress has the unit of a modulus
+ANGULAR_NAME = r"omega|\u03c9|^w$|angular|circular|kreis"  # with the unit 1/s it is in rad/s
 
-# Last words of names that are not units.
+# Words at the end of a column name that are not units.
 NAME_WORDS_TEXT = (
     "abs absolute act actual amplitude angular average avg axis channel cmd coef coeff "
     "coefficient command commanded corrected d data delta displacement drive elapsed factor "
@@ -71,18 +71,18 @@ class ColumnSpec(NamedTuple):
         return bool(title.name) and bool(re.search(self.names, title.name, re.IGNORECASE))
 
     def has_unit(self, unit: Unit | None) -> bool:
-        """Return whether a unit is one of the quantity."""
+        """Return whether a unit is a unit of the quantity; 1/s counts for a frequency."""
         families = (self.family, "rate") if self.family == "frequency" else (self.family,)
         return unit is not None and unit.family in families
 
     def fits_name(self, title: Title) -> bool:
-        """Return whether a title names the quantity, and states no unit of another one."""
+        """Return whether a title names the quantity and does not state a unit of another one."""
         unit = unit_of(title.unit)
         loose = not title.stated and unit is not None and unit.family != "temperature"
         return self.is_named(title) and (unit is None or loose or self.has_unit(unit))
 
     def fits_unit(self, title: Title) -> bool:
-        """Return whether the unit of a title fits; 1 and % do not suffice beside a name."""
+        """Return whether the unit of a title fits; for 1 and %, the title must have no name."""
         unnamed = title.name in ("", UNREAD_NAME)
         return self.has_unit(unit_of(title.unit)) and (self.family != "number" or unnamed)
 
@@ -107,9 +107,9 @@ def select_columns(
 ) -> tuple[Column, ...]:
     """Return the requested columns, in the order of ``wanted``.
 
-    columns : column numbers given by the user, from 0, one for each. option : the option for them,
-    for messages. Raises UserError if the file does not determine the columns, if a name fits
-    several columns, and for a unit that is unknown or of another family.
+    columns : column numbers given by the user, from 0, one per quantity. option : name of the
+    option that gives them, for messages. Raises UserError if the file does not determine the
+    columns, if a name fits several columns, and for a unit that is unknown or of another family.
     """
     numbers = _column_numbers(table, wanted, option) if columns is None else columns
     for column in numbers:
@@ -131,7 +131,7 @@ def find_column(table: TextTable, spec: ColumnSpec, option: str = "--columns") -
 
 
 def _column_numbers(table: TextTable, wanted: Sequence[ColumnSpec], option: str) -> list[int]:
-    """Return the number of each requested column, found by names, by units, or by the order."""
+    """Return the number of each requested column, found by name, by unit, or by order."""
     titles = {column: table.title(column) for column in table.numeric}
     numbers = dict[ColumnSpec, int]()
     for spec in wanted:
@@ -157,9 +157,9 @@ def _column_numbers(table: TextTable, wanted: Sequence[ColumnSpec], option: str)
 
 
 def _has_rival(titles: dict[int, Title], wanted: Sequence[ColumnSpec], spec: ColumnSpec) -> bool:
-    """Return whether a column of an unknown name is as likely as one whose name fits.
+    """Return whether a column with an unknown name but a fitting unit competes for a quantity.
 
-    A unit that fits is as good evidence as a name without a unit.
+    It does unless a column whose name fits also has a unit.
     """
     if any(title.unit for title in titles.values() if spec.fits_name(title)):
         return False
@@ -183,7 +183,7 @@ def _names_columns(table: TextTable, wanted: Sequence[ColumnSpec], free: Sequenc
 
 
 def _unclear_columns(table: TextTable, wanted: Sequence[ColumnSpec], option: str) -> UserError:
-    """Return the error for columns that the file does not determine, with options to paste."""
+    """Return the error for columns that the file does not determine, with example options."""
     names = " and ".join(spec.meaning for spec in wanted)
     remedy = option
     if option.startswith("--"):
@@ -285,7 +285,7 @@ def count_named(line: str, patterns: Iterable[str]) -> int:
 def _unread_unit(name: str, names: str) -> str:
     """Return the part of a name that may be an unknown or misplaced unit; "" without one.
 
-    names : pattern of the words that name such a column; its last word may be one of them.
+    names : pattern of words that name the quantity; these are not taken as units.
     """
     words = [word for word in re.split(r"[\s.-]+|_(?=\w\w|V\b)", name) if word]
     last = words[-1] if len(words) > 1 and not words[-1].isdecimal() else ""

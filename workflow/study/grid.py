@@ -14,20 +14,20 @@ from .surfaces import Surface, check_cutoff
 
 MAX_LINE_ELEMENTS = 1e8
 MIN_LINE_ELEMENTS = 4
-MAX_GRID_POINTS = 300_000  # for which a plan takes seconds and a run 2 GiB in the driver
+MAX_GRID_POINTS = 300_000  # a plan of this size takes seconds, a run 2 GiB in the driver
 
 
 def snapped_spacing(length: float, spacings: tuple[float, ...]) -> tuple[float, ...]:
     """Return the nearest spacings that divide ``length`` into 2^a 3^b 5^c elements.
 
-    The FFT is fast for these numbers. Two spacings may become one.
+    The FFT is fast for these numbers of elements. Spacings that become equal are merged.
     """
     elements = [_nearest_smooth(length / spacing) for spacing in spacings]
     return tuple(length / count for count in dict.fromkeys(elements))
 
 
 def _nearest_smooth(target: float) -> int:
-    """Return the number 2^a 3^b 5^c (a > 0) with the smallest ratio to the target."""
+    """Return the number 2^a 3^b 5^c (a > 0) whose ratio to the target is nearest to one."""
     counts = [2]
     for prime in (2, 3, 5):
         for count in counts:  # the list grows during the loop
@@ -36,7 +36,7 @@ def _nearest_smooth(target: float) -> int:
     return min(counts, key=lambda n: (abs(math.log(n / target)), n))
 
 
-def _step(key: str, value: object) -> float:
+def _velocity_step(key: str, value: object) -> float:
     checked = number(key, value)
     if checked <= -1.0:
         raise UserError(f"{key} = {checked!r}: must be greater than -1 (v2 > 0)")
@@ -94,7 +94,7 @@ GRID = {
         usual="required if the motion depends on it",
     ),
     "velocity_step": Key(
-        partial(checked_values, _step),
+        partial(checked_values, _velocity_step),
         "The relative velocity step Δv/v₁, so that v₂ = v₁ (1 + Δv/v₁).",
         "Doubled, the jump Δµ₀ of a small step doubles; the relaxation rate b hardly changes.",
         values="a number above −1, zero or at least 1e-9 in size, or a list or range",
@@ -120,9 +120,9 @@ def read_grid(
 ) -> Grid:
     """Return axis -> values, for the table [grid] and for the axes of other tables.
 
-    given : checked values of [grid]. written : the same as written by the user, for messages.
-    several : values of the axes of other tables. An axis that the scene excludes has one value,
-    NaN if it is undefined. Raises UserError.
+    given : checked values of [grid]. written : the table as written by the user, for messages.
+    several : values of the axes of other tables. An axis that the scene excludes has one value
+    (NaN if undefined), or is absent. Raises UserError.
     """
     _, surface, scene = parts
     excluded = _excluded(surface, scene)
@@ -170,7 +170,7 @@ def _with_forces(given: Mapping[str, Any], written: Mapping[str, Any], surface: 
 
 
 def _excluded(surface: Surface, scene: Scene) -> dict[str, tuple[tuple[float, ...], str]]:
-    """Return axis -> (values, reason) of the keys that the table [grid] must not contain."""
+    """Return axis -> (values, reason) for the keys that the table [grid] must not contain."""
     excluded: dict[str, tuple[tuple[float, ...], str]] = {}
     if surface.profile is not None:
         reason = "the measured lines determine it"
@@ -195,7 +195,7 @@ def _excluded(surface: Surface, scene: Scene) -> dict[str, tuple[tuple[float, ..
 def _spacings(spacings: tuple[float, ...], surface: Surface) -> tuple[float, ...]:
     """Return the spacings, snapped if surface.snap_spacing is true.
 
-    Raises UserError for a spacing that does not divide the length, or into too many elements.
+    Raises UserError for a spacing that gives a fractional or unsupported number of elements.
     """
     length = surface.length
     for spacing in spacings:

@@ -1,4 +1,4 @@
-"""Measured studies, whose script measure.py measures something in place of a grid of problems.
+"""Measured studies: their script measure.py runs a measurement in place of a grid of problems.
 
 study.toml holds [study] with title and seed, [measure] with the settings that measure.py
 declares, and [scales.NAME]. measure.py holds

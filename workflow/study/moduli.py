@@ -51,11 +51,11 @@ YOUNG_NAME = re.compile(
 )
 SHEAR_NAME = re.compile(rf"\bG({PRIME}|{DOUBLE_PRIME}|_|[12p]\b|\b)|shear|torsion|parallel", re.I)
 TENSILE_LOADING = re.compile(r"tension|tensile|cantilever|bending|compression", re.I)
-# Neither G' nor G''.
+# Names of moduli that are neither G' nor G''.
 OTHER_MODULUS_NAME = re.compile(r"\*|\||complex|complian|dynamic", re.IGNORECASE)
 MIN_MODULI_ROWS = 4
 FREQUENCY_RATIO = 1.005  # frequencies closer than this count as equal
-MODULUS_RATIO = 1.15  # moduli at one frequency and temperature differ by less
+MODULUS_RATIO = 1.15  # limit of the ratio of moduli at one frequency and temperature
 MAX_RELAXATION_SAMPLES = 400  # more samples of a relaxation test are averaged
 MEANS_PER_DECADE = 25
 
@@ -63,14 +63,14 @@ MEANS_PER_DECADE = 25
 class Moduli(NamedTuple):
     """Measured moduli at ascending frequencies, with a description of the columns."""
 
-    omega: np.ndarray  # rad/s, shape (n,); of a relaxation test 1/t in 1/s
-    values: np.ndarray  # G' + i G'' in Pa, shape (n,); of a relaxation test G(t), real
-    description: tuple[str, ...]  # in sentences
-    temperatures: np.ndarray | None = None  # °C of each row, shape (n,); None: one sweep
+    omega: np.ndarray  # rad/s, shape (n,); for a relaxation test 1/t in 1/s
+    values: np.ndarray  # G' + i G'' in Pa, shape (n,); for a relaxation test G(t), real
+    description: tuple[str, ...]  # sentences
+    temperatures: np.ndarray | None = None  # of each row, °C, shape (n,); None: one sweep
 
     @property
     def over_time(self) -> bool:
-        """Return whether they come from a relaxation test."""
+        """Return whether the moduli come from a relaxation test."""
         return not np.iscomplexobj(self.values)
 
 
@@ -84,13 +84,13 @@ def read_moduli(
 ) -> Moduli:
     """Return the moduli of a text file: frequency, G' and G'' or tan delta; or time and G(t).
 
-    frequency, modulus : units, which replace those of the file; by default rad/s and Pa if the file
-    states none. columns : numbers, from 0, of three columns, or of two for a relaxation test.
-    poisson : ratio for Young's moduli. temperatures : °C, of each sweep in the order of the file;
-    they replace those of the file.
+    frequency, modulus : units that replace those of the file; rad/s and Pa if neither states them.
+    columns : column numbers, from 0: three, or two for a relaxation test. poisson : Poisson's
+    ratio, to convert Young's moduli. temperatures : temperature (°C) of each sweep in the order of
+    the file, in place of those of the file.
 
     Raises UserError for a file that cannot be read or does not determine the columns, for sweeps
-    at unknown temperatures, and for values that no material has.
+    at unknown temperatures, and for unphysical values.
     """
     table = read_text_table("prony", path)
     selected = _moduli_columns(table, frequency, modulus, columns)
@@ -122,7 +122,7 @@ def read_moduli(
 
 
 def _are_young_moduli(table: TextTable, moduli: Sequence[Column]) -> bool:
-    """Return whether moduli are Young's, from their names, else from the loading stated above."""
+    """Return whether moduli are Young's moduli, by their names or else by the stated loading."""
     names = [column.title.name for column in moduli]
     if any(map(YOUNG_NAME.search, names)) or any(map(SHEAR_NAME.search, names)):
         return any(map(YOUNG_NAME.search, names))
@@ -131,7 +131,7 @@ def _are_young_moduli(table: TextTable, moduli: Sequence[Column]) -> bool:
 
 
 def _is_relaxation_test(table: TextTable, columns: Sequence[int] | None) -> bool:
-    """Return whether a table is a relaxation test: two columns, or a time and no loss."""
+    """Return whether a table is a relaxation test: two columns, or time and no loss."""
     if columns is not None:
         return len(columns) == 2
     if len(table.numeric) == 2:
@@ -187,10 +187,10 @@ def _moduli_columns(
 def _complete_rows(
     path: Path, table: TextTable, columns: tuple[Column, ...], temperatures: np.ndarray | None
 ) -> tuple[np.ndarray, np.ndarray, list[str]]:
-    """Return the values of the complete rows, shape (columns, n), their mask, and notes.
+    """Return the values of the complete rows, shape (columns, n), their row mask, and notes.
 
-    Rows up to the sudden strain of a relaxation test are left out and noted. Raises UserError for
-    too few rows, for frequencies, times, G' and G(t) that are not positive, and for negative G''.
+    For a relaxation test, rows with t <= 0 are left out and noted. Raises UserError for too few
+    rows, for frequencies, G' and G(t) that are not positive, and for negative G''.
     """
     values = np.array([column.values for column in columns])
     complete = np.isfinite(values).all(axis=0) & (temperatures is None or np.isfinite(temperatures))
@@ -214,7 +214,7 @@ def _complete_rows(
 
 
 def _decade_means(omega: np.ndarray, values: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Return means over parts of a decade, so that late samples do not outweigh early ones."""
+    """Return means over parts of each decade, so that late samples do not outweigh early ones."""
     part = np.floor(MEANS_PER_DECADE * np.log10(omega / omega[0]) + 1e-9)
     _, group, counts = np.unique(part, return_inverse=True, return_counts=True)
     sums = [np.bincount(group, weights) for weights in (np.log(omega), values)]

@@ -8,12 +8,12 @@ from ...kernels import SCHEMES
 from ..ground import UserError
 from .settings import Key, choice, filled, integer, within
 
-LONG_HORIZON = 6.0  # beyond 4 expected times b changes by 0.5 %, in the worst case by 5 %
-LONG_HORIZON_ACCURACY = 0.01  # below which the long horizon is used
+LONG_HORIZON = 6.0  # expected relaxation times; beyond 4, b changes by 0.5 %, at worst by 5 %
+LONG_HORIZON_ACCURACY = 0.01  # the long horizon is used for smaller accuracies
 # Below 1e-4 no accuracy can be reached; above 0.3 the error laws do not hold.
 ACCURACY = partial(within, least=1e-4, most=0.3, hint=" (0.01 is 1 %)")
 AUTO = "auto"
-NEGLIGIBLE_SHARE = 0.01  # of the jump, if an accuracy is requested
+NEGLIGIBLE_SHARE = 0.01  # default share of the jump if an accuracy is requested
 RECORDS = ("time", "distance", "log")
 
 

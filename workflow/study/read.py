@@ -19,11 +19,11 @@ from .settings import as_table
 from .study import AnyStudy, Study, read_grid_study
 
 MAX_STUDY_BYTES = 2**24
-BARE_LIST = re.compile(r"=\s*[-+.\d][-+.\deE_]*\s*,")  # numbers without brackets
+BARE_LIST = re.compile(r"=\s*[-+.\d][-+.\deE_]*\s*,")  # a list without brackets
 
 
 def load_tables(path: Path, scale: str | None, settings: list[str]) -> tuple[dict, dict]:
-    """Return the tables of a TOML file, after overrides "table.key=value", and its other scales.
+    """Return the tables of a file with scale and overrides "table.key=value", and other scales.
 
     Raises UserError for a file that is not TOML, an unknown scale and an invalid override.
     """
@@ -96,7 +96,7 @@ def read_study(study: str, scale: str | None = None, settings: list[str] | None 
     settings : overrides "table.key=value".
 
     Raises UserError for invalid input: first for all keys, types and ranges at every scale, then
-    for combinations. Each error states file and line.
+    for combinations. Each error states file and line, if known.
     """
     overrides = settings or []
     name, path, tables, scales = _located_tables(study, scale, overrides)
@@ -116,7 +116,7 @@ def known_scales(study: str) -> list[str]:
 
 
 def read_scene(study: str, scale: str | None, settings: list[str], quantities: list[str]) -> Study:
-    """Return a study of one point as the scene of a single line, with other quantities.
+    """Return a study of one point as the scene of a single line, with the given quantities.
 
     Comparisons are dropped. Raises UserError as ``read_study`` does, and for a study of several
     points.
@@ -177,7 +177,7 @@ def key_of(message: str) -> str:
 
 
 def line_of(text: str, key: str, scale: str = "") -> int | None:
-    """Return the number of the line of a key, or of the table in which it is missing.
+    """Return the line number of a key, or of the table in which the key is missing.
 
     scale : name of the selected scale, whose tables have priority. None if the key has no line.
     """
@@ -205,7 +205,7 @@ def _first_line(lines: list[str], path: list[str], depth: int) -> int:
 
 
 def _readable(lines: list[str], most: int) -> tuple[int, dict[str, Any]]:
-    """Return the largest number of lines, up to ``most``, that are valid TOML, and their tables."""
+    """Return the largest number (<= ``most``) of first lines that are valid TOML, and tables."""
     for count in range(most, 0, -1):
         with contextlib.suppress(tomllib.TOMLDecodeError):
             return count, tomllib.loads("\n".join(lines[:count]))
@@ -213,7 +213,7 @@ def _readable(lines: list[str], most: int) -> tuple[int, dict[str, Any]]:
 
 
 def _depth(tables: Any, path: list[str]) -> int:
-    """Return how many leading parts of a path exist in the tables."""
+    """Return the number of leading parts of a path that exist in the tables."""
     for depth, part in enumerate(path):
         if isinstance(tables, list) and part.isdigit() and int(part) < len(tables):
             tables = tables[int(part)]

@@ -44,7 +44,7 @@ def load_script(script: Path) -> ModuleType:
 
 
 def _check_names(script: Path) -> None:
-    """Refuse a script that imports the packages by their former names."""
+    """Raise UserError for a script that imports the packages by their former names."""
     tree = ast.parse(script.read_bytes(), script.name)
     for node in ast.walk(tree):
         if isinstance(node, ast.Import):

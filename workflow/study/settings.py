@@ -91,7 +91,7 @@ Check = Callable[[str, object], float]
 
 
 def two_numbers(key: str, value: object, words: str, *checks: Check) -> tuple[float, float]:
-    """Return two checked numbers, the first by the first check, or raise UserError."""
+    """Return the two numbers of a list, each checked by its own check, or raise UserError."""
     if not isinstance(value, list) or len(value) != 2:
         raise UserError(f"{key} = {value!r:.60}: must be {words}")
     first, second = (check(f"{key}[{i}]", value[i]) for i, check in enumerate(checks))
@@ -233,7 +233,7 @@ def table_of(properties: dict[str, Schema]) -> Schema:
 
 
 def pair(first: Schema, second: Schema) -> Schema:
-    """Return the schema of a list of two."""
+    """Return the schema of a list of two values."""
     return {"type": "array", "items": [first, second], "minItems": 2, "maxItems": 2}
 
 

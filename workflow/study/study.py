@@ -1,4 +1,4 @@
-"""The checked, immutable study made of study.toml."""
+"""The checked, immutable study made from study.toml."""
 
 import json
 import math
@@ -36,7 +36,7 @@ class AnyStudy:
 
     @property
     def axes(self) -> tuple[str, ...]:
-        """Axes of the result, none without a grid."""
+        """Axes of the result; empty without a grid."""
         return ()
 
 
@@ -45,14 +45,14 @@ class Study(AnyStudy):
     """A checked study of a grid, in SI units."""
 
     kind: ClassVar[str] = "grid"
-    realizations_requested: int  # as written in the study
-    realizations: int  # in at least two whole blocks, and random lines in whole quartets
+    realizations_requested: int  # as written in the study; by default all measured lines
+    realizations: int  # rounded to whole blocks and, for random lines, whole quartets
     realizations_per_block: int
     grid: Grid
     scene: Scene
     variants: dict[str, Numerics]  # by label: "" is the study itself, others are comparisons
     materials: dict[str, Material]  # by label
-    surfaces: dict[str, Surface]  # by label; all have one length, spacing and roughness
+    surfaces: dict[str, Surface]  # by label; all have the same length, spacing and roughness
     pressures: tuple[float, ...] = ()  # Pa, nominal; empty if forces are given
     cluster: Cluster = THIS_MACHINE  # not part of the identity of results
 
@@ -91,7 +91,7 @@ class Study(AnyStudy):
         return parts_at(parts, self.grid, axes)
 
     def force_share(self, label: str) -> float:
-        """Return the normal force on a variant over that of the study; 1 without pressures."""
+        """Return the normal force of a variant relative to the study; 1 without pressures."""
         if not self.pressures:
             return 1.0
         return self.surfaces[label].pressed_area / self.surface.pressed_area
@@ -168,7 +168,7 @@ def read_grid_study(
 def _check_other_values(
     tables: dict[str, dict[str, Any]], several: Grid, folder: Path, surface: Surface
 ) -> None:
-    """Raise UserError for a refused value of an axis; tables : with its first value."""
+    """Raise UserError for an invalid value of an axis. tables : hold the first values."""
     for axis, (_, *others) in several.items():
         row = ALL_AXES[axis]
         for value in others:
@@ -184,8 +184,8 @@ def _lines_in_blocks(
 ) -> dict[str, int]:
     """Return the numbers of lines: requested, in all, and per block. Raises UserError.
 
-    requested, block : as written in the study. By default all measured lines are used, with
-    correlated neighbours in one block. A single line is its own block.
+    requested, block : as written in the study. By default all measured lines are used, and
+    correlated neighbours share a block. A single line is its own block.
     """
     profiles = (lines.profile for lines in surfaces.values() if lines.lines == "measured")
     profile = next(filter(None, profiles), None)
@@ -210,7 +210,7 @@ def _lines_in_blocks(
 
 
 def _with_block_note(surface: Surface, head: Mapping[str, Any]) -> Surface:
-    """Return a surface with a note on the blocks behind its standard errors."""
+    """Return a surface with a note on its standard errors: none, or from blocks of lines."""
     profile = surface.profile
     if profile is None or surface.lines != "measured":
         return surface
@@ -236,8 +236,8 @@ def _with_block_note(surface: Surface, head: Mapping[str, Any]) -> Surface:
 def _blocks(realizations: int, block: int, random: bool) -> dict[str, int]:
     """Return the numbers of realizations, in all and per block. Raises UserError.
 
-    random : whether lines are random: then blocks are rounded up to whole quartets. Maps are drawn
-    one by one.
+    random : whether lines are drawn in quartets, so that blocks are rounded up to whole quartets.
+    Maps are drawn one by one.
     """
     setting = f"study.realizations_per_block = {block}"
     if realizations % block or realizations // block < 2:

@@ -1,6 +1,6 @@
-"""Separate the sweeps of a table by temperature.
+"""Separation of the sweeps of a table by temperature.
 
-Temperatures are given in the order of the sweeps, or read from a column or above each block.
+Temperatures are given in the order of the sweeps, or read from a column or the lines above a block.
 """
 
 import re
@@ -24,7 +24,7 @@ MIN_SWEEP_GAP = 1.0  # K, between two sweeps
 def temperatures_of(
     table: TextTable, omega: np.ndarray, given: Sequence[float]
 ) -> tuple[np.ndarray | None, list[str]]:
-    """Return the sweep temperature of each row, °C, and its source; None for a single sweep.
+    """Return the sweep temperature (°C) of each row, and a note; None for a single sweep.
 
     omega : frequency of each row, shape (rows,). given : temperatures in the order of the sweeps,
     which replace those of the file. Raises UserError if their number is not that of the sweeps, or
@@ -41,7 +41,7 @@ def temperatures_of(
         per_row = _over_rows(given, sweeps)
         source = f"{len(sweeps)} sweeps at the given temperatures"
     elif (named := _temperature_column(table)) is not None:
-        per_row, source = _grouped(table, named), f"temperatures: column {named.number}"
+        per_row, source = _sweep_means(table, named), f"temperatures: column {named.number}"
     else:
         headed = [_temperature_in(table.block_header(n)) for n in range(len(blocks))]
         if len(blocks) < 2 or None in headed:
@@ -57,7 +57,7 @@ def _over_rows(temperatures: Sequence[float], sweeps: Sequence[slice]) -> np.nda
 
 
 def _runs(omega: np.ndarray) -> tuple[slice, ...]:
-    """Return the runs of frequencies that change in the direction of the first run."""
+    """Return the monotonic runs of frequencies, all in the direction of the first run."""
     change = np.nan_to_num(np.diff(omega))
     moving = change[change != 0.0]
     back = change * np.sign(moving[0]) < 0.0 if moving.size else change < 0.0
@@ -66,7 +66,7 @@ def _runs(omega: np.ndarray) -> tuple[slice, ...]:
 
 
 def _temperature_column(table: TextTable) -> Column | None:
-    """Return the column of temperatures, means by name or unit, or None."""
+    """Return the column of temperatures, identified by name or unit, or None."""
     named = find_column(table, TEMPERATURE, "--temperatures")
     if named is not None:
         return named
@@ -75,29 +75,29 @@ def _temperature_column(table: TextTable) -> Column | None:
     return select_columns(table, (TEMPERATURE,), columns)[0] if len(columns) == 1 else None
 
 
-def _grouped(table: TextTable, named: Column) -> np.ndarray:
-    """Return the mean sweep temperature of each row, °C, NaN if it is missing."""
-    values = named.values - ZERO
+def _sweep_means(table: TextTable, column: Column) -> np.ndarray:
+    """Return for each row the mean temperature (°C) of its sweep; NaN if missing."""
+    values = column.values - ZERO
     order = np.argsort(values)
-    new = np.append(True, np.diff(values[order]) > MIN_SWEEP_GAP)
+    starts = np.append(True, np.diff(values[order]) > MIN_SWEEP_GAP)
     sweep_index = np.empty(values.size, int)
-    sweep_index[order] = np.cumsum(new) - 1
+    sweep_index[order] = np.cumsum(starts) - 1
     means = np.full(values.size, np.nan)
     for sweep in np.unique(sweep_index[np.isfinite(values)]):
-        there = (sweep_index == sweep) & np.isfinite(values)
-        low, high = values[there].min(), values[there].max()
+        rows = (sweep_index == sweep) & np.isfinite(values)
+        low, high = values[rows].min(), values[rows].max()
         if high - low > MAX_SWEEP_SPREAD:
             raise UserError(
                 f"prony {table.name}: temperatures from {low:g} to {high:g} °C in column "
-                f"{named.number} are not separate sweeps but a ramp; give --temperatures, "
+                f"{column.number} are not separate sweeps but a ramp; give --temperatures, "
                 "one for each sweep in order"
             )
-        means[there] = round(float(values[there].mean()), 2)
+        means[rows] = round(float(values[rows].mean()), 2)
     return means
 
 
 def _temperature_in(lines: Sequence[str]) -> float | None:
-    """Return the temperature stated above a block, °C, or None."""
+    """Return the temperature (°C) stated above a block, or None."""
     for number, text in TEMPERATURE_TEXT.findall("\n".join(lines))[::-1]:
         unit = unit_of(text)
         if unit is not None and unit.family == TEMPERATURE.family:

@@ -71,7 +71,7 @@ SUBTABLES: dict[str, dict[str, Keys]] = {
         **{f"scene.programme.{kind}".removesuffix(".file"): SEGMENTS[kind] for kind in SEGMENTS},
     },
 }
-ALL_TABLES: dict[str, Keys] = {  # and subtables, of a grid study
+ALL_TABLES: dict[str, Keys] = {  # tables and subtables of a grid study
     where: keys
     for name, table in TABLES.items()
     for where, keys in {name: table, **SUBTABLES.get(name, {})}.items()

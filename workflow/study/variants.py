@@ -23,7 +23,7 @@ from .surfaces import LINE_KIND_KEYS, Surface, lines_like
 # Not the temperature: it is an axis of the grid, which all variants share.
 COMPARE = NUMERICS | {key: MATERIAL[key] for key in MATERIAL if key != "temperature"}
 COMPARE |= LINE_KIND_KEYS | {"body": SCENE["body"]}
-ALTERNATIVES = (("branches", "branches_file"), tuple(SHIFTS))  # at most one key of each group
+ALTERNATIVES = (("branches", "branches_file"), tuple(SHIFTS))  # keys of a group exclude each other
 
 
 def read_variants(
@@ -89,7 +89,7 @@ def check_numerics(
     scene: Scene,
     surfaces: Mapping[str, Surface],
 ) -> None:
-    """Raise UserError for energies with another scheme, and for an accuracy without error laws."""
+    """Raise UserError for energies with an unsupported scheme, or accuracy without error laws."""
     for label, numerics in variants.items():
         where = f"compare.{label}" if label else "numerics"
         if "energy" in scene.quantities and numerics.scheme != DEFAULTS.scheme:

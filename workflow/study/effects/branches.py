@@ -1,4 +1,4 @@
-"""Read the branches of a material from a text table of moduli, or of shares of G_0, and times.
+"""Read the branches of a material from a text table of times and moduli, or shares of G_0.
 
 Columns are identified by name and unit, else by order: modulus, time. Shares, as written by Abaqus
 and Ansys, refer to the instantaneous modulus G_0 = G/(1 - sum of the shares).
@@ -39,16 +39,16 @@ def read_branches(
             table, (SHARE, BRANCH_TIME_COLUMN), (table.numeric[0], table.numeric[2]), HEADER_ADVICE
         )
         description = f"{describe_columns(table, columns)}; shares g_i, k_i, tau_i of Abaqus"
-        return _of_shares(key, columns, relaxed), description
+        return _branches_of_shares(key, columns, relaxed), description
     if len(table.numeric) == 3 and not table.titles:
         raise UserError(
             f"{key} = {path.name!r}: holds three columns; put the line *VISCOELASTIC above "
             f"shares g_i, k_i, tau_i of Abaqus, or give two columns with {HEADER_ADVICE}"
         )
-    if _of_share(table):
+    if _has_share_name(table):
         columns = select_columns(table, (SHARE, BRANCH_TIME_COLUMN), None, HEADER_ADVICE)
         description = f"{describe_columns(table, columns)}; G_0 from shear_modulus"
-        return _of_shares(key, columns, relaxed), description
+        return _branches_of_shares(key, columns, relaxed), description
     columns = select_columns(table, (MODULUS, BRANCH_TIME_COLUMN), None, HEADER_ADVICE)
     moduli, description = columns[0].values, describe_columns(table, columns)
     for column in columns:
@@ -66,8 +66,8 @@ def read_branches(
     return np.stack([moduli, columns[1].values], axis=1).tolist(), description
 
 
-def _of_share(table: TextTable) -> bool:
-    """Return whether the name of a column without a unit denotes a share of G_0."""
+def _has_share_name(table: TextTable) -> bool:
+    """Return whether the name of a dimensionless column denotes a share of G_0."""
     return any(
         re.search(SHARE.names, title.name, re.IGNORECASE if len(title.name) > 2 else 0)
         and not re.fullmatch("G_?i?", title.name)
@@ -76,11 +76,11 @@ def _of_share(table: TextTable) -> bool:
     )
 
 
-def _of_shares(key: str, columns: tuple[Column, ...], relaxed: float) -> list[list[float]]:
+def _branches_of_shares(key: str, columns: tuple[Column, ...], relaxed: float) -> list[list[float]]:
     shares, times = (column.values for column in columns)
-    whole = float(shares.sum())
-    if not 0.0 < whole < 1.0:
+    total = float(shares.sum())
+    if not 0.0 < total < 1.0:
         raise UserError(
-            f"{key}: the shares of G_0 sum to {whole:.4g}; the sum must lie between 0 and 1"
+            f"{key}: the shares of G_0 sum to {total:.4g}; the sum must lie between 0 and 1"
         )
-    return np.stack([shares * relaxed / (1.0 - whole), times], axis=1).tolist()
+    return np.stack([shares * relaxed / (1.0 - total), times], axis=1).tolist()

@@ -1,8 +1,8 @@
 """The table [material]: a relaxation modulus G(t) = G + sum_b g_b exp(-t/t_b) and a dashpot.
 
-G is the relaxed modulus, and each branch (g_b, t_b) a Maxwell element in parallel. The optional
-dashpot has viscosity G relaxation_time. Without branches this is the Kelvin element. The
-temperature multiplies all times by one shift factor a_T (shifting.py).
+G is the relaxed modulus, and each branch (g_b, t_b) is a Maxwell element in parallel. The optional
+dashpot has the viscosity G times relaxation_time. Without branches, the material is a Kelvin
+element. The temperature multiplies all times by one shift factor a_T (shifting.py).
 """
 
 from collections.abc import Mapping
@@ -53,7 +53,7 @@ class Material(NamedTuple):
     wlf: Wlf | None = None
     temperature: float | None = None  # °C, with a shift law
     poisson: float = 0.5  # Poisson's ratio, constant in time
-    description: str = ""  # of the file of its branches
+    description: str = ""  # of the file of branches
     arrhenius: Arrhenius | None = None  # in place of wlf
     shifts: ShiftTable | None = None  # in place of wlf
 
@@ -80,7 +80,7 @@ class Material(NamedTuple):
 
     @property
     def shift_law(self) -> ShiftLaw | None:
-        """The law of the shift with the temperature, if there is one."""
+        """The law of the shift with temperature, or None."""
         return self.wlf or self.arrhenius or self.shifts
 
     def shift(self, temperature: float) -> float:
@@ -93,7 +93,7 @@ class Material(NamedTuple):
         return 1.0 if self.temperature is None else self.shift(self.temperature)
 
     def rheology(self) -> str:
-        """Return the elements of the material with their times, as text."""
+        """Return a description of the elements of the material and their times."""
         if not self.branches:
             return f"Kelvin element, tau = {self.tau:.4g} s"
         number = len(self.branches)
@@ -104,7 +104,7 @@ class Material(NamedTuple):
         return f"{kind} {dashpot}, {spread}, tau = {self.tau:.4g} s"
 
     def spectrum(self) -> Spectrum:
-        """Return the material in units of G and tau, which does not depend on the temperature."""
+        """Return the spectrum in units of G and tau; it does not depend on the temperature."""
         tau = self.at_reference.tau
         return Spectrum(
             moduli=tuple(modulus / self.shear_modulus for modulus, _ in self.branches),
@@ -116,7 +116,7 @@ class Material(NamedTuple):
 def read_material(where: str, table: Mapping[str, Any], folder: Path) -> Material:
     """Return the material of the checked values of a table. Raises UserError.
 
-    where : name of the table, for messages. folder : of the files.
+    where : name of the table, for messages. folder : folder of the files that the table names.
     """
     given = filled(where, table, MATERIAL)
     branches, description = given["branches"], ""
@@ -157,7 +157,7 @@ def read_material(where: str, table: Mapping[str, Any], folder: Path) -> Materia
 
 
 def shift_law_of(table: Mapping[str, Any]) -> ShiftLaw | None:
-    """Return the shift law written in a table [material], or None. A file is not read.
+    """Return the shift law written in a table [material], or None; shifts_file is not read.
 
     Raises UserError for an invalid law.
     """
@@ -166,7 +166,7 @@ def shift_law_of(table: Mapping[str, Any]) -> ShiftLaw | None:
 
 
 def shift_of(laws: Mapping[str, Any], temperature: float) -> float:
-    """Return a_T at a temperature (°C); laws : keys SHIFT_KEYS of a table, as written.
+    """Return a_T at a temperature (°C). laws : keys SHIFT_KEYS of a table with values as written.
 
     Raises UserError for a temperature out of range.
     """

@@ -10,7 +10,7 @@ PROGRAMME_AXES = ("hold", "velocity_amplitude", "frequency")  # axes with values
 
 
 class Velocity(NamedTuple):
-    """A velocity, positive in the direction of sliding, in m/s or relative to the grid's."""
+    """A velocity, positive in the sliding direction, in m/s or relative to that of the grid."""
 
     value: float  # m/s, or a ratio
     relative: bool = False  # to the velocity of the grid
@@ -21,7 +21,7 @@ class Velocity(NamedTuple):
 
 
 class SlideSegment(NamedTuple):
-    """Slide at constant velocity, over a distance or for a duration."""
+    """A slide at constant velocity, over a distance or for a duration."""
 
     velocity: Velocity
     distance: float | None = None  # m
@@ -35,14 +35,14 @@ class SlideSegment(NamedTuple):
 
 
 class HoldSegment(NamedTuple):
-    """Hold the line at rest; each of several durations gives one programme."""
+    """A hold of the line at rest; each duration gives a programme of its own."""
 
     durations: tuple[float, ...]  # s
     several: bool = False  # whether durations are a dimension of the result
 
 
 class RampSegment(NamedTuple):
-    """Change the velocity linearly in time."""
+    """A change of the velocity that is linear in time."""
 
     first: Velocity
     last: Velocity
@@ -50,14 +50,14 @@ class RampSegment(NamedTuple):
 
 
 class Oscillate(NamedTuple):
-    """Superpose amplitude sin(2 pi frequency t) on a path of constant velocity."""
+    """An oscillation amplitude sin(2 pi frequency t) on a path of constant velocity."""
 
     velocity: Velocity  # mean
     amplitude: float  # m
     frequency: float  # Hz
     cycles: int
     velocity_amplitude: float | None = None  # m/s, if given in place of amplitude
-    several: tuple[tuple[str, tuple[float, ...]], ...] = ()  # dimensions of the result
+    several: tuple[tuple[str, tuple[float, ...]], ...] = ()  # (axis, values) of the result
 
     def with_derived_amplitude(self) -> "Oscillate":
         """Return the segment with ``amplitude`` computed from ``velocity_amplitude``, if given."""
@@ -68,7 +68,7 @@ class Oscillate(NamedTuple):
 
 
 class FromFile(NamedTuple):
-    """Follow a sampled velocity, linear between the samples; times start at zero."""
+    """A motion of sampled velocity, linear between the samples; times start at zero."""
 
     times: tuple[float, ...]  # s, ascending
     velocities: tuple[float, ...]  # m/s
@@ -81,7 +81,7 @@ History = tuple[tuple[float, ...], tuple[float, ...]]  # times (s), values
 
 
 def velocities_of(segment: Segment) -> tuple[Velocity, ...]:
-    """Return the first and the last velocity of a segment, nothing for a hold."""
+    """Return the first and last velocity of a segment (oscillation: its mean); empty for a hold."""
     match segment:
         case SlideSegment() | Oscillate():
             return (segment.velocity, segment.velocity)
@@ -145,7 +145,7 @@ class Scene(NamedTuple):
 
     @property
     def starts_after_sliding(self) -> bool:
-        """Return whether it begins at rest after steady sliding at the velocity of the grid."""
+        """Return whether the programme starts with a hold after steady sliding."""
         first = self.programme[0] if self.programme else None
         return self.start == STEADY and isinstance(first, HoldSegment)
 
@@ -162,7 +162,7 @@ class Scene(NamedTuple):
 
     @property
     def listed(self) -> dict[str, tuple[float, ...]]:
-        """Axes of the result whose values the programme gives as lists."""
+        """Axis -> values, for the axes that the programme gives as lists."""
         axes: dict[str, tuple[float, ...]] = {}
         for segment in self.programme:
             if isinstance(segment, HoldSegment) and segment.several:
@@ -201,6 +201,6 @@ class Scene(NamedTuple):
         return math.nan
 
     def start_velocity(self, reference: float) -> float:
-        """Return the first velocity (m/s) for the velocity ``reference`` of the grid."""
+        """Return the first velocity (m/s), or that of the grid, ``reference``, before a hold."""
         velocities = velocities_of(self.programme[0]) if self.programme else ()
         return velocities[0].at(reference) if velocities else reference

@@ -11,7 +11,7 @@ from .programme import FORCE, Oscillate, Scene
 Materials = Mapping[str, Material]  # by label: "" is the study, others are comparisons
 
 
-# Return why a quantity is unavailable, or "": scene, materials, whether it is a single line.
+# (scene, materials, whether there is a single line) -> reason why a quantity is unavailable, or "".
 Requirement = Callable[[Scene, Materials, bool], str]
 
 
@@ -21,7 +21,7 @@ def _required(is_met: Callable[[Scene, bool], bool], reason: str) -> Requirement
 
 
 def _dashpot(_: Scene, materials: Materials, __: bool) -> str:
-    """Return which material has no dashpot, or ""."""
+    """Return a message that names a material without a dashpot, or ""."""
     for label, material in materials.items():
         if not material.jumps:
             where = f"compare.{label}" if label else "material"
@@ -57,7 +57,7 @@ class Quantity(NamedTuple):
     """A quantity that a scene can compute."""
 
     effect: str  # description of the computation
-    means: tuple[str, ...] = ()  # kernels' names of the block means that estimate it
+    means: tuple[str, ...] = ()  # names of its block means in the kernels
     accuracy_estimate: str = ""  # the estimate to which a requested accuracy applies
     needs: tuple[str, ...] = ()  # other quantities; at least one must be requested too
     requirements: tuple[Requirement, ...] = ()
@@ -164,7 +164,7 @@ def accuracy_estimates(quantities: tuple[str, ...]) -> tuple[str, ...]:
 
 
 def unavailable_reason(name: str, scene: Scene, materials: Materials, single_line: bool) -> str:
-    """Return why a quantity is unavailable in a scene, or ""."""
+    """Return the reason why a quantity is unavailable in a scene, or ""."""
     if scene.drive and name not in DRIVE_QUANTITIES:
         return (
             "is not available for a line on a spring; request trace, stick_slip, slip_events, "

@@ -24,8 +24,8 @@ def read_scene_table(
 ) -> Scene:
     """Return the scene of the checked values of a table. Raises UserError.
 
-    table : with the programme as written. folder : of the files. materials : of the study and its
-    comparisons; the default quantities depend on them.
+    table : values, with the programme unchecked. folder : folder of the files that it names.
+    materials : those of the study and its comparisons, which determine the default quantities.
     """
     given = filled("scene", table, SCENE)
     del given["body"]  # a property of the surfaces (study/variants.py)
@@ -53,7 +53,7 @@ def read_scene_table(
 
 
 def _drive(given: dict[str, Any] | None, pulled: bool) -> Spring | None:
-    """Return the drive, if any. Raises UserError for a drive without pulls or the reverse."""
+    """Return the drive, if any. Raises UserError for a drive without pulls or pulls without it."""
     if pulled and given is None:
         raise UserError(
             "scene.drive: missing; segments pull need the stiffness of a spring, for example "

@@ -28,9 +28,9 @@ Checked = dict[str, Any]  # key -> checked value of a segment, None if it is not
 
 
 def read_programme(key: str, value: object, folder: Path) -> Programme:
-    """Return the segments of a list of tables. Raises UserError for invalid ones.
+    """Return the segments described by a list of tables. Raises UserError for invalid tables.
 
-    folder : of the files.
+    folder : folder of the files that the segments name.
     """
     if not isinstance(value, list) or not 1 <= len(value) <= MAX_SEGMENTS:
         raise UserError(f"{key} = {value!r:.60}: must be a list of 1 to {MAX_SEGMENTS} segments")
@@ -46,7 +46,7 @@ def read_programme(key: str, value: object, folder: Path) -> Programme:
 
 
 def is_pulled(where: str, entries: list[dict[str, Any]]) -> bool:
-    """Return whether the segments of a programme move a drive.
+    """Return whether the segments of a programme move a drive in place of the line.
 
     Raises UserError if only some of them do.
     """
@@ -60,7 +60,7 @@ def is_pulled(where: str, entries: list[dict[str, Any]]) -> bool:
 
 
 def _segment(where: str, entry: object, folder: Path) -> Segment:
-    """Return the segment of one entry of the list."""
+    """Return the segment described by one entry of the list."""
     table = as_table(where, entry)
     if table.keys() == ARRAYS:
         return velocity_arrays(where, table)

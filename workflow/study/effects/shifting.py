@@ -27,7 +27,7 @@ from ..settings import NUMBER, Key, as_text, number, pair, positive, read_table,
 
 SHIFT_KEYS = ("wlf", "arrhenius", "shifts")  # keys of [material]
 MAX_SHIFT_DECADES = 30.0
-KELVIN_SUSPICION = 230.0  # degrees above the reference; a value in K is 273 too large
+KELVIN_SUSPICION = 230.0  # degrees above the reference, from which a value is taken to be in K
 GAS_CONSTANT = 8.314462618  # J/(mol K)
 Numbers = TypeVar("Numbers", float, np.ndarray)
 SHIFT_HEADER_ADVICE = 'a header "temperature [°C], log a_T"'
@@ -41,7 +41,7 @@ class Wlf(NamedTuple):
     """The law of Williams, Landel and Ferry."""
 
     c1: float
-    c2: float  # °C
+    c2: float  # K
     reference: float  # °C
 
     def decades(self, temperature: float) -> float:
@@ -50,7 +50,7 @@ class Wlf(NamedTuple):
         return -self.c1 * above / (self.c2 + above)
 
     def outside(self, temperature: float) -> str:
-        """Return why a temperature (°C) is out of range, or ""."""
+        """Return the reason why a temperature (°C) is out of range, or ""."""
         least = self.reference - self.c2
         if temperature <= least:
             return f"must be above reference - c2 = {least:g}, the pole of the WLF shift"
@@ -74,7 +74,7 @@ class Arrhenius(NamedTuple):
         return decades * inverse_temperature(temperature, self.reference)
 
     def outside(self, temperature: float) -> str:
-        """Return why a temperature (°C) is out of range, or ""."""
+        """Return the reason why a temperature (°C) is out of range, or ""."""
         if min(temperature, self.reference) <= -ZERO:
             return f"it and the reference {self.reference:g} must be above {-ZERO:g}"
         return _in_kelvin(temperature, self.reference)
@@ -91,7 +91,7 @@ class ShiftTable(NamedTuple):
         return float(np.interp(temperature, *np.transpose(self.rows)))
 
     def outside(self, temperature: float) -> str:
-        """Return why a temperature (°C) is out of range, or ""."""
+        """Return the reason why a temperature (°C) is out of range, or ""."""
         low, high = self.rows[0][0], self.rows[-1][0]
         if low <= temperature <= high:
             return ""
@@ -133,7 +133,7 @@ def read_shift_table(key: str, path: Path) -> ShiftTable:
 
 
 def _shift_table(key: str, value: object) -> ShiftTable:
-    """Return a checked list of [temperature, log10 a_T]."""
+    """Return the table of rows [temperature (°C), log10 a_T]. Raises UserError."""
     if not isinstance(value, list) or len(value) < 2:
         raise UserError(
             f"{key} = {value!r:.60}: must be a list of at least two rows [°C, log10 a_T]"

@@ -11,7 +11,7 @@ from .raw_lines import KEY, LineFile, Lines, RawLines, check_numbered, lines_of,
 from .text_lines import read_text_lines
 
 DEFAULT_COLUMNS = (0, 1)
-MAX_HEIGHTS = 10**8  # in a netCDF file; 8 kB may expand to more by compression
+MAX_HEIGHTS = 10**8  # in a netCDF file; a compressed file of 8 kB may hold more
 ARCHIVE_SUFFIXES = (".x3p", ".npy")  # formats that are, or contain, archives
 SCALED_TEXT_SUFFIXES = (".sdf", ".ezd", ".nid", ".plu")  # text with headers that scale the numbers
 
@@ -26,7 +26,7 @@ def read_lines(file: LineFile) -> Lines:
     suffix = file.path.suffix.lower()
     reader = {".npy": _read_npy, ".nc": _read_netcdf}.get(suffix)
     try:
-        open_plain(file.path, linked=True).close()  # other readers would open pipes
+        open_plain(file.path, linked=True).close()  # refuses pipes, which readers would open
         if reader is None:
             data = read_plain(file.path)
             kind = archive_kind(data)
@@ -43,7 +43,7 @@ def read_lines(file: LineFile) -> Lines:
 
 
 def _read_npy(file: LineFile) -> RawLines:
-    values = np.load(file.path, mmap_mode="r", allow_pickle=False)  # within the file
+    values = np.load(file.path, mmap_mode="r", allow_pickle=False)  # read on access
     if not isinstance(values, np.ndarray):
         raise ValueError("holds several arrays")
     columns = file.columns or (DEFAULT_COLUMNS if file.step is None else (0,))

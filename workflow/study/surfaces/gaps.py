@@ -6,7 +6,7 @@ from ...ground import UserError
 from ..codes import missing_code
 
 GAPS = ("refuse", "fill", "drop")
-MIN_KNOWN_SHARE = 0.5  # of the samples of a line, to fill in the others
+MIN_KNOWN_SHARE = 0.5  # minimum share of known samples in a line whose gaps are filled in
 
 
 def without_gaps(prefix: str, heights: np.ndarray, gaps: str) -> tuple[np.ndarray, str]:

@@ -1,7 +1,7 @@
 """Correlation of neighbouring lines, such as the rows of a map.
 
-Rows that are closer than the waves of the surface are not independent. The standard error of their
-mean then exceeds that of independent rows. Blocks of rows longer than the correlation length are
+Rows whose distance is shorter than the waves of the surface are correlated. The standard error of
+their mean then exceeds that of independent rows. Blocks wider than the correlation length are
 nearly independent (M. Kendall's effective number; batch means).
 """
 
@@ -11,7 +11,7 @@ from typing import NamedTuple
 import numpy as np
 
 MIN_CORRELATION = 0.2  # of neighbours; below it lines count as independent
-CHANCE_DEVIATIONS = 5.0  # threshold, in standard deviations for independent lines
+CHANCE_DEVIATIONS = 5.0  # threshold of coherence, in standard deviations of independent lines
 NEGLIGIBLE_CORRELATION = 0.05  # the sum over lags ends here
 BLOCK_LENGTHS = 1.4  # size of a block, in correlation lengths: yields 90 % of the standard error
 USUAL_MIN_BLOCKS = 4
@@ -19,10 +19,10 @@ MAX_BLOCK_GROWTH = 1.25  # factor on the block size, to leave out fewer lines
 
 
 class LineCorrelation(NamedTuple):
-    """Correlation of neighbouring lines and its length."""
+    """Correlation of neighbouring lines and the correlation length."""
 
     correlation: float  # of the heights of neighbours
-    lines: float  # equivalent to one independent line: 1 + 2 sum of the correlations
+    lines: float  # number of lines that count as one: 1 + 2 sum of the correlations
 
     @property
     def block(self) -> int:

@@ -8,16 +8,16 @@ import numpy as np
 from ...ground import UserError
 
 STEP_TOLERANCE = 0.01  # deviation of uniform positions, in steps
-MIN_ROUNDED_SHARE = 0.01  # of the steps must differ if positions are rounded
-MIN_GRID_SHARE = 0.5  # of the points of a grid that a list must contain
+MIN_ROUNDED_SHARE = 0.01  # minimum share of uneven steps if positions are rounded
+MIN_GRID_SHARE = 0.5  # minimum share of the points of a grid that a list contains
 
 
 def uniform_step(key: str, name: str, x: np.ndarray, precision: np.ndarray) -> float:
     """Return the step of uniform positions; it is negative if they descend.
 
-    precision : of each position, shape of x. Positions written with few decimals have uneven steps,
-    such as 0.1 and 0.2. Then all must be within their precision of the fitted straight line. Its
-    slope is the step. The length of n samples is n steps.
+    precision : of each position, shape of x. The step is the slope of a fitted straight line.
+    Positions written with few decimals have uneven steps, such as 0.1 and 0.2; they must lie
+    within their precision of the line.
 
     Raises UserError if the positions are not uniform. A single longer step is a gap, even if the
     precision is as coarse as a step.
@@ -62,7 +62,7 @@ def precision(written: Iterable[str]) -> np.ndarray:
     """Return the precision of written numbers: 0.1 for 1499.8, and for 3 in the same column.
 
     Formats limit the decimals or the digits of numbers, and may omit trailing zeros. Therefore the
-    finest decimal and the largest number of digits in the column apply to all of it.
+    finest decimal and the largest number of digits in the column apply to the whole column.
     """
     words = list(written)
     parts = [_digits_and_exponent(word) for word in words]

@@ -13,7 +13,7 @@ from .line_correlation import LineCorrelation, line_correlation
 from .positions import STEP_TOLERANCE
 from .raw_lines import KEY, MIN_SAMPLES, LineFile, plain
 
-SLOPE_LIMITS = 1e-5, 30.0  # of lines with heights and lengths in one unit
+SLOPE_LIMITS = 1e-5, 30.0  # of the rms slope; beyond them heights and lengths differ in unit
 LOAD_LIMITS = 1e-8, 1e6  # F_N/(4 G L h)
 quietly = np.errstate(all="ignore")  # extreme heights and lengths: check_slope refuses them
 
@@ -37,7 +37,7 @@ class Profile(NamedTuple):
 
     @property
     def amplitudes(self) -> np.ndarray:
-        """Return the rms amplitudes of the modes over all lines (m), shape (n/2,).
+        """Return the rms amplitude of each mode over all lines (m), shape (n/2,).
 
         For maps, they are the amplitudes of rings of wave vectors.
         """
@@ -148,7 +148,7 @@ def map_of_array(heights: object, length: float) -> Profile:
     """Return the map of one period of heights in m, shape (n, n), or (n,) for a line contact.
 
     length : of the side (m), n steps; one element per sample. Raises UserError that names the
-    argument, ``profile``.
+    argument ``profile``.
     """
     values = heights_of_array(heights)
     if (
@@ -188,7 +188,7 @@ def heights_of_array(heights: object) -> np.ndarray:
 
 
 def check_finite(given: object, heights: np.ndarray, row_name: str) -> None:
-    """Raise UserError for heights, shape (rows, n), that are not finite or masked in ``given``."""
+    """Raise UserError for heights, shape (rows, n), that are masked in ``given`` or not finite."""
     if not np.isfinite(heights).all():
         row, sample = np.argwhere(~np.isfinite(heights))[0]
         masked = int(np.ma.count_masked(given))
@@ -298,8 +298,8 @@ def make_periodic(heights: np.ndarray, periodic: str) -> np.ndarray:
 def spikes(heights: np.ndarray) -> int:
     """Return the number of samples that deviate from their neighbours by over 10 sigma.
 
-    The deviation is from the mean of both neighbours. Sigma follows from its median over the line;
-    lines where the median is zero are not examined.
+    The deviation is that from the mean of both neighbours. Sigma is estimated from the median
+    deviation of a line; lines with a median of zero are not examined.
     """
     curvature = heights[:, 1:-1] - 0.5 * (heights[:, :-2] + heights[:, 2:])
     usual = np.median(np.abs(curvature), axis=1, keepdims=True) / 0.6745  # sigma, if normal

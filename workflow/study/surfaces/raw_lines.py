@@ -15,10 +15,10 @@ MIN_SAMPLES = 8
 
 
 class LineFile(NamedTuple):
-    """File of measured lines, with the settings for its reading."""
+    """File of measured lines, with the settings for reading it."""
 
     path: Path
-    name: str  # of the file in the study
+    name: str  # of the file, as written in the study
     columns: tuple = ()  # of positions, then heights: numbers, or names of variables
     units: tuple[str, ...] = ()  # of positions and heights; empty: those of the file
     step: float | None = None  # m, between samples; replaces positions
@@ -32,7 +32,7 @@ class RawLines(NamedTuple):
     x: np.ndarray | None  # positions, shape (n,); None: the step is known
     precision: np.ndarray  # of each position, shape (n,)
     step: float | None  # m, if positions are absent
-    units: tuple[str, ...]  # of positions and of each line, or of all lines; "" if absent
+    units: tuple[str, ...]  # of positions, then one for each line or one for all; "" if absent
     description: str = ""  # columns or variables, in words
     row_spacing: float | None = None  # m, of the rows of a map; None: not stated
 
@@ -41,13 +41,13 @@ class Lines(NamedTuple):
     """Lines of a file in m."""
 
     heights: np.ndarray  # shape (lines, n)
-    step: float
+    step: float  # m, between samples
     notes: str
     row_spacing: float | None = None  # m, of the rows of a map; None: not stated
 
 
 def metres(unit: str) -> float | None:
-    """Return the metres of a unit of length such as µm, UM or micron; None for other words."""
+    """Return the length (m) of a unit such as µm, UM or micron; None if it is not a length."""
     known = unit_of(unit)
     return known.factor if known is not None and known.family == "length" else None
 
@@ -61,7 +61,7 @@ def row_spacing(positions: np.ndarray, unit: str) -> float | None:
 
 
 def plain(values: Any) -> np.ndarray:
-    """Return floats, NaN where a value is masked. Raises TypeError for complex numbers."""
+    """Return values as floats, NaN if masked. Raises TypeError for complex numbers."""
     if np.iscomplexobj(values):
         raise TypeError("heights must not be complex")
     return np.ma.filled(np.ma.asarray(values, dtype=float), np.nan)

@@ -26,8 +26,8 @@ SCALE_REMARK = re.compile(
 def remarks_of(table: TextTable) -> dict[str, str]:
     """Return the values of remarks such as "Width: 96 µm", by their names in lower case.
 
-    A line may hold several remarks. A line of two cells is a name and its value, if the table has
-    another number of columns.
+    A line may hold several remarks. A line of two cells (or three, with a number and its unit) is
+    a name and its value if the table has another number of columns.
     """
     remarks: dict[str, str] = {}
     for line in table.above:
@@ -52,7 +52,7 @@ def quantity_of(text: str) -> tuple[float, str] | None:
 
 
 def check_scale(file: LineFile, table: TextTable) -> None:
-    """Raise UserError for a scale of heights other than 1, which is not read."""
+    """Raise UserError for a scale of heights other than 1, which is not supported."""
     for name, text in remarks_of(table).items():
         if SCALE_REMARK.fullmatch(name) and quantity_of(text) != (1.0, ""):
             raise UserError(

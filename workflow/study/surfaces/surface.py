@@ -24,14 +24,14 @@ class Surface(NamedTuple):
     profile: Profile | None = None  # measured lines
     lines: str = "measured"  # with a profile: one of LINE_KINDS
     hurst: float = 1.0  # of self-affine lines like the measured ones
-    body: str = FOUNDATION  # behind the surface
+    body: str = FOUNDATION  # FOUNDATION or HALF_SPACE
 
     @property
     def copies(self) -> float:
-        """Return the ratio of the period of a half-space's map to the measured length.
+        """Return the ratio of the period of a half-space's map to the measured length; 1 for lines.
 
         A map mirrored in both directions carries four times the force on twice the length, so that
-        F_N/L doubles. For a line both double, and 1 is returned.
+        F_N/L doubles. For a mirrored line, force and length both double.
         """
         if self.profile is None or self.body == FOUNDATION:
             return 1.0
@@ -39,16 +39,16 @@ class Surface(NamedTuple):
 
     @property
     def pressed_area(self) -> float:
-        """Return the area (m^2) on which the nominal pressure yields the normal force.
+        """Return the ratio (m^2) of normal force to nominal pressure.
 
-        A half-space is a square of side L. On a line of elements, every length lambda_r, the
-        longest wave of the roughness, represents a square of that side: F_N = sigma_0 lambda_r L.
+        A half-space is a square of side L. On a line of elements, each length lambda_r, the longest
+        wave of the roughness, represents a square of that side, so that F_N = sigma_0 lambda_r L.
         """
         longest = self.length if self.body == HALF_SPACE else self.rolloff or self.length
         return longest * self.length
 
     def modes(self, elements: int) -> tuple[float, int]:
-        """Return the wave numbers of roll-off and cut-off, in 2 pi/L; 0 without one.
+        """Return the wave numbers of roll-off and cut-off, in 2 pi/L; 0 if absent.
 
         A cut-off at or above the highest resolved wave number counts as absent.
         """
@@ -60,9 +60,9 @@ class Surface(NamedTuple):
     def amplitudes(self) -> np.ndarray | None:
         """Mode amplitudes (m) of random lines like measured ones; None for other lines.
 
-        ``random-phase`` lines have the mean power spectrum of the measured ones, ``equivalent``
-        ones that of the line that represents the isotropic surface they were cut from. The
-        ``self-affine`` ones have their rms height and slope, by a long-wave roll-off.
+        ``random-phase`` lines have the mean power spectrum of the measured lines. ``equivalent``
+        lines represent the isotropic surface from which the measured lines were cut.
+        ``self-affine`` lines match the measured rms height and slope by a roll-off at long waves.
         """
         profile = self.profile
         if profile is None or self.lines == "measured":
@@ -105,5 +105,5 @@ class Surface(NamedTuple):
 
 @lru_cache
 def _self_affine_amplitudes(hurst: float, elements: int, slope: float) -> np.ndarray:
-    """Return the amplitudes (h) of self-affine lines of a slope (h/dx), found by bisection."""
+    """Return the mode amplitudes (in h) of self-affine lines of a given rms slope (in h/dx)."""
     return amplitudes(hurst, elements, "modal", matching_rolloff(hurst, elements, slope))

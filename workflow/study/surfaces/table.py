@@ -147,7 +147,7 @@ FILE_KEYS = {
         default="mirror",
     ),
 }
-LINE_KIND_KEYS = {  # also for the tables of a comparison
+LINE_KIND_KEYS = {  # also keys of comparisons
     "lines": Key(
         partial(choice, known=LINE_KINDS),
         "Whether the measured lines slide, random lines of the same mean power spectrum, random "
@@ -171,7 +171,7 @@ SURFACE = RANDOM_KEYS | MEASURED_KEYS
 def read_surface(given: Mapping[str, Any], folder: Path, body: str = FOUNDATION) -> Surface:
     """Return the surface for the checked values of a table. Raises UserError.
 
-    Paths are relative to ``folder``. The ``body`` uses the lines of a file singly, or as a map.
+    Paths are relative to ``folder``. A half-space uses the lines of a file as one map.
     """
     if "file" in given:
         settings = filled("surface", given, FILE_KEYS)

@@ -33,7 +33,7 @@ INDEX = r"^(index|idx|no\.?|nr\.?|n|i|#|number|point|sample|row|line|id)$"
 TIME_NAME = r"^(t|time)$"
 POSITION_NAME = r"^(x|s)$|pos|dist|later|scan|travel|absciss|length|^x\b"
 HEIGHT_NAME = r"^z$|height|raw|profil|depth|topo|elev|amplitude|surface|^z\b"
-MIN_MATRIX_COLUMNS = 3  # without titles they may be a matrix
+MIN_MATRIX_COLUMNS = 3  # from which a table without titles may be a matrix of heights
 POINT_COLUMNS = 3  # x, y and z of the points of a map
 
 
@@ -138,7 +138,7 @@ def _lines_of_grid(
 def _heights_alone(file: LineFile, table: TextTable) -> RawLines:
     """Return lines without positions: columns of heights, or the rows of a matrix.
 
-    The step is that of the user or of a remark.
+    The step is given by the user or by a remark.
     """
     columns = file.columns or table.numeric
     if len(columns) > 1 and not file.columns and any(title.name for title in table.titles):
@@ -217,7 +217,7 @@ def _columns_by_titles(file: LineFile, table: TextTable) -> tuple[int, ...]:
 
 
 def _unclear_columns(file: LineFile, table: TextTable) -> UserError:
-    """Return the error for columns that the file does not determine, with lines to paste."""
+    """Return the error for columns that the file does not determine, with example settings."""
     columns = list(table.numeric[:2])
     units = [table.title(n).unit for n in columns]
     units = [
@@ -240,7 +240,7 @@ def _has_name(table: TextTable, column: int, pattern: str) -> bool:
 
 
 def _is_other_quantity(title: Title) -> bool:
-    """Return whether a column holds an index, a time, or another quantity than a length."""
+    """Return whether a column holds an index, a time, or a quantity other than a length."""
     unit = unit_of(title.unit)
     if unit is not None and title.stated:
         return unit.family != "length"
