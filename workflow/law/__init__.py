@@ -1,6 +1,6 @@
 """Reduced laws of friction with their range and error: fit, step, compare and export.
 
-A law stands for computed motions in models of other programs.
+A law represents the simulated friction in models of other programs.
 """
 
 from typing import TYPE_CHECKING

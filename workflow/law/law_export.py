@@ -26,7 +26,7 @@ from .memory_law import MemoryLaw
 from .reduced_law import Law
 
 COMMENT_WIDTH = 92
-FMU_TIMESTAMP = (1980, 1, 1, 0, 0, 0)  # fixed, so that a law always gives the same bytes
+FMU_TIMESTAMP = (1980, 1, 1, 0, 0, 0)  # fixed, so that the same law gives the same bytes
 COMPILERS = ("cc", "gcc", "clang")
 COMPILER_FLAGS = ("-std=c99", "-O2", "-fPIC", "-shared", "-ffp-contract=off")
 FMI_FOLDERS = {"x86_64": "linux64", "i686": "linux32"}  # machine -> folder of FMI 2.0
@@ -42,7 +42,7 @@ REMOVED_FORMS = {  # form -> replacement
 
 
 class Exported(NamedTuple):
-    """Content of the file of a law, and its description in words."""
+    """Content of an exported file, and its description."""
 
     content: bytes
     description: str
@@ -62,8 +62,8 @@ def export_law(law: Law | LoadLaw, form: str, name: str = "friction_law") -> Exp
     name : prefix of the functions and name of the model. Every law can be written as json; the
     other forms require a law of the kind "states" or a table of such laws over the load. C takes
     the load in the init function, the FMU as a parameter; Fortran takes the law of one load. The
-    FMU contains a compiled library if this machine has a C compiler, and its C sources always.
-    Raises UserError for an unknown form and for a law that the form does not support.
+    FMU contains C sources and, on x86 Linux with a C compiler, a compiled library. Raises UserError
+    for an unknown form and for a law that the form does not support.
     """
     check_form(form)
     if form == "json":
@@ -80,7 +80,7 @@ def export_law(law: Law | LoadLaw, form: str, name: str = "friction_law") -> Exp
 
 
 def _rendered(template: str, law: MemoryLaw | LoadLaw, name: str, guid: str = "") -> bytes:
-    """Return a rendered template."""
+    """Return a template rendered for a law, in UTF-8."""
     from jinja2 import Environment, PackageLoader, StrictUndefined
 
     loader = PackageLoader(__package__, ".")
@@ -106,7 +106,7 @@ def _rendered(template: str, law: MemoryLaw | LoadLaw, name: str, guid: str = ""
         comments=_comments(law),
         guid=guid,
         over_load=over_load,
-        **tables,  # over memories, loads and speeds
+        **tables,  # axes: memories, loads, speeds
         memories=len(tables["rate"]),
         mean_load=float(np.sqrt(law.load[0] * law.load[-1])) if isinstance(law, LoadLaw) else 0.0,
     )

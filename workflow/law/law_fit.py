@@ -31,12 +31,12 @@ MAX_STATES = 5
 MAX_FITTED_SPEED_RATIO = 2.5  # of neighbouring speeds of a table
 MIN_TABLE_SPEED = 1e-3  # relative to the fastest speed
 RESTING_SPEED = 0.1  # relative to the slowest speed: below it contacts age as at rest
-SLOW_SAMPLES = 0.02  # share of the samples that may be slower than the slowest speed
-STATELESS_RESIDUAL = 5e-3  # relative rms below which mu is a function of the velocity
+SLOW_SAMPLES = 0.02  # share of the moving samples below the slowest speed
+STATELESS_RESIDUAL = 5e-3  # relative rms residual below which mu depends on the velocity alone
 MIN_SCALE = 1e-300  # lower bound of a divisor
 FOLDS = 4  # of the cross-validation
 SAME_SPEED = 0.1  # relative difference of speeds or rests that count as equal
-FIRST_EVALUATIONS, FOLD_EVALUATIONS = 60, 15  # of the Jacobian, at most
+FIRST_EVALUATIONS, FOLD_EVALUATIONS = 60, 15  # evaluations of the residuals, at most
 MAXIMA_OVER_LOADS = ("rms", "largest", "usual", "left", "model_error")  # fields of Validity
 
 
@@ -65,11 +65,11 @@ def fit_law(
     """Return a law fitted to the motions of one or several results of the model.
 
     results : datasets of ``scene.run`` or of a study with the quantity "trace", for one surface;
-    three normal forces or more give a table over the load. states : exponential states besides the
-    age of contacts, 0 to 5. kind : "states", "rate-state" or "lugre". held_out : results that are
-    not fitted, for which the error is stated; by default each quarter of the segments in turn is
-    predicted by a fit to the other three. In a table each inner load is also predicted by the laws
-    of its two neighbours. point : nearest values on the axes of the grid, for example
+    three normal forces or more give a table over the load. states : number of exponential states
+    besides the age of contacts, 0 to 5. kind : "states", "rate-state" or "lugre". held_out :
+    results that are not fitted, for which the error is stated; by default each quarter of the
+    segments in turn is predicted by a fit to the other three. In a table each inner load is also
+    predicted by the laws of its neighbours. point : nearest values on the grid axes, for example
     {"hurst": 0.7}. Raises UserError for invalid arguments and results that cannot be fitted.
     """
     if kind not in LAWS_BY_KIND:
@@ -106,8 +106,8 @@ def _fit_one_load(
 ) -> tuple[Law, Any]:
     """Return the law of one load with its errors, and a start for the fit of the next load.
 
-    others : motions that are held out. start : where the fit begins; None for a law that may turn
-    out to need no states.
+    others : held-out motions. start : initial parameters; without them the law gets no states if
+    mu depends on the velocity alone.
     """
     masks = known_friction(motions)
     _check_samples(motions, masks)
@@ -143,7 +143,7 @@ def _fit_loads(
     others: Sequence[Transient],
     fit: Callable[..., tuple[Law, Any]],
 ) -> LoadLaw:
-    """Return the table of the laws of several loads; each fit starts from that of the last load."""
+    """Return the table of the laws of several loads; each fit starts from the previous one."""
     laws: list[Any] = []
     start = None
     for force in forces:
@@ -176,10 +176,10 @@ def _fit_loads(
 def _predicted_loads(
     table: LoadLaw, laws: Sequence[Any], motions: Sequence[Transient], others: Sequence[Transient]
 ) -> tuple[list[tuple[float, float]], list[str]]:
-    """Return the errors (rms, largest) on motions at loads that a table predicts, in words too.
+    """Return the errors (rms, largest) of predictions at other loads, and their descriptions.
 
-    The laws of the two neighbours predict each inner load. The whole table predicts held-out
-    motions at loads without a law.
+    The laws of its two neighbours predict each inner load. The whole table predicts held-out
+    motions at loads that were not fitted.
     """
     forces = table.load.tolist()
     predictions = [(table, motion) for motion in others if motion.normal_force not in forces]
@@ -232,7 +232,7 @@ def _validity(law: Law, motions: Sequence[Transient], masks: Masks, speeds: np.n
 
 
 def _table_speeds(motions: Sequence[Transient]) -> np.ndarray:
-    """Return the speeds of the tables: a geometric series, after one speed below all others."""
+    """Return the speeds of the tables: one for resting contacts, then a geometric series."""
     speeds = np.abs(np.concatenate([m.velocity[np.isfinite(m.mu)] for m in motions]))
     moving = speeds[speeds > 0.0]
     if not moving.size:
@@ -246,7 +246,7 @@ def _table_speeds(motions: Sequence[Transient]) -> np.ndarray:
 
 
 def _refined(motion: Transient, smallest_speed: float) -> Transient:
-    """Return a motion with additional rows without friction where its velocity changes."""
+    """Return a motion with additional rows, of unknown friction, where its velocity changes."""
     time, velocity, samples = finely(
         motion.time, motion.velocity, smallest_speed, MAX_VELOCITY_CHANGE
     )
@@ -291,8 +291,8 @@ def _parts_to_hold_out(
 ) -> tuple[list[tuple[int, np.ndarray]], str]:
     """Return the parts (motion, rows) that are held out in turn, and their description.
 
-    Parts are segments, sorted by speed so that the folds share equal speeds. A segment that alone
-    reaches an end of the range stays in every fit.
+    Parts are segments, sorted by speed so that folds have similar speeds, or quarters of a few
+    segments. A segment with a unique extreme of speed or rest stays in every fit.
     """
     parts = [(k, rows) for k, motion in enumerate(motions) for _, rows in motion.parts()]
     if len(parts) < FOLDS + 2:
@@ -315,7 +315,7 @@ def _parts_to_hold_out(
 
 
 def _rest_durations(motion: Transient) -> np.ndarray:
-    """Return the time for which a motion has been at rest at every row, s."""
+    """Return the time (s) for which the motion has been at rest, for every row."""
     durations = np.zeros(motion.time.size)
     resting = (motion.velocity[1:] == 0.0) & (motion.velocity[:-1] == 0.0)
     for k in np.flatnonzero(resting):
@@ -324,7 +324,7 @@ def _rest_durations(motion: Transient) -> np.ndarray:
 
 
 def _unique_extreme(values: Sequence[float], extreme: Callable) -> int | None:
-    """Return the index of the extreme value, None if another value is about equal to it."""
+    """Return the index of the extreme value, or None if another value is about equal."""
     k = int(extreme(values))
     others = np.delete(values, k)
     return k if (np.abs(others - values[k]) > SAME_SPEED * abs(values[k])).all() else None

@@ -1,7 +1,7 @@
 """Tables of the laws of one surface over the normal force.
 
-Between two loads every number of the law is interpolated linearly in ln F_N. Loads outside the
-table are clamped to its ends.
+Between two loads every table value is interpolated linearly in ln F_N. Loads outside the table are
+clamped to its ends.
 """
 
 import warnings
@@ -14,25 +14,25 @@ from ..given_motion import LawError
 from .memory_law import MemoryLaw
 from .reduced_law import BeyondLawWarning, FittedLaw, finite_number
 
-LOAD_TABLES = ("direct", "target", "rate_per_length", "rate", "age")  # fields with an axis load
-MIN_LOADS = 3  # so that the law of one load can be predicted by its neighbours
+LOAD_TABLES = ("direct", "target", "rate_per_length", "rate", "age")  # fields with a load axis
+MIN_LOADS = 3  # so that two laws can predict one between them
 
 
 @dataclass(frozen=True)
 class LoadLaw(FittedLaw):
-    """Table of the numbers of a MemoryLaw over the load; ``at`` returns the law of one load."""
+    """Tables of a MemoryLaw over the load; ``at`` returns the law of one load."""
 
     kind: ClassVar[str] = "states-over-load"
     load: np.ndarray  # N, increasing, shape (loads,)
-    speed: np.ndarray  # of the tables, m/s, shape (speeds,)
-    direct: np.ndarray  # D, shape (loads, speeds)
-    target: np.ndarray  # Z_j, shape (loads, n, speeds)
+    speed: np.ndarray  # speeds of the tables, m/s, shape (speeds,)
+    direct: np.ndarray  # direct effect D, shape (loads, speeds)
+    target: np.ndarray  # targets Z_j, shape (loads, n, speeds)
     rate_per_length: np.ndarray  # 1/m, shape (loads, n + 1)
     rate: np.ndarray  # 1/s, shape (loads, n + 1)
-    age: np.ndarray  # g_s, shape (loads, speeds)
+    age: np.ndarray  # contact age g_s, shape (loads, speeds)
 
     def __post_init__(self) -> None:
-        """Raise UserError for loads that do not increase and for an invalid law of one load."""
+        """Raise UserError for loads that do not increase and for invalid tables."""
         for name in ("load", "speed", *LOAD_TABLES):
             object.__setattr__(self, name, np.asarray(getattr(self, name), float))
         if not self.target.size:
@@ -47,7 +47,7 @@ class LoadLaw(FittedLaw):
 
     @classmethod
     def of(cls, loads: list[float], laws: list[MemoryLaw]) -> Self:
-        """Return the table over increasing loads (N) of laws with the same speeds."""
+        """Return the table of laws with the same speeds, over increasing loads (N)."""
         rows = [np.array([getattr(law, name) for law in laws]) for name in LOAD_TABLES]
         return cls(np.array(loads), laws[0].speed, *rows)
 
@@ -56,8 +56,8 @@ class LoadLaw(FittedLaw):
     ) -> MemoryLaw:
         """Return the law of one load (N), optionally at another temperature as in ``Law.at``.
 
-        Warns and uses the nearest load outside the table. Raises UserError for a missing load and
-        for one that is not finite and positive.
+        Outside the table it warns and uses the nearest load. Raises UserError for a load that is
+        missing, or not finite and positive.
         """
         if normal_force is None:
             raise LawError(
@@ -86,7 +86,7 @@ class LoadLaw(FittedLaw):
         return MemoryLaw(self.speed, *between, validity=validity)
 
     def outside(self) -> str:
-        """Return the behaviour of the law outside its range, in words."""
+        """Return a text on the behaviour of the law outside its range."""
         return (
             f"{self._law_at(self.load[0]).outside()}; a load beyond the table is clamped to its end"
         )

@@ -5,14 +5,14 @@
 
 The state z_j holds the memory of the motion over a length D_j and a time t_j. The age of contacts
 g corresponds to the state of rate-and-state friction and is 1 at the fastest speed. D and Z_j are
-odd in v, g_s is even. All three are tables, linear in v between the speeds and constant above the
+odd in v, g_s is even. All three are tables, linear in v between speeds and constant above the
 fastest. Between rest and the slowest speed D and Z_j are linear and g_s is constant. Steady
 friction is
 
     mu_ss(v) = g_s(|v|) (D(v) + sum_j Z_j(v)),
 
-odd in v and linear in region I. At constant v a step is exact. If v is linear in time the step is
-of second order: it uses the rates at the mean speed and linear targets.
+odd in v, and linear in v below the slowest speed. At constant v a step is exact. For v linear in
+time a step is of second order: it uses the rates at the mean speed, and targets linear in time.
 """
 
 from collections.abc import Mapping
@@ -29,7 +29,7 @@ SERIES_STEP = 1e-6  # relative to the relaxation time; shorter steps use a serie
 
 
 def odd(v: ArrayLike, speeds: np.ndarray, table: np.ndarray) -> np.ndarray:
-    """Interpolate odd tables (..., speeds), linear in v from rest on and constant above."""
+    """Interpolate odd tables (..., speeds): zero at rest, linear in v, constant above."""
     at = np.abs(v)
     above = np.minimum(np.searchsorted(speeds, at), speeds.size - 1)
     low = np.where(above > 0, speeds[above - 1], 0.0)
@@ -39,7 +39,7 @@ def odd(v: ArrayLike, speeds: np.ndarray, table: np.ndarray) -> np.ndarray:
 
 
 def even(v: ArrayLike, speeds: np.ndarray, table: np.ndarray) -> np.ndarray:
-    """Interpolate even tables (..., speeds), linear in |v| and constant below and above."""
+    """Interpolate even tables (..., speeds): linear in |v|, constant below and above."""
     at = np.clip(np.abs(v), speeds[0], speeds[-1])
     above = np.maximum(np.searchsorted(speeds, at), 1)
     share = (at - speeds[above - 1]) / (speeds[above] - speeds[above - 1])
@@ -60,12 +60,12 @@ class MemoryLaw(Law):
 
     kind: ClassVar[str] = "states"
     times: ClassVar[Mapping[str, int]] = {"speed": -1, "rate": -1}
-    speed: np.ndarray  # of the tables, m/s, increasing, above 0, shape (speeds,)
-    direct: np.ndarray  # D at them
-    target: np.ndarray  # Z_j at them, shape (n, speeds)
+    speed: np.ndarray  # speeds of the tables, m/s, positive and increasing, shape (speeds,)
+    direct: np.ndarray  # direct effect D, shape (speeds,)
+    target: np.ndarray  # targets Z_j, shape (n, speeds)
     rate_per_length: np.ndarray  # 1/D_c, then 1/D_j, 1/m, shape (n + 1,)
-    rate: np.ndarray  # 1/t_c, then 1/t_j, 1/s
-    age: np.ndarray  # g_s at the speeds
+    rate: np.ndarray  # 1/t_c, then 1/t_j, 1/s, shape (n + 1,)
+    age: np.ndarray  # contact age g_s, shape (speeds,)
 
     def __post_init__(self) -> None:
         """Raise UserError for tables with inconsistent shapes or values."""
@@ -99,7 +99,7 @@ class MemoryLaw(Law):
         return np.concatenate([[even(v, self.speed, self.age)], odds])
 
     def _step(self, state: np.ndarray, v: float, dt: float) -> tuple[np.ndarray, float]:
-        """Return the state after a step, and mu; see ``Law.step``."""
+        """Return the state and mu after a step; see ``Law.step``."""
         x = dt * (mean_speed(state[0], v) * self.rate_per_length + self.rate)
         after = relaxed_to(state[1:], self._targets(state[0]), self._targets(v), x)
         mu = after[0] * (float(odd(v, self.speed, self.direct)) + float(np.sum(after[1:])))
@@ -112,7 +112,7 @@ class MemoryLaw(Law):
         return even(v, self.speed, self.age) * odd(v, self.speed, whole)
 
     def outside(self) -> str:
-        """Return the behaviour of the law outside its range, in words."""
+        """Return a text on the behaviour of the law outside its range."""
         return (
             f"below {self.validity.slowest:.3g} m/s mu decreases to zero at rest, in proportion to "
             f"v below {self.speed[0]:.3g} m/s; the tables clamp the speed to "

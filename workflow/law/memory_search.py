@@ -1,9 +1,9 @@
 """Search for the law with exponential states that fits motions best.
 
 For given lengths, times and ages the law is linear in its tables D and Z_j. scipy's
-``least_squares`` therefore searches for the former only, and every evaluation solves a linear
-least-squares problem for the tables (variable projection: G. H. Golub and V. Pereyra, SIAM J.
-Numer. Anal. 10, 413 (1973)). Smoothness over ln v determines tables that the motions leave open.
+``least_squares`` therefore searches for lengths, times and ages only, and every evaluation solves a
+linear least-squares problem for the tables (variable projection: G. H. Golub and V. Pereyra, SIAM
+J. Numer. Anal. 10, 413 (1973)). Where the motions do not determine the tables, smoothness does.
 """
 
 import math
@@ -28,24 +28,24 @@ from .transients import Transient
 
 CURVATURE_WEIGHT = 1e-2  # of the curvature of tables, relative to the samples
 VALUE_WEIGHT = 0.1  # of the values of tables, relative to their curvature
-INFINITE_EXTENT = 1e3  # upper bound of lengths and times, in extents of all motions
-AGE_LENGTH, AGE_TIME = 0.07, 0.3  # initial guess, in means of a segment
-STATE_SHARES = (0.01, 0.2)  # range of the initial lengths and times, in means of a segment
+INFINITE_EXTENT = 1e3  # upper bound of lengths and times, relative to all motions together
+AGE_LENGTH, AGE_TIME = 0.07, 0.3  # initial guess, relative to the mean of a segment
+STATE_SHARES = (0.01, 0.2)  # initial lengths and times, relative to the mean of a segment
 MAX_LOG_AGE = 5.0
 
 
 class _Parameters(NamedTuple):
-    """Nonlinear parameters: logarithms, the age of contacts first."""
+    """Logarithms of the nonlinear parameters; those of the age of contacts come first."""
 
     lengths: np.ndarray  # shape (states + 1,)
     times: np.ndarray  # shape (states + 1,)
-    ages: np.ndarray  # at all speeds but the fastest, at which the age is 1
+    ages: np.ndarray  # at all speeds but the fastest, where the age is 1
 
 
 class MemorySearch:
     """Least-squares search for a MemoryLaw over motions.
 
-    motions : with rows fine enough for one step of the law each. speeds : of the tables, m/s.
+    motions : with rows dense enough for one step from row to row. speeds : of the tables, m/s.
     """
 
     def __init__(self, motions: Sequence[Transient], speeds: np.ndarray, states: int) -> None:
@@ -64,8 +64,8 @@ class MemorySearch:
     ) -> tuple[MemoryLaw, np.ndarray]:
         """Return the law that fits the masked rows best, and its parameters.
 
-        start : parameters of a previous fit, in the order of its states; by default the states are
-        ordered by increasing length. max_evaluations : of the Jacobian.
+        start : parameters of a previous fit, whose order of states is kept; otherwise states are
+        sorted by length. max_evaluations : of the residuals, without those for derivatives.
         """
         p, states = np.zeros(0), self.states
         if states:
@@ -99,20 +99,20 @@ class MemorySearch:
         return _Parameters(p[:count], p[count : 2 * count], p[2 * count :])
 
     def _ages(self, parameters: _Parameters) -> np.ndarray:
-        """Return the age at every speed."""
+        """Return the steady age of contacts at every speed."""
         return np.concatenate([np.exp(parameters.ages), [1.0]])
 
     def _memory(self, motion: int, length: float, time: float, of_age: bool) -> np.ndarray:
-        """Return the derivatives of a state by its target table, shape (rows, speeds).
+        """Return the derivatives of a state with respect to its table, shape (rows, speeds).
 
-        length, time : logarithms. of_age : the state is the age of contacts, whose table is even.
+        length, time : logarithms. of_age : whether it is the age of contacts, whose table is even.
         """
         target = (self.even if of_age else self.odd)[motion]
         x = self.distances[motion] * math.exp(-length) + self.dt[motion] * math.exp(-time)
         state = np.empty_like(target)
         state[0] = target[0]
         decay = np.exp(-x)
-        # The change of the target alone, for all steps at once:
+        # Contribution of the targets to each step, for all steps at once:
         added = (
             relaxed_to(target[:-1], target[:-1], target[1:], x[:, None])
             - decay[:, None] * target[:-1]
@@ -122,7 +122,7 @@ class MemorySearch:
         return state
 
     def _design(self, p: np.ndarray, motion: int) -> np.ndarray:
-        """Return the derivatives of mu by D and Z_j at every row, shape (rows, tables)."""
+        """Return the derivatives of mu with respect to D and Z_j, shape (rows, table values)."""
         if not self.states:
             return np.concatenate([self.odd[motion]], 1)
         parameters = self._split(p)
@@ -133,7 +133,7 @@ class MemorySearch:
         return np.concatenate(parts, 1) * age[:, None]
 
     def _solved(self, p: np.ndarray, masks: Masks) -> tuple[np.ndarray, np.ndarray]:
-        """Return the best tables for p, and the residuals including those of smoothness."""
+        """Return the best tables for p, and the residuals of friction and of smoothness."""
         rows = [self._design(p, k)[mask] for k, mask in enumerate(masks)]
         mu = np.concatenate(masked_friction(self.motions, masks))
         matrix = np.concatenate(rows)
@@ -175,7 +175,7 @@ class MemorySearch:
 
 
 def _roughness(speeds: np.ndarray) -> np.ndarray:
-    """Return the matrix of the curvatures over ln v and of the weighted values of a table."""
+    """Return the matrix from a table to its curvatures over ln v and its weighted values."""
     count = speeds.size
     values = VALUE_WEIGHT * np.eye(count)
     if count < 3:

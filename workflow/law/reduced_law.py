@@ -1,8 +1,8 @@
 """Base classes of the reduced laws: state and step, validity range, errors and JSON.
 
-A law consists of a few numbers and a state vector. It gives a machine model mu(t) for any v(t)
-without simulating the elastomer. The first number of the state is the velocity. Within a step the
-velocity is linear in time, and a step of zero duration is a jump of the velocity.
+A law consists of a few numbers and a state vector. In a machine model it predicts mu(t) for any
+v(t) without simulating the elastomer. The first element of the state is the velocity. Within a step
+the velocity is linear in time, and a step of zero duration is a jump of the velocity.
 """
 
 import json
@@ -20,9 +20,9 @@ from ..given_motion import LawError, finely, given_motion
 from ..study import shift_of
 from .transients import MAX_VELOCITY_CHANGE, motions_of
 
-FORMAT = 1  # of the JSON
-TEXT_FIELDS = ("motions", "held_out", "window", "source", "shift")  # of Validity
-OPTIONAL_FIELDS = ("temperature", "shift")  # of Validity, absent from older files
+FORMAT = 1  # version of the JSON format
+TEXT_FIELDS = ("motions", "held_out", "window", "source", "shift")  # of Validity, as text
+OPTIONAL_FIELDS = ("temperature", "shift")  # of Validity, missing in older files
 SPEED_MARGIN = 1.0 + 1e-9  # factor on the fastest speed, for rounding
 
 
@@ -34,14 +34,14 @@ class BeyondLawWarning(UserWarning):
 class Validity:
     """Range in which a law was fitted, and its errors; mu has no unit.
 
-    slowest, fastest : fitted range of speeds, m/s; mu is proportional to v below it and constant
-    above. longest_rest : s. normal_force : N. rms, largest : error of mu on the fitted motions.
-    held_rms, held_largest : error on motions that were held out, the worst of them: the stated
-    error of the law. usual : rms of mu. model_error : rms standard error of mu in the model. left :
-    share of the variance of mu that a function of the velocity alone does not explain. motions :
-    the fitted segments with the rms error on each. held_out, window : descriptions of the motions
-    that were held out and fitted. source : name of the result. temperature : degrees Celsius.
-    shift : the shift of the times of the material with the temperature, as JSON.
+    slowest, fastest : fitted range of speeds, m/s. longest_rest : s. normal_force : N. rms,
+    largest : error of mu on the fitted motions. held_rms, held_largest : largest errors on held-out
+    motions, which are the stated error of the law. usual : rms of mu. model_error : rms of the
+    standard error of mu in the model. left : share of the mean square of mu that a function of the
+    velocity alone does not explain. motions : names of the fitted segments, with the rms error on
+    each. held_out, window : descriptions of the held-out and of the fitted motions. source : name
+    of the result. temperature : degrees Celsius. shift : time-temperature shift of the material, as
+    JSON.
     """
 
     slowest: float = float("nan")
@@ -71,13 +71,13 @@ class Compared(NamedTuple):
     velocity: np.ndarray  # m/s
     mu: np.ndarray  # of the model
     law: np.ndarray  # mu of the law
-    rms: float  # of the difference
-    largest: float
+    rms: float  # of law - mu
+    largest: float  # of |law - mu|
 
 
 @dataclass(frozen=True)
 class FittedLaw(ABC):
-    """Numbers fitted to motions, with their range and errors, as text and as JSON."""
+    """Law fitted to motions, with its range and errors; converts to text and to JSON."""
 
     kind: ClassVar[str]
     validity: Validity = field(default_factory=Validity, kw_only=True)
@@ -87,14 +87,14 @@ class FittedLaw(ABC):
         return replace(self, validity=validity)
 
     def to_json(self) -> str:
-        """Return the law as JSON, which ``read`` restores to the bit."""
+        """Return the law as JSON, from which ``read`` restores it exactly."""
         numbers = {name: np.asarray(getattr(self, name)).tolist() for name in self._number_names()}
         validity = {name: _json_value(value) for name, value in asdict(self.validity).items()}
         content = {"format": FORMAT, "kind": self.kind, **numbers, "validity": validity}
         return json.dumps(content, indent=1, allow_nan=False)
 
     def told(self) -> list[str]:
-        """Return a description of the numbers, range and error of the law, in lines."""
+        """Return the numbers, range and errors of the law as lines of text."""
         validity = self.validity
         numbers = [f"{name} {_array_text(getattr(self, name))}" for name in self._number_names()]
         percent = 100.0 / validity.usual if validity.usual else float("nan")
@@ -114,7 +114,7 @@ class FittedLaw(ABC):
         ]
 
     def outside(self) -> str:
-        """Return the behaviour of the law outside its range, in words."""
+        """Return a text on the behaviour of the law outside its range."""
         return "its formula is extrapolated; nothing is clamped"
 
     def _number_names(self) -> list[str]:
@@ -129,12 +129,12 @@ class FittedLaw(ABC):
 class Law(FittedLaw):
     """A reduced law of one load, defined by ``init``, ``step`` and ``steady``."""
 
-    times: ClassVar[Mapping[str, int]]  # numbers that scale as a time (1) or as its inverse (-1)
+    times: ClassVar[Mapping[str, int]]  # fields that scale as a time (1) or as its inverse (-1)
 
     def init(self, velocity: float) -> np.ndarray:
-        """Return the state of steady sliding at a velocity in m/s, its first number.
+        """Return the state of steady sliding at a velocity (m/s).
 
-        Raises UserError for a velocity that is not finite.
+        It begins with the velocity. Raises UserError for a velocity that is not finite.
         """
         return self._init(finite_number("velocity", velocity, "m/s"))
 
@@ -143,11 +143,11 @@ class Law(FittedLaw):
         """Return the state of steady sliding at a validated velocity."""
 
     def step(self, state: np.ndarray, v: float, dt: float) -> tuple[np.ndarray, float]:
-        """Return the state after dt (s), during which the velocity changes linearly to v, and mu.
+        """Return the state and mu after dt (s), during which the velocity changes linearly to v.
 
-        v : m/s. dt = 0 is a jump of the velocity. At constant velocity the state does not depend on
-        the division of a time into steps. The given state is not modified. Raises UserError for a
-        negative dt, for values that are not finite, and for a state of another length.
+        v : m/s. dt = 0 is a jump of the velocity. At constant velocity the result does not depend
+        on how the time is divided into steps. The given state is not modified. Raises UserError for
+        a negative dt, for values that are not finite, and for a state of the wrong length.
         """
         v, dt = finite_number("v", v, "m/s"), finite_number("dt", dt, "s")
         if dt < 0.0:
@@ -160,19 +160,19 @@ class Law(FittedLaw):
 
     @property
     def numbers(self) -> int:
-        """Return the length of a state vector: the velocity and, in most laws, one state."""
+        """Return the length of a state vector, by default 2: the velocity and one state."""
         return 2
 
     @abstractmethod
     def _step(self, state: np.ndarray, v: float, dt: float) -> tuple[np.ndarray, float]:
-        """Return the state after a step and mu, for validated arguments."""
+        """Return the state and mu after a step, for validated arguments."""
 
     @abstractmethod
     def steady(self, v: ArrayLike) -> np.ndarray:
         """Return steady friction mu(v); v in m/s, any shape and sign."""
 
     def scaled(self, factor: float) -> dict[str, Any]:
-        """Return the numbers that change when all times are multiplied by a factor."""
+        """Return the fields that change with the time scale, for times multiplied by a factor."""
         numbers = {name: getattr(self, name) for name in self.times}
         return {
             name: number * factor if self.times[name] > 0 else number / factor
@@ -182,9 +182,9 @@ class Law(FittedLaw):
     def shifted(self, factor: float) -> Self:
         """Return the law with all times of the material multiplied by a factor.
 
-        A temperature does so by the law of Williams, Landel and Ferry. The shift is exact for the
-        model, in which mu depends on v times a relaxation time. Raises UserError for a factor that
-        is not positive.
+        A change of temperature does this, for example by the law of Williams, Landel and Ferry. The
+        shift is exact for the model, in which mu depends on v times a relaxation time. Raises
+        UserError for a factor that is not positive.
         """
         if not finite_number("factor", factor, "1") > 0.0:
             raise LawError(f"factor = {factor!r}: must be greater than zero")
@@ -197,9 +197,9 @@ class Law(FittedLaw):
         return replace(self, validity=validity, **self.scaled(factor))
 
     def at(self, *, temperature: float) -> Self:
-        """Return the law at another temperature, degrees Celsius, by the shift of its material.
+        """Return the law at another temperature (degrees Celsius), by the shift of its material.
 
-        Raises UserError if no shift is known, or none at that temperature.
+        Raises UserError if the law has no shift, or the shift is undefined at that temperature.
         """
         temperature = finite_number("temperature", temperature, "°C")
         if not self.validity.shift:
@@ -213,7 +213,7 @@ class Law(FittedLaw):
         return law.with_validity(replace(law.validity, temperature=temperature))
 
     def run(self, time: ArrayLike, velocity: ArrayLike) -> np.ndarray:
-        """Return mu at times (s) for velocities (m/s) that are linear in between; shape (n,).
+        """Return mu at times (s), for velocities (m/s) that are linear in between; shape (n,).
 
         Two samples at the same time are a jump. Sliding is steady before the first sample. Changes
         of the velocity are divided into small steps, so that the result does not depend on the
@@ -255,7 +255,7 @@ class Law(FittedLaw):
 
 
 def friction_along(law: Law, t: np.ndarray, v: np.ndarray) -> np.ndarray:
-    """Return mu at the rows of a motion, with one step of the law between neighbouring rows."""
+    """Return mu at the rows of a motion, with one step of the law from row to row."""
     mu = np.zeros(t.size)
     if not v.size:
         return mu
@@ -270,12 +270,12 @@ def _array_text(value: Any) -> str:
 
 
 def _json_value(value: Any) -> Any:
-    """Return a value that JSON can hold: NaN and infinity as strings."""
+    """Return a value for JSON, which represents NaN and infinity as strings."""
     return str(value) if isinstance(value, float) and not np.isfinite(value) else value
 
 
 def finite_number(name: str, value: Any, unit: str) -> float:
-    """Return a value as float. Raises UserError for one that is not a finite number."""
+    """Return a value as float. Raises UserError if it is not a finite number."""
     try:
         number = float(value)
     except (TypeError, ValueError):

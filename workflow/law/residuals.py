@@ -9,7 +9,7 @@ import numpy as np
 from .reduced_law import Law, friction_along, mean_speed
 from .transients import Transient
 
-Masks = Sequence[np.ndarray]  # of each motion, the rows that are compared, booleans
+Masks = Sequence[np.ndarray]  # boolean mask of the compared rows, one per motion
 
 
 class Extent(NamedTuple):
@@ -41,13 +41,13 @@ def masked_residuals(law: Law, motions: Sequence[Transient], masks: Masks) -> li
 
 
 def root_mean_square(parts: Sequence[np.ndarray]) -> float:
-    """Return the root mean square of all numbers, or NaN for empty parts."""
+    """Return the root mean square of all values, or NaN if there are none."""
     values = np.concatenate(parts)
     return float(np.sqrt(np.mean(values**2))) if values.size else math.nan
 
 
 def distances(motion: Transient) -> np.ndarray:
-    """Return the distances slid between neighbouring rows of a motion, m."""
+    """Return the sliding distances between neighbouring rows of a motion, m."""
     return np.diff(motion.time) * list(map(mean_speed, motion.velocity[:-1], motion.velocity[1:]))
 
 

@@ -1,4 +1,4 @@
-"""Motions of the model to which laws are fitted: v(t) with its jumps, and the samples of mu."""
+"""Simulated motions to which laws are fitted: v(t) with its jumps, and samples of mu."""
 
 import contextlib
 import json
@@ -13,8 +13,8 @@ from ..reduce import RESOLVED, UNRESOLVED
 from ..study import PROGRAMME_AXES, SHIFT_KEYS
 
 MAX_VELOCITY_CHANGE = 0.1  # relative change of the velocity within one step of a law
-MAX_DISTANCE_ERROR = 0.05  # of sampled velocities, relative to the whole distance
-MOTION_AXES = ("velocity", *PROGRAMME_AXES, "normal_force")  # a law spans all their points
+MAX_DISTANCE_ERROR = 0.05  # of the integrated velocity, relative to the distance
+MOTION_AXES = ("velocity", *PROGRAMME_AXES, "normal_force")  # one law is fitted to all their points
 TRANSIENT_VARIABLES = (
     "trace_time",
     "trace_velocity",
@@ -25,7 +25,7 @@ TRANSIENT_VARIABLES = (
 
 
 class Transient(NamedTuple):
-    """A motion with velocities linear between its rows; friction is known at some rows.
+    """Motion whose velocity is linear between its rows; friction is known at some rows.
 
     Two rows at the same time are a jump of the velocity. Arrays have the shape (rows,).
     """
@@ -35,13 +35,13 @@ class Transient(NamedTuple):
     velocity: np.ndarray  # m/s
     mu: np.ndarray  # NaN if unknown
     error: np.ndarray  # standard error of mu, NaN if unknown
-    segment: np.ndarray  # of the programme, from 0
+    segment: np.ndarray  # number in the programme, from 0
     normal_force: float  # N
     temperature: float = math.nan  # degrees Celsius, NaN if unknown
-    shift: str = ""  # shift of the times of the material, a table of [material] as JSON
+    shift: str = ""  # time-temperature shift: keys of [material] as JSON
 
     def parts(self) -> Iterator[tuple[str, np.ndarray]]:
-        """Yield name and rows of every segment in which friction is known."""
+        """Yield the name and the rows with known friction of every segment that has any."""
         for number in np.unique(self.segment):
             rows = np.flatnonzero((self.segment == number) & np.isfinite(self.mu))
             if rows.size:
@@ -53,9 +53,9 @@ class Transient(NamedTuple):
 def transients_of(dataset: Any, point: Mapping[str, Any] | None = None) -> list[Transient]:
     """Return the motions of a result with the quantity "trace", one per programme and load.
 
-    dataset : of ``scene.run``, or of a study. point : nearest values on the axes of its grid, for
-    example {"hurst": 0.7}; axes of one value may be omitted. Raises UserError for an incomplete
-    point, for a result without traces, and for traces too coarse to determine v(t).
+    dataset : of ``scene.run``, or of a study. point : values on the axes of its grid, for example
+    {"hurst": 0.7}; the nearest point is used, axes of one value may be omitted. Raises UserError
+    for an incomplete point, a result without traces, and traces too coarse to determine v(t).
     """
     missing = [
         name for name in TRANSIENT_VARIABLES if name not in getattr(dataset, "variables", ())
@@ -94,7 +94,7 @@ def transients_of(dataset: Any, point: Mapping[str, Any] | None = None) -> list[
 
 
 def motions_of(results: Any, point: Mapping[str, Any] | None = None) -> list[Transient]:
-    """Return the motions of one or several results, or of transients. Raises UserError."""
+    """Return the motions of one or several results or transients, numbered if several."""
     single = isinstance(results, Transient) or not isinstance(results, Sequence)
     motions: list[Transient] = []
     for result in [results] if single else results:
@@ -105,12 +105,12 @@ def motions_of(results: Any, point: Mapping[str, Any] | None = None) -> list[Tra
 
 
 def _material(dataset: Any) -> tuple[float, str]:
-    """Return the temperature of a result (NaN if unknown) and the shift of its times ("")."""
+    """Return the temperature and the shift of a result; NaN and "" if unknown."""
     study = json.loads(dataset.attrs.get("study", "{}"))
     material, comparisons = study.get("material", {}), study.get("compare", {}).values()
     laws = {key: material[key] for key in SHIFT_KEYS if key in material}
     if not laws or any(key in comparison for comparison in comparisons for key in SHIFT_KEYS):
-        return math.nan, ""  # a comparison may have another shift than the study
+        return math.nan, ""  # the shift of a comparison may differ from the study
     temperature = dataset.coords.get("temperature", material["temperature"])
     return float(np.squeeze(temperature)), json.dumps(laws)
 
@@ -133,7 +133,7 @@ def _transient(dataset: Any, name: str, material: tuple[float, str]) -> Transien
     _check_distance(name, t, v, x, segment)
     rows = np.column_stack([t, v, values("trace_mu"), values("trace_mu_error"), segment])
     for k in np.flatnonzero((np.diff(rows[:, 4]) != 0.0) & (np.diff(v) != 0.0))[::-1]:
-        # A jump between two samples occurs when both velocities lead to the second position.
+        # Place the jump such that both velocities together lead to the second position.
         before, after, duration = v[k], v[k + 1], t[k + 1] - t[k]
         since = (x[k + 1] - x[k] - after * duration) / (before - after)
         at = t[k] + min(max(since, 0.0), duration)
@@ -149,7 +149,7 @@ def _transient(dataset: Any, name: str, material: tuple[float, str]) -> Transien
 def _check_distance(
     name: str, t: np.ndarray, v: np.ndarray, x: np.ndarray, segment: np.ndarray
 ) -> None:
-    """Raise UserError if the sampled velocities do not integrate to the distance."""
+    """Raise UserError if the integral of the sampled velocities misses the distance."""
     if t.size < 2:
         raise UserError(f"{name}: its trace holds {t.size} samples; a law needs two or more")
     inside = np.diff(segment) == 0

@@ -1,13 +1,13 @@
 """Rate-and-state and LuGre laws for comparison, and the reader of all laws.
 
 Rate-and-state friction is the regularised form of J. R. Rice, N. Lapusta and K. Ranjith, J. Mech.
-Phys. Solids 49, 1865 (2001), with the states of workflow/reduce/rate_state.py, as
-phi = ln(v* theta/D_c):
+Phys. Solids 49, 1865 (2001), with phi = ln(v* theta/D_c) for the states theta of
+workflow/reduce/rate_state.py:
 
     mu = a asinh(v/(2 v*) exp((mu* + b phi)/a))
 
-LuGre is that of C. Canudas de Wit, H. Olsson, K. J. Astrom and P. Lischinsky, IEEE Trans. Autom.
-Control 40, 419 (1995), per normal force, with bristles in units of mu (s = sigma_0 z):
+The LuGre law is that of C. Canudas de Wit, H. Olsson, K. J. Astrom and P. Lischinsky, IEEE Trans.
+Autom. Control 40, 419 (1995), per normal force, for the deflection s = sigma_0 z of the bristle:
 
     mu = s + sigma_1 dz/dt + sigma_2 v,   dz/dt = v - |v| s/g(v),
     g(v) = mu_c + (mu_s - mu_c) exp(-(v/v_s)^2)
@@ -29,8 +29,8 @@ from .load_law import LoadLaw
 from .memory_law import MemoryLaw
 from .reduced_law import FORMAT, OPTIONAL_FIELDS, TEXT_FIELDS, Law, Validity, mean_speed
 
-MIN_LOG_SPEED = 1e-300  # m/s, lower bound of a speed in a logarithm
-MAX_EXPONENT = 700.0  # exp of more overflows
+MIN_LOG_SPEED = 1e-300  # m/s, lower bound of a speed before its logarithm is taken
+MAX_EXPONENT = 700.0  # exp of larger numbers overflows
 
 
 @dataclass(frozen=True)
@@ -47,18 +47,18 @@ class RateStateLaw(Law):
     ageing: bool
 
     def _init(self, velocity: float) -> np.ndarray:
-        """Return the state (v, phi) of steady sliding; at rest phi is that of the slowest speed."""
+        """Return the state (v, phi) of steady sliding; below the slowest speed phi is constant."""
         slowest = self.validity.slowest if self.validity.slowest > 0.0 else 1e-6 * self.velocity
         speed = max(abs(velocity), slowest)
         return np.array([velocity, math.log(self.velocity / speed)])
 
     def _step(self, state: np.ndarray, v: float, dt: float) -> tuple[np.ndarray, float]:
-        """Return the state after a step at the mean speed, and mu; see ``Law.step``."""
+        """Return the state and mu after a step at the mean speed; see ``Law.step``."""
         speed, phi = max(mean_speed(state[0], v), MIN_LOG_SPEED), state[1]
         steady, x = math.log(self.velocity / speed), speed * dt / self.length
         if not self.ageing:
             phi = steady + (phi - steady) * math.exp(-x)
-        elif x > 0.0:  # theta v/D_c becomes 1 + (theta v/D_c - 1) exp(-x); at rest it grows by dt
+        elif x > 0.0:  # theta v/D_c becomes 1 + (theta v/D_c - 1) exp(-x); at rest theta += dt
             phi = float(np.logaddexp(steady + math.log(-math.expm1(-x)), phi - x))
         return np.array([v, phi]), self._mu(v, phi)
 
@@ -67,7 +67,7 @@ class RateStateLaw(Law):
         return self.a * math.asinh(0.5 * v / self.velocity * math.exp(power))
 
     def steady(self, v: ArrayLike) -> np.ndarray:
-        """Return mu_ss(v); below the slowest speed the state is that of the slowest speed."""
+        """Return mu_ss(v); below the slowest speed the state is constant."""
         velocities = np.ravel(finite_numbers("v", v))
         flat = [self._mu(velocity, float(self._init(velocity)[1])) for velocity in velocities]
         return np.reshape(flat, np.shape(v))
@@ -96,7 +96,7 @@ class LuGreLaw(Law):
         return np.array([velocity, np.sign(velocity) * float(self._limit(velocity))])
 
     def _step(self, state: np.ndarray, v: float, dt: float) -> tuple[np.ndarray, float]:
-        """Return the state after a step at the mean velocity, and mu; see ``Law.step``."""
+        """Return the state and mu after a step at the mean velocity; see ``Law.step``."""
         mean = 0.5 * (state[0] + v)
         limit = float(self._limit(mean))
         decay = math.exp(-self.stiffness * mean_speed(state[0], v) * dt / limit)
@@ -116,7 +116,7 @@ READABLE_LAWS: dict[str, type[Law | LoadLaw]] = {**LAWS_BY_KIND, LoadLaw.kind: L
 
 
 def read_law(source: str | Path) -> Law | LoadLaw:
-    """Return the law of a JSON text, or of a file given as a Path.
+    """Return the law in a JSON text, or in the file at a Path.
 
     Raises UserError for text that does not describe a law.
     """

@@ -21,19 +21,19 @@ from .transients import Transient
 from .usual_laws import LuGreLaw, RateStateLaw
 
 MAX_PARAMETER_CHANGE = 12.0  # from the initial guess; most parameters are logarithms
-GUESSED_LENGTH = 0.05  # in mean distances of a segment
+GUESSED_LENGTH = 0.05  # initial length, relative to the mean distance of a segment
 MIN_FRICTION_SCALE = 1e-300
 
 
 class UsualStart(NamedTuple):
-    """Constructor of a law from its parameters, and parameters to start from."""
+    """Constructor of a law from its parameters, and the initial parameters."""
 
     make: Callable[[np.ndarray], Law]
     parameters: np.ndarray
 
 
 class UsualSearch:
-    """Least-squares search for a rate-and-state law of either state, or a LuGre law."""
+    """Least-squares search for a rate-and-state law (ageing or slip) or a LuGre law."""
 
     def __init__(self, motions: Sequence[Transient], speeds: np.ndarray, kind: str) -> None:
         self.motions = motions
@@ -56,7 +56,7 @@ class UsualSearch:
     ) -> tuple[Law, UsualStart]:
         """Return the law that fits the masked rows best, and a start for further fits.
 
-        max_evaluations : of the Jacobian.
+        max_evaluations : of the residuals, without those for derivatives.
         """
         bounds = self.guess - MAX_PARAMETER_CHANGE, self.guess + MAX_PARAMETER_CHANGE
         fits = []
@@ -77,7 +77,7 @@ class UsualSearch:
         return best_start.make(best_start.parameters), best_start
 
     def _rate_state(self, p: np.ndarray, ageing: bool) -> Law:
-        """Return the law for p = (ln a, b, ln D_c, mu*), with a, b and mu* over the scale of mu."""
+        """Return the law for p = (ln a, b, ln D_c, mu*), with a, b and mu* in units of mu_scale."""
         return RateStateLaw(
             a=self.mu_scale * math.exp(p[0]),
             b=self.mu_scale * p[1],
@@ -89,7 +89,7 @@ class UsualSearch:
         )
 
     def _lugre(self, p: np.ndarray) -> Law:
-        """Return the law for p = (ln sigma_0, sigma_1, sigma_2, ln mu_c, ln mu_s, ln v_s)."""
+        """Return the law for scaled (ln sigma_0, sigma_1, sigma_2, ln mu_c, ln mu_s, ln v_s)."""
         coulomb, static = map(float, self.mu_scale * np.exp(p[3:5]))
         damping, viscous = map(float, p[1:3] * self.mu_scale / self.mean_speed)
         return LuGreLaw(
