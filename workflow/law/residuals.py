@@ -41,7 +41,7 @@ def masked_residuals(law: Law, motions: Sequence[Transient], masks: Masks) -> li
 
 
 def root_mean_square(parts: Sequence[np.ndarray]) -> float:
-    """Return the root mean square of all values, or NaN if there are none."""
+    """Return the root mean square of all values, or NaN without values."""
     values = np.concatenate(parts)
     return float(np.sqrt(np.mean(values**2))) if values.size else math.nan
 

@@ -1,4 +1,4 @@
-"""Accuracy reached by estimates, and the realizations that are missing."""
+"""Accuracy reached by estimates, and the further realizations that are needed."""
 
 from typing import NamedTuple
 
@@ -12,9 +12,9 @@ from .fits import NEGLIGIBLE, NO_RELAXATION, NOT_EXPONENTIAL, NOT_FINITE
 from .resolution import resolution
 
 MISSED, MET, MET_WHERE_DEFINED = 0, 1, 2
-MODERATED_GROUPS = 8  # of the jackknife; the errors of fewer are averaged with the scatter law
+MODERATED_GROUPS = 8  # of the jackknife; with fewer, errors are averaged with the scatter law
 MIN_SHAPE_GROUPS = 16  # of the jackknife, to accept that a mean curve is not exponential
-SCATTER_FREEDOM = 3.0  # degrees of freedom of the scatter law, right within 1.7 for two in three
+SCATTER_FREEDOM = 3.0  # degrees of freedom of the scatter law, within 1.7 for two in three
 ACCURACY_MEANINGS = "missed met met_where_defined"
 
 
@@ -31,7 +31,7 @@ def with_measured_bias(
 ) -> list[Goal]:
     """Return the goals of tasks with the larger of the predicted and the measured bias.
 
-    The bias of a number of steps given by the user is not counted.
+    If the user gives the number of steps, the bias does not count and no goal changes.
     """
     names = tuple(goals[0].bias)
     if numerics.steps_per_spacing is not None:
@@ -53,10 +53,10 @@ def attained(
     """Return the accuracy reached by the estimates of tasks.
 
     Values without a relative error (negligible relaxation, not exponential, exactly zero) are left
-    out, which the status shows; ``reached`` is NaN if no value remains. Two groups agree too well
-    by chance one time in ten. The scatter law therefore counts as SCATTER_FREEDOM degrees of
-    freedom there (G. K. Smyth, Stat. Appl. Genet. Mol. Biol. 3, 3 (2004),
-    doi:10.2202/1544-6115.1027).
+    out, which the status shows; ``reached`` is NaN if no value remains. Few groups may agree too
+    well by chance (two groups, one time in ten). Their variance is therefore averaged with that of
+    the scatter law, which counts as SCATTER_FREEDOM degrees of freedom (G. K. Smyth, Stat. Appl.
+    Genet. Mol. Biol. 3, 3 (2004), doi:10.2202/1544-6115.1027).
     estimates : with the ``degrees_of_freedom`` of the errors. wanted : relative accuracy. ratios :
     v2/v1, shape (tasks,). realizations : of each task, shape (tasks,).
     """
@@ -71,7 +71,6 @@ def attained(
             relative = estimates[f"{name}_error"] / np.abs(estimates[name])
         relative[~np.isfinite(relative)] = np.inf
         law = np.array([goal.scatter[name] for goal in goals]) / np.sqrt(realizations)
-        # Errors of few groups are averaged with the prediction of the scatter law.
         averaged = np.sqrt(
             (SCATTER_FREEDOM * law**2 + freedom * relative**2) / (SCATTER_FREEDOM + freedom)
         )
@@ -91,7 +90,7 @@ def attained(
 
 
 def _undefined(name: str, estimates: Estimates, ratios: np.ndarray, wanted: float) -> np.ndarray:
-    """Return a mask of estimates whose relative error more realizations cannot reduce."""
+    """Return the mask of estimates whose relative error more realizations cannot reduce."""
     if name != "relaxation_rate":
         return (estimates[name] == 0.0) & (estimates[f"{name}_error"] == 0.0)
     status = estimates["fit_status"]

@@ -38,7 +38,7 @@ class Blocks(NamedTuple):
 
 
 def columns(fits: Sequence[Any]) -> Any:
-    """Return one named tuple whose fields are arrays over the given named tuples."""
+    """Return a named tuple whose fields are arrays over the given named tuples."""
     return type(fits[0])(*map(np.array, zip(*fits, strict=True)))
 
 
@@ -56,8 +56,8 @@ def blocks_of(
     scalars : shape (tasks, blocks, len(SCALARS)). rows : (tasks, blocks, width), in the layout of
     simulate/layout.py. Arrays that differ in length between tasks are padded with NaN.
     """
-    how = plan.quantities, variant.numerics.scheme, variant.recording
-    parts = [unpack(row, row_layout(t, *how)) for row, t in zip(rows, tasks, strict=True)]
+    settings = plan.quantities, variant.numerics.scheme, variant.recording
+    parts = [unpack(row, row_layout(t, *settings)) for row, t in zip(rows, tasks, strict=True)]
     traces = {name for name in parts[0] if name in (*PULLED_TRACES, *ENERGIES)}
     values = {
         name: np.stack([_filled(p[name], variant.events if name in traces else 0) for p in parts])
@@ -80,7 +80,7 @@ def blocks_of(
 
 
 def _filled(values: np.ndarray, length: int) -> np.ndarray:
-    """Return values padded with NaN to a length along the last axis."""
+    """Return values padded with NaN along the last axis, to a length of at least ``length``."""
     ends = [(0, 0)] * (values.ndim - 1) + [(0, max(length - values.shape[-1], 0))]
     return np.pad(values, ends, constant_values=np.nan) if ends[-1][1] else values
 

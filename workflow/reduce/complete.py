@@ -30,7 +30,7 @@ def completed(
 
     estimates : of the tasks at the rows ``sound``; other rows become NaN or -1. counts :
     realizations of each task, shape (tasks,). Errors of the times and positions of trace samples
-    are kept only if they differ between lines.
+    are omitted if all are zero.
     """
     tasks = variant.tasks
     names = accuracy_estimates(plan.study.scene.quantities)
@@ -56,7 +56,7 @@ def completed(
 
 
 def _model_ratios(tasks: list[Task], normalisation: str) -> Estimates:
-    """Return the ratio of mu_1 on a foundation to a half-space, if known for any task."""
+    """Return mu_1 on a foundation over mu_1 on a half-space, if known for any task."""
     ratios = np.array([model_ratio(task.problem, normalisation) for task in tasks])
     if np.isnan(ratios).all():
         return {}
@@ -64,7 +64,7 @@ def _model_ratios(tasks: list[Task], normalisation: str) -> Estimates:
 
 
 def _persson_estimates(tasks: list[Task], lines: Surface) -> Estimates:
-    """Return friction and contact area at v1 by Persson's theory for the spectrum of the study."""
+    """Return friction and contact area at v1 by Persson's theory, for the study's spectrum."""
     theory = np.empty((len(tasks), 2))
     waves_of = lru_cache(maxsize=100)(partial(_waves, lines))
     for row, task in enumerate(tasks):
@@ -90,7 +90,7 @@ def _waves(lines: Surface, hurst: float, elements: int, shape: LineShape) -> Wav
 
 
 def exponents_of(plan: Plan, variant: Variant, estimates: Estimates) -> Estimates:
-    """Remove the replicates of b from the estimates; return the exponents of eq. 13 from them."""
+    """Remove the replicates of b from the estimates, and fit the exponents of eq. 13 to them."""
     rates = estimates.pop("rate_replicates", None)
     if rates is None:
         return {}
@@ -115,18 +115,16 @@ class PowerLaw(NamedTuple):
     alpha_free: np.ndarray  # b = c x^alpha, shape (replicates,)
     alpha_prefactor: np.ndarray  # c, shape (replicates,)
     alpha_scatter: float  # rms of log10(b / x^alpha)
-    alpha_bias: float  # of alpha if b is biased in one direction at all points
-    alpha_free_bias: (
-        float  # of alpha_free if fast and slow points are biased in opposite directions
-    )
+    alpha_bias: float  # of alpha if b is biased equally at all points
+    alpha_free_bias: float  # of alpha_free if fast and slow points are biased oppositely
     alpha_points: int
 
 
 def fit_power_law(x: np.ndarray, rate: np.ndarray, bias: np.ndarray) -> PowerLaw:
-    """Fit log b = alpha log x (eq. 13) over the given points, all with x > 1.
+    """Fit log b = alpha log x (eq. 13) to points with x > 1, without and with a prefactor.
 
     x : shape (points,). rate : b, shape (points, replicates). bias : relative bound of the bias
-    of b, shape (points,). NaN for fewer than 3 points.
+    of b, shape (points,). NaN for fewer than 3 points, or for equal x.
     """
     count, size = rate.shape
     if count < 3 or np.ptp(x) == 0.0:
@@ -147,9 +145,9 @@ def fit_power_law(x: np.ndarray, rate: np.ndarray, bias: np.ndarray) -> PowerLaw
 def fit_exponents(
     axis: tuple[float, ...], hurst: np.ndarray, points: Estimates, rates: np.ndarray
 ) -> Estimates:
-    """Return name -> array over ``axis``: the fits of eq. 13 over distinct problems with x > 1.
+    """Return name -> array over ``axis``: the fits of eq. 13 to distinct problems with x > 1.
 
-    axis : the Hurst exponents to fit for. hurst and points : per task, shape (tasks,). rates : b
+    axis : Hurst exponents, one fit each. hurst and points : per task, shape (tasks,). rates : b
     and its jackknife replicates, shape (tasks, blocks + 1). Points whose contacts are unresolved
     are left out and counted.
     """

@@ -1,12 +1,12 @@
 """Least squares of exponential decays, many curves at once, by variable projection.
 
-For every rate k the best amplitude and offset follow in closed form, so that only k is searched
-for. With <f> the weighted mean of f over the samples, y the curve and e = exp(-k t), both minus
+For every rate k the best amplitude and offset follow in closed form, so that the search is over k
+alone. With <f> the weighted mean of f over the samples, y the curve and e = exp(-k t), both minus
 their means if an offset is fitted,
 
     min over the amplitude of <(y - a e)^2> = <y^2> - <y e>^2 / <e^2>,
 
-so that k maximizes the gain <y e>^2 / <e^2>. Newton's method with its derivatives by log k needs
+so that k maximizes the gain <y e>^2 / <e^2>. Newton's method with the derivatives by log k needs
 few steps. ``least_squares.fit_curves`` fits any model with the same result, but is slower.
 Source: G. H. Golub and V. Pereyra, SIAM J. Numer. Anal. 10, 413 (1973), doi:10.1137/0710036.
 """
@@ -16,10 +16,10 @@ from typing import NamedTuple
 import numpy as np
 
 MAX_NEWTON_STEPS = 100
-MAX_LOG_STEP = 1.0  # of log k
-LAST_LOG_STEP = 1e-5  # of log k: the next step would be about its square
+MAX_LOG_STEP = 1.0  # largest step of log k
+LAST_LOG_STEP = 1e-5  # of log k, at convergence: the next step would be about its square
 GAIN_ROUNDING = 1e-13  # relative decrease of the gain that is accepted
-RATE_RANGE = (1e-4, 1e5)  # of k times the last time: a constant, a decay before the first sample
+RATE_RANGE = (1e-4, 1e5)  # of k times the last time, from a constant to an immediate decay
 STEP_REDUCTION = 0.25  # factor on a step after which the gain decreased
 
 
@@ -29,7 +29,7 @@ class _Rates(NamedTuple):
     log: np.ndarray  # of k
     amplitude: np.ndarray
     gain: np.ndarray  # decrease of the sum of squares by the decay
-    step: np.ndarray  # of log k towards the largest gain, by Newton's method near it
+    step: np.ndarray  # of log k towards the largest gain
 
 
 def fit_decays(
@@ -43,7 +43,7 @@ def fit_decays(
 
     time : shape (samples,). curves : shape (curves, samples). weight : of the samples, shape
     (samples,), positive. rates : initial guesses, positive, shape (curves,) or (1,).
-    offset : also fit a constant. Without an exponential near the guess the rate ends at a bound of
+    offset : also fit a constant. If no exponential fits near the guess, the rate ends at a bound of
     RATE_RANGE or at the guess. The result has the shape (curves, 2).
     """
     share = weight / weight.sum()

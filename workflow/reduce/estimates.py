@@ -1,4 +1,4 @@
-"""Reduction of block means to estimates with standard errors; runs on the workers."""
+"""Reduction of block means to estimates with standard errors, on the workers."""
 
 import numpy as np
 
@@ -51,7 +51,7 @@ def reduce_blocks(blocks: Blocks) -> Estimates:
 
 
 def _halved(estimates: Estimates, blocks: Blocks) -> None:
-    """Store the biases of estimates, from their change by halved steps on a few lines.
+    """Store the biases of estimates, from their changes with halved steps on a few lines.
 
     The error is 4/3 of the change if it is of second order in the step, and twice the change if it
     is of first order. The larger factor is used.
@@ -67,12 +67,12 @@ def _halved(estimates: Estimates, blocks: Blocks) -> None:
             curves = blocks.values["halved_steps_curve"].mean(axis=1) / sums[:, :1]
             after = curves - change["mu_2"][:, None]
             estimates["relaxation_rate_bias"] = HALVING_ERROR * np.array(
-                [_rate_change(estimates, blocks, task, one) for task, one in enumerate(after)]
+                [_rate_change(estimates, blocks, task, curve) for task, curve in enumerate(after)]
             )
 
 
 def _rate_change(estimates: Estimates, blocks: Blocks, task: int, change: np.ndarray) -> float:
-    """Return the relative change of b with a change of the mean curve; NaN without b."""
+    """Return the relative change of b due to a change of the mean curve; NaN without b."""
     if estimates["fit_status"][task] != FITTED:
         return np.nan
     time, deviation = blocks.time[task], estimates["deviation"][task, 1:]
@@ -111,8 +111,8 @@ def _relaxations(estimates: Estimates, blocks: Blocks, deviation: np.ndarray) ->
     enter(estimates, "relaxation_rate", rate)
     enter(estimates, "amplitude", amplitude)
     enter(estimates, "relaxation_rate_free", rate_free)
-    # A relaxation is negligible if its upper bound is below the given share of the jump. A share of
-    # zero leaves every fit unchanged, and so does a curve of NaN.
+    # A relaxation is negligible if its upper bound is below the given share of the jump. No status
+    # changes for a share of zero, or for a curve of NaN.
     groups = max(blocks.scalars.shape[1], 2)
     error = np.nan_to_num(estimates["deviation_error"][:, 0])  # unknown for one block
     most = np.abs(estimates["deviation"][:, 0]) + errors_needed(groups, 2.0, 0.05) * error

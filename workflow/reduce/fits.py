@@ -25,7 +25,7 @@ WINDOW_END = 0.05  # the window ends where the deviation has decreased to this s
 MIN_WINDOW_SAMPLES = 3
 DEVIATION_ROUNDING = 1e-14  # relative to the rms slope: smaller deviations are rounding
 MIN_QUALITY = 0.8
-MAX_NOISE_RESIDUAL = 3.0  # residual that noise may leave, in variances of the samples
+MAX_NOISE_RESIDUAL = 3.0  # largest sum of squares left by noise, over the variances of the samples
 
 
 class RelaxationFit(NamedTuple):
@@ -78,8 +78,7 @@ def fit_relaxation(time: np.ndarray, deviation: np.ndarray, slope: float) -> Rel
 def fit_exponential(time: np.ndarray, deviation: np.ndarray) -> np.ndarray:
     """Return (amplitude, rate) of eq. 6 fitted to one curve, without a test of significance.
 
-    time, deviation : as for ``fit_relaxation``, of shape (samples,). NaN if no
-    exponential fits.
+    time, deviation : as for ``fit_relaxation``, of shape (samples,). NaN if no exponential fits.
     """
     nothing = np.full(2, np.nan)
     end = fit_window(deviation)
@@ -105,7 +104,7 @@ def _quality(time: np.ndarray, deviation: np.ndarray, fit: np.ndarray) -> float:
 
 
 def _start(time: np.ndarray, deviation: np.ndarray) -> np.ndarray | None:
-    """Return the rate through the first sample and the one nearest to 1/e of it, shape (1,)."""
+    """Return the rate from the first sample and the one nearest to 1/e of it, shape (1,)."""
     share = deviation[1:] / deviation[0]
     usable = np.flatnonzero((share > 0.0) & (share < 1.0))
     if not usable.size:
@@ -119,9 +118,9 @@ def _fit_all(
 ) -> np.ndarray:
     """Return rows (amplitude, rate) of the fit of every row of ``curves``, NaN if it fails.
 
-    rates : initial guesses. offset : also fit an offset. The weight of a sample is its share of the
-    time, between the midpoints to its neighbours and from the jump on. The weighted sum then
-    approximates an integral over time for any steps.
+    rates : initial guesses. offset : also fit an offset. The weight of a sample is the time between
+    the midpoints to its neighbours, or from the jump on. The weighted sum then approximates an
+    integral over time for any spacing of the samples.
     """
     scale, span = curves[0, 0], time[-1]
     halfway = 0.5 * (time[1:] + time[:-1])

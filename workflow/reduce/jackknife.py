@@ -1,16 +1,16 @@
 """Jackknife over blocks of realizations: standard errors of derived quantities.
 
 Blocks are independent and of equal size. Replicate j leaves out block j of all points at once, so
-that derived quantities include the correlations between points (shared lines).
-The program has a second error theory, since a measured record is a single realization without
-blocks: its fits (workflow/laboratory/estimate.py) estimate the correlation from the residuals.
+that errors of derived quantities include the correlations between points (shared lines).
+A measured record is a single realization without blocks. Its errors are therefore estimated from
+the correlation of the residuals (workflow/laboratory/estimate.py).
 Source: B. Efron, The Jackknife, the Bootstrap and Other Resampling Plans (SIAM 1982), ch. 3.
 """
 
 import numpy as np
 from scipy.special import stdtrit
 
-SIGNIFICANT_ERRORS = 3.0  # standard errors that a significant number exceeds
+SIGNIFICANT_ERRORS = 3.0  # a significant value exceeds this many standard errors
 FALSE_POSITIVES = 0.01  # allowed rate with few blocks, two-sided
 ERROR_ROUNDING = 1e-14  # relative standard error below which replicates are equal
 
@@ -18,11 +18,11 @@ ERROR_ROUNDING = 1e-14  # relative standard error below which replicates are equ
 def grouped_means(blocks: np.ndarray, groups: int) -> np.ndarray:
     """Return the means over every ``groups``-th block, shape (groups, ...).
 
-    Block i belongs to group i modulo ``groups``. Blocks shared by two points with different numbers
-    of blocks, and so their random lines, are therefore in the same group. For groups of unequal
-    size the deviations are scaled such that the mean over groups equals that over blocks, and the
-    jackknife error equals that of equal groups within 1 %. Values equal in all blocks are returned
-    to the bit.
+    Block i belongs to group i modulo ``groups``. Two points with different numbers of blocks
+    therefore have each shared block, with its random lines, in the same group. For groups of
+    unequal size the deviations are scaled such that the mean over groups equals the mean over
+    blocks, and the jackknife error equals that of equal groups within 1 %. Values that all blocks
+    share stay exactly equal.
     """
     count = len(blocks)
     if count % groups == 0:
@@ -38,7 +38,7 @@ def grouped_means(blocks: np.ndarray, groups: int) -> np.ndarray:
 def padded(values: np.ndarray, groups: int) -> np.ndarray:
     """Return replicates padded to ``groups`` groups, shape (..., groups + 1).
 
-    values : shape (..., count + 1), of fewer groups. Added replicates equal the mean, and the
+    values : shape (..., count + 1), with count < groups. Added replicates equal the mean, and the
     deviations of the others are scaled to keep the standard error. Points with different numbers of
     groups can then be combined, including their correlations.
     """
@@ -55,8 +55,8 @@ def padded(values: np.ndarray, groups: int) -> np.ndarray:
 def replicates(blocks: np.ndarray, axis: int) -> np.ndarray:
     """Return the mean followed by the leave-one-block-out means along ``axis``.
 
-    With g blocks the axis grows to g + 1: entry 0 is the full mean. A single block
-    is returned unchanged, as its scatter is unknown.
+    With g blocks the axis grows to g + 1: entry 0 is the full mean. A single block is returned
+    unchanged, as its scatter is unknown.
     """
     count = blocks.shape[axis]
     if count == 1:
@@ -93,9 +93,9 @@ def errors_needed(
 def significant(values: np.ndarray) -> bool:
     """Return whether an estimate differs from zero; values : replicates of shape (blocks + 1,).
 
-    NaN in the estimate or in one replicate is not significant. Nor is an estimate whose replicates
-    agree to rounding: random lines always differ, so that it does not depend on the data, for
-    example a fit at the same bound in every replicate. For one block every nonzero number counts.
+    An estimate with NaN in any replicate is not significant. Nor is one whose replicates agree to
+    rounding: as random lines differ, it cannot depend on the data, like a fit at the same bound in
+    every replicate. For one block every nonzero number is significant.
     """
     if values.size == 1:
         return bool(np.isfinite(values[0]) and values[0] != 0.0)

@@ -2,8 +2,8 @@
 
 One call fits a curve and all its jackknife replicates in plain numpy, with the same bits in every
 process. scipy's ``leastsq`` is not reproducible: if columns of the Jacobian are nearly dependent,
-as for two exponentials fitted to one, MINPACK (scipy 1.15 to 1.17) reads one number beyond the
-Jacobian and pivots by it (docs/decisions/own-least-squares.md).
+as for two exponentials fitted to one, MINPACK (scipy 1.15 to 1.17) reads one number past the end
+of the Jacobian and pivots by it (docs/decisions/own-least-squares.md).
 Source: D. W. Marquardt, J. Soc. Ind. Appl. Math. 11, 431 (1963).
 """
 
@@ -12,13 +12,13 @@ from typing import NamedTuple, Protocol
 import numpy as np
 
 MAX_ITERATIONS = 200
-SQUARES_TOLERANCE = 1e-14  # relative decrease of the sum of squares in the last iteration
+SQUARES_TOLERANCE = 1e-14  # relative decrease of the sum of squares at convergence
 DAMPING = (1e-3, 1e-12, 1e12)  # first, smallest and largest, relative to the diagonal of J'J
 DAMPING_FACTOR = 10.0
 
 
 class Model(Protocol):
-    """Function of several parameters that is fitted to curves."""
+    """Function that is fitted to curves, and its derivatives."""
 
     def __call__(self, p: np.ndarray, t: np.ndarray, /) -> tuple[np.ndarray, np.ndarray]:
         """Return values (curves, samples) and derivatives (curves, samples, parameters).
@@ -37,10 +37,10 @@ class _Fit(NamedTuple):
 
 
 def fit_curves(model: Model, t: np.ndarray, curves: np.ndarray, start: np.ndarray) -> np.ndarray:
-    """Return the parameters that fit each row of ``curves``, shape (curves, parameters).
+    """Return the parameters that fit each row of ``curves`` best, shape (curves, parameters).
 
     start : initial guess, shape (parameters,) or (curves, parameters). A fit that diverges returns
-    the parameters with the smallest sum of squares.
+    the best parameters that it reached.
     """
     guess = np.broadcast_to(start, (len(curves), np.shape(start)[-1])).astype(float)
     best = _fit_at(model, t, curves, guess)
@@ -49,9 +49,8 @@ def fit_curves(model: Model, t: np.ndarray, curves: np.ndarray, start: np.ndarra
     active = np.ones(len(curves), bool)
     for _ in range(MAX_ITERATIONS):
         step = _step(best, damping)
-        active &= (
-            np.sum(-best.gradient * step, axis=1) > SQUARES_TOLERANCE * best.squares
-        )  # predicted decrease
+        # Stop where the predicted decrease of the sum of squares is negligible.
+        active &= np.sum(-best.gradient * step, axis=1) > SQUARES_TOLERANCE * best.squares
         trial = _fit_at(model, t, curves, best.p + step)
         decreased = trial.squares < best.squares  # false for NaN
         gain = np.where(decreased, best.squares - trial.squares, 0.0)
@@ -79,7 +78,7 @@ def _fit_at(model: Model, t: np.ndarray, curves: np.ndarray, p: np.ndarray) -> _
 
 
 def _step(fit: _Fit, damping: np.ndarray) -> np.ndarray:
-    """Return the damped step; parameters without influence do not change."""
+    """Return the damped step; parameters that do not affect the curve do not change."""
     diagonal = np.einsum("cpp->cp", fit.hessian)
     scale = np.where(diagonal > 0.0, diagonal, 1.0)
     damped = fit.hessian + (damping[:, None] * scale)[..., None] * np.eye(scale.shape[1])

@@ -1,4 +1,4 @@
-"""Models beyond eq. 6, compared by cross-validation: stretched and two exponentials.
+"""Alternatives to eq. 6, compared by cross-validation: stretched and two exponentials.
 
 The samples of a curve are correlated, so that criteria that count samples (AIC, BIC) do not apply.
 Instead each model is fitted to the mean of all blocks but one and predicts the block left out. Its
@@ -48,7 +48,7 @@ def two_exponentials(p: np.ndarray, t: np.ndarray) -> tuple[np.ndarray, np.ndarr
     return one + two, np.concatenate([first, second], axis=2)
 
 
-# model -> (law for (mu - mu_2)/scale over t/span, first guess from b span of eq. 6)
+# model -> (function for (mu - mu_2)/scale over t/span, initial guess from b span of eq. 6)
 MODELS: dict[int, tuple[Model, Callable[[float], np.ndarray]]] = {
     EXPONENTIAL: (one_exponential, lambda b: np.array([1.0, np.log(b)])),
     STRETCHED: (stretched, lambda b: np.array([1.0, np.log(b), 0.0])),
@@ -60,7 +60,7 @@ MODELS: dict[int, tuple[Model, Callable[[float], np.ndarray]]] = {
 
 
 class Comparison(NamedTuple):
-    """Coefficients over jackknife replicates (0: all blocks), and the best model.
+    """Coefficients for the jackknife replicates (entry 0: all blocks), and the best model.
 
     Coefficients are NaN if their model is not decisively better than eq. 6, or if the blocks do not
     determine them.
@@ -71,8 +71,8 @@ class Comparison(NamedTuple):
     stretched_exponent: np.ndarray  # beta
     fast_rate: np.ndarray  # b of the faster of two exponentials
     slow_rate: np.ndarray
-    fast_share: np.ndarray  # of the amplitude
-    gain_stretched: tuple[float, float]  # relative to the score of eq. 6, with its error
+    fast_share: np.ndarray  # share of the amplitude
+    gain_stretched: tuple[float, float]  # decrease of the score relative to eq. 6, its error
     gain_two_exponentials: tuple[float, float]
 
 
@@ -87,8 +87,8 @@ def compare_models(
 
     time : shape (samples,), in tau. deviation : mu - mu_2 of the mean and of the replicates that
     leave one block out, shape (blocks + 1, samples). blocks : mu - mu_2 of each block, shape
-    (blocks, samples). rate : b of eq. 6, the initial guess; NaN gives UNDECIDED_MODEL
-    and NaN in all coefficients.
+    (blocks, samples). rate : b of eq. 6, the initial guess; NaN gives UNDECIDED_MODEL and NaN in
+    all coefficients.
     """
     if not np.isfinite(rate):
         nothing = np.full(len(deviation), np.nan)
@@ -131,7 +131,7 @@ def compare_models(
 def determined(
     time: np.ndarray, rate: np.ndarray, exponent: np.ndarray | float = 1.0
 ) -> np.ndarray:
-    """Return a mask of coefficients of exp(-(b t)^beta) that sample times can determine.
+    """Return the mask of coefficients of exp(-(b t)^beta) that the samples can determine.
 
     A fit may diverge to coefficients on which the curve no longer depends: a decay between two
     samples or before the first, or a constant. Such coefficients are meaningless even if all
@@ -153,7 +153,7 @@ def determined(
 def _fits_and_gains(
     t: np.ndarray, curves: np.ndarray, blocks: np.ndarray, rate: float
 ) -> tuple[dict[int, np.ndarray], dict[int, tuple[float, float]]]:
-    """Return per model the fits to all curves, and its gain over eq. 6 on blocks left out."""
+    """Return the fits to all curves, and the gain over eq. 6 on blocks left out, by model."""
     fits, scores = {}, {}
     for code, (model, start) in MODELS.items():
         mean = fit_curves(model, t, curves[:1], start(rate))

@@ -33,7 +33,7 @@ class RateState(NamedTuple):
     a: np.ndarray  # in units of mu, shape (replicates,)
     b: np.ndarray
     dc: np.ndarray  # in units of the distance
-    residual: float  # rms of the residual over |b ln r|, of the mean curve
+    residual: float  # rms residual of the mean curve, over |b ln r|
     status: int  # see STATUS_COMMENT in fits.py; NO_STATE: b does not differ from zero
 
 
@@ -44,8 +44,8 @@ def fit_rate_state(
 
     distance : slid since the step, increasing from the first sample, shape (samples,). deviation :
     mu - mu_2, shape (replicates, samples), row 0 the mean curve. change : mu_2 - mu_1 of the same
-    replicates. The window starts at the largest deviation in the direction of the step and ends
-    where the deviation has decreased to 5 % of it.
+    replicates. The fit window starts at the largest absolute deviation of the mean curve and ends
+    where the deviation has decreased to 5 % of that.
     """
     size = len(deviation)
     if not (np.isfinite(deviation).all() and np.isfinite(change).all()):
@@ -86,7 +86,7 @@ def fit_rate_state(
 def step_law(law: str, ratio: float) -> Callable:
     """Return the Model (see ``fit_curves``) of mu - mu_2 after a step by v2/v1 = ratio.
 
-    Its parameters are b and ln(1/D_c), in the unit of the given distances. Over times instead of
+    Its parameters are b and ln(1/D_c), in the unit of the given distances. For times instead of
     distances the second parameter is ln(v2/D_c), and Ruina's law is eq. 6.
     """
 
@@ -109,11 +109,11 @@ def state_change(law: str, phi: float, log_v: float) -> float:
 
 
 def _start(s: np.ndarray, curve: np.ndarray, ratio: float, law: str) -> np.ndarray:
-    """Return the initial guess from the first sample and the first one below 1/e of it."""
+    """Return the initial guess, from the first sample and the first one below 1/e of it."""
     low = np.flatnonzero(curve < curve[0] / math.e)
     k = int(low[0]) if low.size else s.size - 1
     rate, step = 1.0 / max(s[k] - s[0], 1e-12), math.log(ratio)
-    if law == "dieterich":  # ln(1 + (r - 1) exp(-s/D_c)) = ln(r)/e
+    if law == "dieterich":  # from ln(1 + (r - 1) exp(-s/D_c)) = ln(r)/e
         rate *= math.log(math.expm1(step) / math.expm1(step / math.e))
     size = step * math.exp(-min(rate * s[0], 30.0))
     return np.array([curve[0] / size, math.log(rate)])

@@ -20,8 +20,8 @@ from .blocks import Estimates
 
 UNRESOLVED, COARSE, RESOLVED = 0, 1, 2
 RESOLUTION_MEANINGS = "unresolved coarse resolved"
-RESOLVED_SAMPLES = 4.0  # samples per contact of a resolved contact, at least
-UNRESOLVED_SAMPLES = 1.0  # of an unresolved contact, at most
+RESOLVED_SAMPLES = 4.0  # smallest samples per contact of a resolved contact
+UNRESOLVED_SAMPLES = 1.0  # largest samples per contact of an unresolved contact
 RESOLUTION_COMMENT: str = (
     f"resolved: samples_per_contact is {RESOLVED_SAMPLES:g} or more, and of measured lines "
     f"bias_bound at most {BIAS:g}; coarse: above {UNRESOLVED_SAMPLES:g}; unresolved: contacts are "
@@ -29,7 +29,7 @@ RESOLUTION_COMMENT: str = (
 )
 NARROW_CONTACTS = f"contacts of fewer than {RESOLVED_SAMPLES:g} samples"
 LARGE_BIAS = f"a discretisation error above {100.0 * BIAS:g} %"
-MAX_RELATIVE_BIAS = 1.0  # larger values mean the same
+MAX_RELATIVE_BIAS = 1.0  # larger values are clipped: they say no more
 
 
 def resolution_status(samples: np.ndarray, bias: np.ndarray | float = 0.0) -> np.ndarray:
@@ -48,8 +48,8 @@ def resolution(
     """Return the resolution_status of tasks, and NAME_bias of their estimates.
 
     A bias is an upper bound of the relative discretisation error; bias_bound is the largest. It
-    follows from the laws of plan/error_laws.py, with the measured instead of the predicted samples
-    per contact and rate b. FIRST_ORDER steps of a first-order scheme are equivalent to one step.
+    follows from the laws of error in plan, with the measured samples per contact and rate b instead
+    of predicted ones. FIRST_ORDER steps of a first-order scheme count as one of second order.
     """
     biases: dict[str, np.ndarray] = {}
     if not names:  # no steady quantity
@@ -71,8 +71,8 @@ def resolution(
                 bias[row] = np.nan
                 continue
             if name != "relaxation_rate":
-                worth = steps / FIRST_ORDER if first_order else steps
-                bias[row] = LAWS[name].error(problem, worth, numerics.refines)
+                equivalent = steps / FIRST_ORDER if first_order else steps
+                bias[row] = LAWS[name].error(problem, equivalent, numerics.refines)
                 continue
             bias[row] = rate_error(problem, steps, samples[row], rates[row])
             if first_order:
@@ -80,7 +80,7 @@ def resolution(
         biases[f"{name}_bias"] = np.minimum(bias, MAX_RELATIVE_BIAS)
     biases["bias_bound"] = np.fmax.reduce(list(biases.values()))
     lawless = any(f"{name}_bias" in estimates for name in names)
-    # For lines without a law the width of contacts does not bound the error.
+    # Without an error law, the width of contacts does not bound the error.
     biases["resolution_status"] = resolution_status(
         samples, biases["bias_bound"] if lawless else 0.0
     )
@@ -92,26 +92,25 @@ def trace_resolution(
 ) -> Estimates:
     """Return the trace_resolution_status of tasks, and trace_mu_bias.
 
-    The status follows from the smallest number of samples per contact while anything touches. The
-    bias combines that of the shape, or of mu_1 for lines without a law, with the difference of the
-    first marched mu from mu_1, which is computed more accurately (branches/dissipation.py,
-    quick/contacts). It is NaN unless the trace starts with steady sliding at v1 and mu_1 is known.
-    origin : start of the programme.
+    The status follows from the smallest number of samples per contact during contact, and from the
+    bias. The bias adds two errors in quadrature: the shape error (for lines without an error law,
+    the bias of mu_1), and the difference between the first marched mu and mu_1, which is more
+    accurate (branches/dissipation.py, quick/contacts). It is NaN unless the trace starts with
+    steady sliding at v1 and mu_1 is known. origin : start of the programme.
     """
     samples, first = estimates["trace_samples_per_contact"], estimates["trace_mu"][:, 0]
     fewest = np.min(samples, axis=1, where=samples > 0.0, initial=np.inf)
     bias, start = np.empty(len(tasks)), np.full(len(tasks), np.nan)
     for row, task in enumerate(tasks):
         problem, steps = task.problem, task.steps_per_spacing
-        worth = steps / FIRST_ORDER if numerics.scheme == "implicit-euler" else steps
+        equivalent = steps / FIRST_ORDER if numerics.scheme == "implicit-euler" else steps
         half_space = problem.surface.body == HALF_SPACE
-        bias[row] = map_error("mu_1", worth, np.nan) if half_space else shape_error(worth)
+        bias[row] = map_error("mu_1", equivalent, np.nan) if half_space else shape_error(equivalent)
         steady = problem.start == "steady" and origin == ZERO_ORIGIN and "mu_1" in estimates
         if steady and speed_at_start(problem.programme) == problem.ends[0]:
             start[row] = abs(first[row] / estimates["mu_1"][row] - 1.0)
-    measured = estimates.get(
-        "mu_1_bias", np.nan
-    )  # by halved steps, as error laws do not cover programmes
+    # Error laws do not cover programmes; lines without a law have a bias from halved steps.
+    measured = estimates.get("mu_1_bias", np.nan)
     bias = np.where(np.isnan(measured), bias, measured)
     total = np.minimum(np.hypot(bias, start), MAX_RELATIVE_BIAS)
     smallest = np.where(np.isinf(fewest), 0.0, fewest)

@@ -1,4 +1,4 @@
-"""Estimates of a programme of motion: traces, energies, peaks, healing, loops, rate and state.
+"""Estimates of programmes of motion: traces, energies, peaks, healing, loops, rate and state.
 
 Without a dashpot friction does not jump with the velocity. The peak and its time then correspond
 to the direct effect of an experiment. In a loop, mu' and mu'' are the amplitudes of
@@ -21,8 +21,8 @@ from .jackknife import replicates, standard_error
 from .rate_state import STATE_LAWS, RateState, fit_rate_state
 
 PROGRAMME_TRACES = (*PULLED_TRACES, *ENERGIES)
-CHANGE_TRACES = ("trace_mu", "trace_indentation")  # whose changes within a leg are estimates too
-SINGLE_REALIZATION = ("snapshot_", "state_")  # prefixes of values without an error
+CHANGE_TRACES = ("trace_mu", "trace_indentation")  # their changes within a leg are estimates too
+SINGLE_REALIZATION = ("snapshot_", "state_")  # prefixes of values of one realization, without error
 
 Means = dict[str, np.ndarray]  # replicates of traces, shape (tasks, replicates, events)
 
@@ -58,7 +58,7 @@ def reduce_steps(
 
 
 def _a_minus_b(speeds: np.ndarray, change: np.ndarray) -> np.ndarray:
-    """Return (mu_2 - mu_1)/ln(v2/v1), NaN without a step and for a reversal.
+    """Return (mu_2 - mu_1)/ln(v2/v1); NaN without a step, and for a reversal.
 
     speeds : before and after, shape (tasks, 2). change : mu_2 - mu_1, shape (tasks, replicates).
     """
@@ -83,7 +83,7 @@ def _rate_state(
         ratio, sign = after / before, np.sign(before)
         data = distance, sign * curves, sign * change[task], ratio
         fits.append([fit_rate_state(*data, law) for law in STATE_LAWS])
-    laws = columns([columns(of_task) for of_task in fits])  # over (tasks, laws)
+    laws = columns([columns(of_task) for of_task in fits])  # axes: tasks, laws
     for name in ("a", "b", "dc"):
         enter(estimates, f"rate_state_{name}", np.moveaxis(getattr(laws, name), 2, 1))
     estimates["rate_state_residual"] = laws.residual
@@ -143,14 +143,14 @@ def _store_loop(estimates: Estimates, blocks: Blocks, means: Means) -> None:
 
 
 def _store_slip_events(estimates: Estimates, blocks: Blocks, _: Means) -> None:
-    """Store the times and kinds of slip events, up to the last event of any task."""
+    """Store the times and kinds of slip events, cut to the most events of any task."""
     times, kinds = (blocks.values[name].mean(axis=1) for name in SLIP_EVENTS)
     count = int(np.isfinite(times).sum(axis=1).max())
     estimates["slip_event_time"] = times[:, :count]
     estimates["slip_event_kind"] = np.nan_to_num(kinds[:, :count], nan=-1.0).astype(np.int8)
 
 
-# Quantities of a programme, and the function that reduces their estimates.
+# Quantities of a programme, and the function that stores their estimates.
 QUANTITY_REDUCERS: tuple[tuple[tuple[str, ...], Callable[..., None]], ...] = (
     (("trace", "energy"), _store_motion),
     (("trace",), _store_traces),
@@ -164,25 +164,25 @@ QUANTITY_REDUCERS: tuple[tuple[tuple[str, ...], Callable[..., None]], ...] = (
 def _motion(values: np.ndarray) -> np.ndarray:
     """Return the replicates of times or positions of samples, shape (tasks, replicates, events).
 
-    values : shape (tasks, blocks, events). Values equal in all blocks are returned to the bit.
+    values : shape (tasks, blocks, events). Values that all blocks share stay exactly equal.
     """
     first = values[:, :1]
     return first + replicates(values - first, 1)
 
 
 def _changes(traces: np.ndarray, legs: np.ndarray) -> np.ndarray:
-    """Return the change of traces since the last sample before the current leg.
+    """Return the change of traces since the last sample of the leg before.
 
     traces : shape (tasks, replicates, events). legs : of the events, ascending, NaN after the
-    last one, shape (tasks, events). Lines scatter together, so that the error of a change is much
-    smaller than those of its two ends.
+    last one, shape (tasks, events). Lines shift both ends of a change alike, so that its error is
+    much smaller than the errors of the two ends.
     """
     before = [np.maximum(np.searchsorted(leg, leg) - 1, 0) for leg in legs]
     return traces - np.take_along_axis(traces, np.array(before)[:, None], axis=2)
 
 
 def _balance_residual(means: Means) -> np.ndarray:
-    """Return (work - stored - dissipated - closing energy)/dissipated at the last sample of traces.
+    """Return (work - change of stored energy - dissipated - closing work)/dissipated at the end.
 
     Shape (tasks, replicates).
     """
@@ -193,7 +193,7 @@ def _balance_residual(means: Means) -> np.ndarray:
 
 
 def _last(traces: np.ndarray) -> np.ndarray:
-    """Return the last sample of each trace that is not NaN, shape (tasks, replicates)."""
+    """Return the last sample of each trace, before the NaN, shape (tasks, replicates)."""
     known = np.isfinite(traces[:, 0])
     ends = known.shape[1] - 1 - np.argmax(known[:, ::-1], axis=1)
     return np.take_along_axis(traces, ends[:, None, None], axis=2)[:, :, 0]
@@ -202,7 +202,7 @@ def _last(traces: np.ndarray) -> np.ndarray:
 def _store_by_task(
     estimates: Estimates, blocks: Blocks, estimator: Callable[..., Any], *traces: np.ndarray
 ) -> None:
-    """Store the estimates of ``estimator`` for every task, from replicates of its traces."""
+    """Store the results of ``estimator`` for the replicates of the traces of every task."""
     results = []
     for task, programme in enumerate(blocks.programmes):
         sampled = np.isfinite(blocks.legs[task])
@@ -214,14 +214,14 @@ def _store_by_task(
 class Healing(NamedTuple):
     """Friction around the last hold, for the mean trace and its replicates, shape (replicates,)."""
 
-    static_peak: np.ndarray  # mu
-    healing: np.ndarray  # mu: the static peak over the friction before the hold
+    static_peak: np.ndarray  # mu at the peak after the hold
+    healing: np.ndarray  # static peak minus mu before the hold
     mu_end_of_hold: np.ndarray
     peak_distance: np.ndarray  # slid since the end of the hold, in dx
 
 
 def last_hold(programme: Programme) -> tuple[int, float] | None:
-    """Return the number of the last hold before a slide, and the speed of the slide."""
+    """Return the index of the last hold before a slide, and the speed of the slide, or None."""
     holds = [
         (k, after.speed)
         for k, (before, after) in enumerate(pairwise(programme))
@@ -244,7 +244,7 @@ def healing(
         return Healing(nothing, nothing, nothing, nothing)
     k, speed = hold
     held, slid = legs[0] == k, legs[0] == k + 1
-    before = np.flatnonzero(legs[0] < k)  # the last of them ends the slide before the hold
+    before = np.flatnonzero(legs[0] < k)  # the last one ends the leg before the hold
     if not (held.any() and slid.any() and before.size):
         return Healing(nothing, nothing, nothing, nothing)
     end = np.flatnonzero(held)[-1]
@@ -298,11 +298,11 @@ def _trapezoids(time: np.ndarray, period: float) -> np.ndarray:
 
 
 def extremum(place: np.ndarray, curves: np.ndarray, sign: float) -> tuple[np.ndarray, np.ndarray]:
-    """Return value and place of the maximum of ``sign`` times each curve, shape (replicates,).
+    """Return the value and place of the maximum (sign 1) or minimum (-1) of each curve.
 
     place : times or distances, increasing, shape (samples,). curves : shape (replicates, samples).
-    The maximum is that of the parabola through the largest sample and its neighbours, or
-    the sample itself at an end. NaN for a curve with NaN.
+    The extremum is that of a parabola through the extreme sample and its neighbours, or the sample
+    itself at an end. NaN for a curve with NaN.
     """
     extrema = np.full((2, len(curves)), np.nan)
     for row, curve in enumerate(curves):
