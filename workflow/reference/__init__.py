@@ -1,6 +1,6 @@
 """Generated reference pages: keys, commands and the Python interface.
 
-May import every room; `make docs` writes the pages to docs/reference.
+This room may import every other room; `make docs` writes the pages to docs/reference.
 """
 
 from typing import TYPE_CHECKING

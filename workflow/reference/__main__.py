@@ -1,4 +1,4 @@
-"""``python -m elastomer_friction.workflow.reference [FOLDER]``: write the pages of reference."""
+"""``python -m elastomer_friction.workflow.reference [FOLDER]``: write the reference pages."""
 
 import sys
 from pathlib import Path

@@ -7,7 +7,7 @@ from typing import Any
 
 import elastomer_friction as ef
 
-# The keys are the names that a caller uses.
+# name that a caller uses -> object
 PUBLIC_MODULES: dict[str, Any] = {
     "scene.run": ef.scene.run,
     "scene.animate": ef.scene.animate,
@@ -20,7 +20,7 @@ PUBLIC_MODULES: dict[str, Any] = {
     "UserError": ef.UserError,
 }
 MEANING = re.compile(r"^\w[\w, ]* : ")  # start of an argument's line in a docstring
-# The space between two sentences at which a line is split.
+# space between two sentences at which a line is split
 SPLIT = re.compile(r"(?<=\.) (?=\w[\w, ]{0,40} : |Raises |Returns )")
 
 
@@ -44,7 +44,7 @@ def _methods(public: Any) -> Iterator[tuple[str, Any]]:
 
 
 def _entry(name: str, public: Any) -> list[str]:
-    """Return the call of a public name and its docstring."""
+    """Return the call of a public name, and its docstring as Markdown."""
     docstrings = [inspect.getdoc(public) or ""]
     constructor = vars(public).get("__init__") if inspect.isclass(public) else None
     if constructor is not None and constructor.__doc__:  # a dataclass has no docstring there
@@ -62,7 +62,7 @@ def _arguments(public: Any) -> str:
         if parameter.name not in ("self", "cls")
     ]
     text = str(signature.replace(parameters=parameters, return_annotation=signature.empty))
-    return re.sub(r"=<.*?>", "=...", text)  # a default without a literal, such as a factory
+    return re.sub(r"=<.*?>", "=...", text)  # defaults that are not literals, such as factories
 
 
 def _paragraphs(text: str) -> list[str]:

@@ -1,4 +1,4 @@
-"""The generated reference pages, and the page of commands from the command-line parsers."""
+"""All generated reference pages, and the page of commands from the command-line parsers."""
 
 import argparse
 from collections.abc import Callable
@@ -12,8 +12,8 @@ SHARED_ARGUMENTS = """## Arguments of several commands
 
 | argument | meaning | commands |
 |---|---|---|"""
-MIN_SHARED_COMMANDS = 2  # an argument of this many commands is listed in the first table only
-# It separates the introduction, written by hand, from the generated part.
+MIN_SHARED_COMMANDS = 2  # arguments of this many commands are listed in the first table only
+# Separates the introduction, written by hand, from the generated part.
 MARK = "<!-- From here on written by `make docs` from the code; change the texts there. -->\n\n"
 
 
@@ -76,7 +76,7 @@ def _help(action: argparse.Action) -> str:
 
 
 def _default(action: argparse.Action) -> str:
-    """Return the default, to be appended to a help text that does not state it."""
+    """Return the default as text to append to the help, or "" if the help states it."""
     has_none = action.default in (None, False, []) or action.default is argparse.SUPPRESS
     stated = has_none or "%(default)s" in (action.help or "")
     return "" if stated else f", by default `{action.default}`"

@@ -14,8 +14,8 @@ from ..study import COMMON_AXES, HALF_SPACE, axes_of
 from .provenance import provenance
 from .variables import AUXILIARY, AXIS_ATTRIBUTES, Powers, attributes, declared
 
-Groups = Mapping[str, xr.Dataset]  # the key "" is the study itself, the others are its comparisons
-Units = dict[str, xr.DataArray]  # unit of the plan -> its value in SI, over the axes it depends on
+Groups = Mapping[str, xr.Dataset]  # "" is the study itself, the others are comparisons
+Units = dict[str, xr.DataArray]  # unit of the plan -> value in SI, over the axes it depends on
 
 
 def build_dataset(
@@ -24,7 +24,7 @@ def build_dataset(
     """Return the dataset of one variant.
 
     estimates : arrays over variant.tasks. exponents : arrays over the Hurst exponents. Raises
-    KeyError for an undeclared estimate and TypeError for one of another type than declared.
+    KeyError for an undeclared estimate, and TypeError if its type differs from the declaration.
     """
     axes, units = plan.study.axes, _units(plan, variant)
     data = {}
@@ -58,7 +58,7 @@ def _facts(plan: Plan, variant: Variant) -> dict[str, str | int | float]:
     lines, shifts = variant.lines, variant.material.shifts
     facts = provenance(plan.study, variant.numerics) | {"body": lines.body}
     share = plan.study.force_share(variant.label)
-    if share != 1.0:  # coordinates of a comparison are those of the study
+    if share != 1.0:  # the force coordinate is that of the study
         facts["normal_force_share"] = share
     if lines.profile is not None:
         facts |= {"lines": lines.description, "lines_digest": lines.profile.digest}
@@ -71,7 +71,7 @@ def _facts(plan: Plan, variant: Variant) -> dict[str, str | int | float]:
 
 
 def _coordinates(plan: Plan, variant: Variant, dims: set[str]) -> dict[str, object]:
-    """Return the coordinates of the dims that are not axes of the grid."""
+    """Return the coordinates of the dimensions that are not axes of the grid."""
     coordinates: dict[str, object] = {
         "sample": np.arange(variant.numerics.curve_samples),
         "event": np.arange(variant.events),
@@ -89,7 +89,7 @@ def _coordinates(plan: Plan, variant: Variant, dims: set[str]) -> dict[str, obje
 
 
 def _settings(plan: Plan, variant: Variant, units: Units) -> dict[str, xr.DataArray]:
-    """Return the scales of the paper's dimensionless quantities, tau, G, L and q_max, in SI."""
+    """Return tau, G, L and q_max in SI: the scales of the paper's dimensionless quantities."""
     cutoff = _over(plan, variant, "surface", lambda lines: lines.cutoff)
     shortest = xr.where(cutoff > 0.0, cutoff, 2.0 * units["spacing"])
     scales = {
@@ -122,7 +122,7 @@ def _units(plan: Plan, variant: Variant) -> Units:
 
 
 def _over(plan: Plan, variant: Variant, part: str, value: Callable[[Any], float]) -> xr.DataArray:
-    """Return a number of a part of the study over the axes that change that part."""
+    """Return a value of a part of the study, over the axes that change that part."""
     axes = axes_of(plan.study.grid, part)
     values = [value(getattr(parts, part)) for parts in plan.study.parts(variant.label, axes)]
     return xr.DataArray(
@@ -142,7 +142,7 @@ def _factor(scaling: Powers, units: Units) -> xr.DataArray:
 def _annotate(dataset: xr.Dataset, freedom: int) -> None:
     """Check the type of every variable against its declaration and set its attributes.
 
-    freedom : degrees of freedom that every standard error has at least.
+    freedom : smallest degrees of freedom of the standard errors.
     """
     for name in dataset.data_vars:
         dtype, expected = dataset[name].dtype, declared(str(name)).dtype

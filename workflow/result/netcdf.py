@@ -26,17 +26,17 @@ if TYPE_CHECKING:  # slow to import, and not needed by plan and status
 SUFFIX = ".nc"
 ROOT = ""  # label of the study itself; the other groups are its comparisons
 REQUIRED_ATTRIBUTES = {"study", "code", "seed", "source"}  # attributes that every result has
-# Exceptions of a script that reads an unsuitable result, or one with a damaged variable.
+# Exceptions of a script that reads an unsuitable result or a damaged variable.
 BROKEN = (AttributeError, LookupError, MemoryError, OSError, RuntimeError, TypeError, ValueError)
 SETTINGS_WITHOUT_EFFECT = ("cluster.",)  # prefixes of settings that do not affect numbers
-DISK_PROBE_BYTES = 2**20  # beyond the bytes written, to find out whether a disk is full
+DISK_PROBE_BYTES = 2**20  # written beyond the size of the file, to test whether the disk is full
 MAX_LISTED_SETTINGS = 5
 
 
 def result_file(out: Path, study: AnyStudy) -> Path:
     """Return the result file of a study: ``out`` itself, or a file in the folder ``out``.
 
-    A scale has a file of its own, so that it does not replace the result of the default scale.
+    Every scale has its own file, so that it does not replace the result of the default scale.
     """
     name = f"{study.name}-{study.scale}" if study.scale else study.name
     return out if out.suffix == SUFFIX else out / f"{name}{SUFFIX}"
@@ -53,7 +53,7 @@ def write_datasets(path: Path, datasets: Mapping[str, "xr.Dataset"]) -> None:
     with replacing(path) as aside:
         try:
             for label, dataset in datasets.items():
-                if label:  # CF allows it at the root only
+                if label:  # CF allows Conventions at the root only
                     dataset = dataset.assign_attrs()
                     dataset.attrs.pop("Conventions", None)
                 mode, group = "a" if label else "w", label or None
@@ -70,7 +70,7 @@ def write_datasets(path: Path, datasets: Mapping[str, "xr.Dataset"]) -> None:
 
 
 def _encoding(dataset: "xr.Dataset") -> dict[str, Any]:
-    """Return the encoding of the variables: checksums for all, compression for curves.
+    """Return the encoding of the variables: checksums for arrays, compression for curves.
 
     CF allows neither 64-bit integers nor missing values in the coordinates of dimensions.
     """
@@ -92,7 +92,7 @@ def open_result(
 ) -> dict[str, "xr.Dataset"]:
     """Return group -> dataset of a study's result; the datasets close with the stack.
 
-    Raises UserError if the file is missing, damaged, or not a result of such a study.
+    Raises UserError if the file is missing, a symbolic link, damaged, or lacks an axis.
     """
     if path.is_symlink():
         raise UserError(
@@ -111,8 +111,8 @@ def open_result(
 def open_tree(path: str | os.PathLike[str]) -> "xr.DataTree":
     """Return a result file as a tree: the study at the root, each comparison as a group.
 
-    If an axis of a group has other values than at the root, its name is prefixed with that of the
-    group, as in ``published_speed``. Raises UserError if the file is missing, damaged, or not a
+    An axis whose values in a group differ from those at the root gets the name of the group as a
+    prefix, as in ``published_speed``. Raises UserError if the file is missing, damaged, or not a
     result of this program.
     """
     import xarray as xr
@@ -134,9 +134,9 @@ def _with_distinct_axes(root: "xr.Dataset", name: str, data: "xr.Dataset") -> "x
 
 
 def _groups(path: Path) -> dict[str, "xr.Dataset"]:
-    """Return group -> dataset of a result file; raise UserError if it is not one.
+    """Return group -> dataset of a result file. Raises UserError if it is not one.
 
-    A file that no run is known to have written is first read in a sandboxed process.
+    A file that is not known to be written by a run is first read in a sandboxed process.
     """
     import xarray as xr
 
@@ -153,10 +153,10 @@ def _groups(path: Path) -> dict[str, "xr.Dataset"]:
 
 
 class Peek(NamedTuple):
-    """Attributes and numbers of realizations of a result file."""
+    """Attributes of a result file, and its numbers of realizations."""
 
     attributes: dict[str, Any]
-    realizations: dict[str, np.ndarray]  # of all points, by label of the variant
+    realizations: dict[str, np.ndarray]  # at all points, by label of the variant
 
 
 def peek(path: Path) -> Peek | None:
@@ -176,9 +176,9 @@ def peek(path: Path) -> Peek | None:
 
 
 def check_result(study: AnyStudy, path: Path, *, strict: bool) -> None:
-    """Refuse an unreadable result, and note if its settings differ from those of the study.
+    """Raise UserError for an unreadable result, and print a note if its settings differ.
 
-    strict : whether differing settings are refused, as when they were given with the command.
+    strict : raise UserError also for differing settings, as if given on the command line.
     """
     with contextlib.ExitStack() as stack:
         attributes = open_result(study, path, stack)[ROOT].attrs
@@ -196,26 +196,26 @@ def check_result(study: AnyStudy, path: Path, *, strict: bool) -> None:
 
 
 def change_note(path: Path) -> str:
-    """Return a note on a result that was changed since a run wrote it, or ""."""
+    """Return a note if a result was changed since a run wrote it, or ""."""
     note = "was changed or replaced since a run wrote it; run the study again"
     return note if is_as_written(path) is False else ""
 
 
 def broken(study: AnyStudy, path: Path, error: Exception) -> UserError:
-    """Return the error for a script of the study that cannot use its result."""
+    """Return the UserError for a script of the study that cannot use its result."""
     reason = str(error).splitlines()[0] if str(error) else type(error).__name__
     return UserError(f"{path}: cannot be used by {study.name} ({reason:.200}); run the study again")
 
 
 def differing_settings(study: AnyStudy, attributes: dict[str, Any]) -> list[str]:
-    """Return the settings, as table.key, that differ between a result and a study."""
+    """Return the settings (table.key) that differ between a result and a study."""
     ours, theirs = _flat(study.text) or {}, _flat(attributes["study"]) or {}
     keys = [key for key in sorted({*ours, *theirs}) if not key.startswith(SETTINGS_WITHOUT_EFFECT)]
     return [key for key in keys if ours.get(key) != theirs.get(key)]
 
 
 def listed(settings: list[str]) -> str:
-    """Return the settings as text, at most the first few."""
+    """Return the first settings as text, with the number of the others."""
     text, more = ", ".join(settings[:MAX_LISTED_SETTINGS]), len(settings) - MAX_LISTED_SETTINGS
     return f"{text} and {more} more" if more > 0 else text
 

@@ -1,6 +1,6 @@
 """Provenance of a result: program, packages, processor, commit and settings.
 
-Dates and names of people are left out, so that the same study gives the same file.
+It contains no dates and no names of people, so that the same study gives the same file.
 """
 
 import subprocess
@@ -22,8 +22,8 @@ LICENCE = (
 def commit(root: Path = PROGRAM_ROOT) -> str:
     """Return the git commit of the program, marked where files differ from it, or "unknown".
 
-    root : the folder of the program. It must be the top of the repository and tracked by it;
-    the repository of a project whose environment contains the program does not count.
+    root : folder of the program. It must be the top of a repository that tracks the program; the
+    repository of a project whose environment contains the program does not count.
     """
     try:
         if Path(_git(root, "rev-parse", "--show-toplevel")).resolve() != root.resolve():
@@ -42,7 +42,7 @@ def _git(root: Path, *command: str) -> str:
 
 
 def maker_attributes(makers: Set[Maker]) -> dict[str, str]:
-    """Return the attributes that name what computed the records; "mixed: ..." if several."""
+    """Return the versions and processor that computed records; "mixed: ..." if several."""
     attributes = {}
     for name in Maker._fields:
         texts = sorted({getattr(maker, name) for maker in makers})
@@ -54,7 +54,7 @@ def maker_attributes(makers: Set[Maker]) -> dict[str, str]:
 def origin(study: AnyStudy) -> dict[str, str | int | float]:
     """Return the global attributes of every result file, for all kinds of study.
 
-    They name this process as the maker; a run replaces it by the makers of the stored records.
+    They contain the maker of this process, which a run replaces by those of the stored records.
     """
     program = f"elastomer-friction {version_of('elastomer-friction')}"
     return {

@@ -18,7 +18,7 @@ GRID_DIMS = COMMON_AXES
 CURVE_DIMS = (*COMMON_AXES, "sample")
 HURST_DIMS = ("hurst",)
 
-# Powers of grid axes, of 4 G L ("stiffness") and of tau that scale a dimensionless value to SI.
+# Powers of grid axes, tau, E* ("modulus") and E* L ("stiffness") that scale a value to SI.
 Powers = dict[str, int]
 
 UNSCALED: Powers = {}
@@ -309,7 +309,7 @@ SCENES = {
 }
 VARIABLES |= SCENES
 
-# Non-dimension coordinates, against which values can be plotted or looked up.
+# Coordinates that are not dimensions; values can be plotted over them.
 AUXILIARY = (
     "tau",
     "shear_modulus",
@@ -334,7 +334,7 @@ FLAGS = {
 
 
 def declared(name: str) -> Variable:
-    """Return the declaration of a variable, derived from NAME for NAME_error and NAME_bias."""
+    """Return the declaration of a variable; NAME_error and NAME_bias derive from NAME."""
     if name in VARIABLES:
         return VARIABLES[name]
     if name.endswith("_bias"):

@@ -1,6 +1,6 @@
-"""Computation of a worker: with the kernels, all code that a stored number depends on.
+"""Computation of a worker. Stored numbers depend on the code of this room and the kernels alone.
 
-It imports numpy and the kernels alone; its code is part of the key of every record.
+This code is part of the key of every record, and imports nothing else that affects a number.
 """
 
 from typing import TYPE_CHECKING

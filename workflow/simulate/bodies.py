@@ -1,4 +1,4 @@
-"""Bodies: functions that draw surfaces for each body, and run cases and scenes on them."""
+"""Functions of each body: draw its surfaces, and run cases and scenes on them."""
 
 from collections.abc import Callable, Sequence
 from typing import Any, NamedTuple
@@ -17,7 +17,7 @@ from .tasks import Batch
 
 
 class MapCases(NamedTuple):
-    """Cases for maps at one number of steps per spacing."""
+    """Cases for maps with the same steps per spacing."""
 
     steps_per_spacing: int
     requested: Quantities
@@ -25,14 +25,14 @@ class MapCases(NamedTuple):
 
 
 class CaseGroup(NamedTuple):
-    """Cases of a batch at one number of steps per spacing, and the tasks that share them."""
+    """Cases of a batch with the same steps per spacing, and the tasks that share each case."""
 
     prepared: Any  # the cases, prepared by their body
     rows: list[list[int]]  # of each case, the positions of its tasks in the batch
 
 
 class BodyKernels(NamedTuple):
-    """Functions of a body; its surfaces are lines of elements, or maps."""
+    """Functions of a body, whose surfaces are lines of elements, or maps."""
 
     drawing: Callable[[Batch], tuple[int, Callable[[int], Draw]]]
     prepare: Callable[[Sequence[Case], int, Quantities], Any]

@@ -1,9 +1,9 @@
 """Hash of the code that stored numbers depend on: part of the key of every record.
 
-By construction it covers all code that ``block_means`` can reach: the kernels and this room import
-nothing else of this program that a number depends on (a test follows their imports). Comments,
-docstrings and layout do not enter it, so that editing a sentence keeps every stored record valid.
-Versions of packages and the processor do not enter it either: each run records them.
+It covers all code that ``block_means`` can reach: the kernels and this room import nothing else of
+this program that a number depends on (a test follows their imports). Comments, docstrings and
+layout do not affect it, so that every stored record stays valid when a sentence is edited. Nor do
+versions of packages and the processor, which each run records.
 """
 
 import ast
@@ -21,7 +21,7 @@ FOLDERS = (Path(kernels.__file__).parent, Path(__file__).parent)
 
 
 def code_hash(folders: tuple[Path, ...] = FOLDERS) -> str:
-    """Return a short hash (hexadecimal) over the syntax of the Python files below some folders."""
+    """Return a short hexadecimal hash of the syntax of all Python files in some folders."""
     digest = hashlib.sha256()
     for folder in folders:
         for source in sorted(folder.rglob("*.py")):

@@ -9,20 +9,20 @@ from ...kernels import QUARTET, Line, amplitudes, draw_phases
 from ...kernels.half_space.surface import Surface, ring_amplitudes
 from .tasks import Batch
 
-# Steps per spacing -> lines or maps of consecutive realizations, from one drawing.
+# One drawing: steps per spacing -> its lines or maps, of consecutive realizations.
 Draw = Callable[[int], Iterable]
 
 
 def drawn_lines(batch: Batch) -> tuple[int, Callable[[int], Draw]]:
     """Return the realizations per drawing, and a function: first realization -> drawing.
 
-    Self-affine lines are drawn in quartets within a block. Measured lines come one by one, and so
-    do random ones with their spectrum, which are equally many.
+    Self-affine lines are drawn in quartets within a block. Measured lines, and random lines with
+    their spectrum, are drawn one by one.
     """
     if batch.heights is not None:
         heights = batch.heights
         return 1, lambda number: lambda steps: (Line.measured(heights[number], steps),)
-    problem = batch.tasks[0].problem  # its lines are those of all tasks
+    problem = batch.tasks[0].problem  # all tasks have the same lines
     hurst, elements, surface = problem.hurst, problem.elements, problem.surface
     size = 1 if surface.measured else min(QUARTET, batch.realizations_per_block)
     amplitude = batch.modes
@@ -63,9 +63,9 @@ def drawn_maps(batch: Batch) -> tuple[int, Callable[[int], Draw]]:
 
 
 def line_generator(seed: int, hurst: float, elements: int, index: int) -> np.random.Generator:
-    """Return the generator of one drawing, which depends on study seed, H, N and index alone.
+    """Return the random generator of one drawing, given by study seed, H, N and index alone.
 
-    Every m, scheme, load and speed uses the same lines, in any batch and any order.
+    The lines are therefore the same for every m, scheme, load and speed, in any batch and order.
     """
     hurst_bits = int(np.float64(hurst).view(np.uint64))
     return np.random.default_rng([seed, hurst_bits, elements, index])

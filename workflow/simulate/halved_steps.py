@@ -1,6 +1,6 @@
 """Changes due to halved steps on a few lines: the bias of lines for which no law predicts it.
 
-Changes are summed beside the number of their lines, so that means over any blocks give the mean
+The number of lines is stored with the sums of changes, so that means over any blocks give the mean
 change.
 """
 
@@ -35,9 +35,9 @@ def add_halved_steps(
 ) -> None:
     """Add the changes due to halved steps on the first line of the first blocks.
 
-    groups, halved_groups : cases of every line, and the same at REFINEMENT_FACTOR times the steps.
+    groups, halved_groups : cases of every line, with full and with halved steps.
     curves : sums over the lines of each block, shape (tasks, blocks, values). spent : CPU seconds
-    of each phase, shape (tasks, phases); the time of this call is added.
+    by phase, shape (tasks, phases); the time of this call is added.
     """
     body = body_of(batch)
     _, draw = body.drawing(batch)
@@ -76,7 +76,7 @@ def _add_change(
         full, halved = pair.outcomes
         curve, halved_curve = full.curves[k], halved.curves[k]
         times, halved_times = _curve_times(batch, task)
-        # Halved steps have friction at other times: interpolate it to those of the full steps.
+        # Halved steps end at other times: interpolate friction to the times of full steps.
         start = halved.mu_1 + halved.jump[k]
         halved_curve = np.interp(times, [0.0, *halved_times], [start, *halved_curve])
         first, (size,) = places["halved_steps_curve"]

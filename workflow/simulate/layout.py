@@ -1,7 +1,7 @@
 """Layout of a row of the store: names, positions and shapes of the values of a record.
 
 A row holds the curves of a record and the results of its programme, one after the other. Its
-layout follows from the task and the requested results; rows of a shard are filled up with NaN.
+layout follows from the task and the requested results; shorter rows are padded with NaN.
 """
 
 import math
@@ -14,7 +14,7 @@ from .recorded_steps import trace_steps
 from .tasks import Recording, Task
 
 STATE_SCALARS = tuple(f"state_{name}" for name in SavedState._fields if name not in ("memory", "p"))
-HALVED_STEP_SCALARS = ("mu_1", "jump", "mu_2")  # whose changes follow the number of lines
+HALVED_STEP_SCALARS = ("mu_1", "jump", "mu_2")  # their changes are stored after the number of lines
 CONTACT_LENGTH_BINS = 40
 CONTACT_LENGTH_EDGES = 2.0 ** (0.5 * np.arange(CONTACT_LENGTH_BINS + 1) - 4.0)  # in dx
 
@@ -22,7 +22,7 @@ Layout = dict[str, tuple[int, tuple[int, ...]]]  # name -> first column, shape
 
 
 def row_layout(task: Task, quantities: Quantities, scheme: str, recording: Recording) -> Layout:
-    """Return the first columns and the shapes of the values of a record in its row."""
+    """Return the first column and the shape of every value of a record."""
     shapes: dict[str, tuple[int, ...]] = {}
     if quantities.relaxation:
         shapes["curve"] = (recording.samples - 1,)

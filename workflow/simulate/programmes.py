@@ -20,9 +20,9 @@ def add_programme(
 ) -> float:
     """Add one realization of a task to the sums of its row; return the CPU seconds.
 
-    places : layout of the row. lines : number of lines so far, this one included. Times and
-    positions of a trace enter as a running mean over the lines: if all lines move alike, it stays
-    equal to the bit, which a sum divided by its number would not.
+    places : layout of the row. lines : number of lines so far, including this one. Times and
+    positions of a trace enter as a running mean over the lines. It is exact if all lines move
+    alike, unlike a sum that is divided by the number of lines.
     """
     if not batch.recording.requested:
         return 0.0
@@ -57,9 +57,9 @@ def scene_of(task: Task, scheme: str, recording: Recording) -> SceneCase:
 
 
 def steady_ends(batch: Batch, line: Any, task: Task) -> dict[str, float]:
-    """Return steady values at the first and the last slide of a programme, by name of the scalar.
+    """Return the steady values at the first and the last slide of a programme, by scalar name.
 
-    Empty if these have the speeds before and after the velocity step, as in the case itself.
+    Empty if the slides have the speeds before and after the velocity step, which the case contains.
     """
     problem = task.problem
     if not (problem.programme and batch.quantities.steady):

@@ -1,4 +1,4 @@
-"""Run of a batch: draw its lines, run every realization, average over blocks."""
+"""Run of a batch: draw its lines, run every realization, average over each block."""
 
 import math
 from collections.abc import Iterable, Iterator
@@ -21,16 +21,16 @@ from .recorded_steps import record_steps
 from .tasks import PHASES, SCALARS, Batch, BatchResult
 
 scalars_of = attrgetter(*SCALARS)
-MAX_SHORT_SAMPLES = 8192  # of a line for which a call from Python costs more than its computation
-MAX_CALL_SAMPLES = 4 * MAX_SHORT_SAMPLES  # of the short lines in one call
+MAX_SHORT_SAMPLES = 8192  # per line, for which a call from Python costs more than the computation
+MAX_CALL_SAMPLES = 4 * MAX_SHORT_SAMPLES  # of all short lines in one call
 
 
 class BlockSums(NamedTuple):
     """Sums over the lines of a block; times and positions of a trace are running means."""
 
-    scalars: np.ndarray  # shape (tasks, len(SCALARS)); or of one task, without the first axis
-    curves: np.ndarray  # shape (tasks, values); likewise
-    lines: int  # in these sums
+    scalars: np.ndarray  # shape (tasks, len(SCALARS)), or without tasks for one task
+    curves: np.ndarray  # shape (tasks, values), likewise
+    lines: int  # number of lines in these sums
 
 
 @lru_cache
@@ -40,7 +40,7 @@ def load_kernels(body: str, scheme: str, requested: Quantities) -> None:
 
 
 def block_means(batch: Batch) -> BatchResult:
-    """Run the batch, on one thread of any process."""
+    """Run a batch on one thread of any process, and return its block means."""
     keep_memory()
     if batch.quantities.anything:
         load_kernels(batch.tasks[0].problem.surface.body, batch.scheme, batch.quantities)
@@ -69,7 +69,7 @@ def block_means(batch: Batch) -> BatchResult:
 def _draws(
     batch: Batch, scalars: np.ndarray, curves: np.ndarray
 ) -> Iterator[list[tuple[Draw, BlockSums]]]:
-    """Yield drawings, as many at a time as one call runs, with the sums of their blocks."""
+    """Yield lists of drawings to run in one call, each with the sums of its block."""
     size, draw = body_of(batch).drawing(batch)
     numbers = range(0, batch.blocks * batch.realizations_per_block, size)
     count = max(1, MAX_CALL_SAMPLES // (size * batch.tasks[0].problem.elements))
@@ -114,7 +114,7 @@ def _add_realizations(
 
 
 def lines_at_once(samples: Any) -> Any:
-    """Return the number of lines that are run in one call: several if they are short.
+    """Return the number of lines to run in one call: several if they are short.
 
     samples : of each line; a number or an array.
     """
@@ -129,7 +129,7 @@ def _add_case(
     sums: BlockSums,
     spent: np.ndarray,
 ) -> None:
-    """Add the outcome of a case, and the programmes of its tasks, to the sums of its rows."""
+    """Add the outcome of a case, and the programmes of its tasks, to the sums of their rows."""
     rows, outcome = case
     for k, row in enumerate(rows):
         record = BlockSums(sums.scalars[row], sums.curves[row], sums.lines)
@@ -143,7 +143,7 @@ def _add_case(
 
 
 def _case_groups(batch: Batch, refinement: int = 1) -> list[CaseGroup]:
-    """Return the cases of every line; tasks that share a steady state at v1 share a case.
+    """Return the cases to run on every line; tasks with the same steady state at v1 share one.
 
     refinement : factor on the steps per spacing of the tasks.
     """
@@ -185,13 +185,13 @@ def _add_outcome(
 ) -> None:
     """Add velocity jump k of a case to the sums of one record, scalars and row.
 
-    ends : scalars at the first and last slide of a programme, in place of those of the case.
+    ends : scalars at the first and last slide of a programme, which replace those of the case.
     """
     scalars, values, _ = sums
     numbers = scalars_of(outcome)
     if ends:
         numbers = tuple((dict(zip(SCALARS, numbers, strict=True)) | ends).values())
-    # Arrays have a number for each velocity jump.
+    # Arrays have one entry for each velocity jump.
     scalars += [number[k] if isinstance(number, np.ndarray) else number for number in numbers]
     if outcome.curves:
         first, (size,) = places["curve"]

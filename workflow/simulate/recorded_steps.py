@@ -22,7 +22,7 @@ from ...kernels import (
 from ...kernels.rheology.spectrum import min_step
 from .tasks import Problem, Recording, ScaledHistory
 
-HEALING_SAMPLES = 64  # of the leg after a hold, at times that grow by a factor
+HEALING_SAMPLES = 64  # of the leg after a hold, at geometrically spaced times
 MAX_LISTED_STEPS = 1_000_000  # longer programmes are counted by a formula
 CACHED_MARCHES = 16
 LOOP_SAMPLES = 256  # of the last cycle of an oscillation
@@ -31,9 +31,9 @@ LOOP_SAMPLES = 256  # of the last cycle of an oscillation
 def record_steps(march_steps: int, samples: int, spectrum: Spectrum = KELVIN) -> np.ndarray:
     """Return the step numbers in the relaxation curve of a record.
 
-    They increase from 1 to ``march_steps``, and are at most ``samples`` - 1: evenly spaced for a
-    Kelvin element, which has one relaxation time, else growing by a factor. Sample 0 of a curve is
-    the moment just after the jump and needs no step.
+    They increase from 1 to ``march_steps``: evenly spaced for a Kelvin element, which has one
+    relaxation time, otherwise geometrically. Their number is at most ``samples`` - 1, as sample 0
+    is the moment just after the jump and needs no step.
     """
     spread = np.linspace if spectrum == KELVIN else np.geomspace
     return np.unique(np.round(spread(1, march_steps, samples - 1)).astype(np.int64))
@@ -42,10 +42,10 @@ def record_steps(march_steps: int, samples: int, spectrum: Spectrum = KELVIN) ->
 def curve_times(
     steps: np.ndarray, steps_per_tau: float, scheme: str, spectrum: Spectrum = KELVIN
 ) -> np.ndarray:
-    """Return the times since the jump, in tau, of the friction of some steps.
+    """Return the times since the jump, in tau, to which the friction of some steps belongs.
 
-    Friction is a mean over a step and acts ``lag`` of a step before its end (rheology/law.py).
-    Taking the end itself would be an error of first order. steps_per_tau : of the march.
+    Friction is a mean over a step. It belongs to the time ``lag`` steps before the end of the step
+    (rheology/law.py); the end itself would be wrong to first order. steps_per_tau : of the march.
     """
     return (steps - law_of(form_of(spectrum, scheme), 1.0 / steps_per_tau).lag) / steps_per_tau
 
@@ -53,9 +53,9 @@ def curve_times(
 class ProgrammeSteps(NamedTuple):
     """Steps of a programme, all arrays of shape (steps,)."""
 
-    time: np.ndarray  # at the end of each step since the start of the programme, in tau
-    moved: np.ndarray  # by each step, in samples, not negative
-    leg: np.ndarray  # number of its leg
+    time: np.ndarray  # end of each step, since the start of the programme, in tau
+    moved: np.ndarray  # distance in each step, in samples, not negative
+    leg: np.ndarray  # number of the leg of each step
 
 
 @lru_cache(maxsize=CACHED_MARCHES)
@@ -80,7 +80,7 @@ def programme_steps(
 ) -> ProgrammeSteps:
     """Return the steps of the programme of a problem from ``origin`` on.
 
-    Raises ValueError for steps below rounding, and for more than can be marched.
+    Raises ValueError for steps lost in rounding, and for too many steps.
     """
     motion = problem.programme, problem.indentation, problem.spectrum
     return _march(*motion, steps_per_spacing, origin)
@@ -99,7 +99,7 @@ def leg_counts(
 ) -> np.ndarray:
     """Return the number of steps of each leg of a programme, shape (legs,).
 
-    Beyond MAX_LISTED_STEPS steps in total they are upper bounds, which need no array of steps.
+    Beyond MAX_LISTED_STEPS steps in total, return upper bounds, which need no array of steps.
     """
     counts, legs = max_leg_counts(problem, steps_per_spacing, origin), len(problem.programme)
     if counts.sum() > MAX_LISTED_STEPS:
@@ -109,7 +109,7 @@ def leg_counts(
 
 @lru_cache(maxsize=1000)
 def trace_steps(problem: Problem, steps_per_spacing: int, recording: Recording) -> np.ndarray:
-    """Return the increasing step numbers of a trace; 0 is the start."""
+    """Return the step numbers of the samples of a trace, increasing; 0 is the start."""
     programme = problem.programme
     time, moved, leg = programme_steps(problem, steps_per_spacing, recording.origin)
     count = time.size
@@ -135,13 +135,13 @@ def trace_steps(problem: Problem, steps_per_spacing: int, recording: Recording) 
 
 
 def _range(leg: np.ndarray, k: int) -> tuple[int, int]:
-    """Return the numbers of the last step before leg k and of its last step."""
+    """Return the numbers of the last step before leg k and of the last step of leg k."""
     first, last = np.searchsorted(leg, [k, k + 1])
     return int(first), int(last)
 
 
 def _evenly(progress: np.ndarray, first: int, last: int, count: int) -> np.ndarray:
-    """Return steps from ``first`` + 1 to ``last``, even in ``progress``: time or path."""
+    """Return steps from ``first`` + 1 to ``last``, evenly spaced in ``progress``."""
     if last <= first:
         return np.empty(0, np.int64)
     begin = progress[first - 1] if first else 0.0
@@ -151,7 +151,7 @@ def _evenly(progress: np.ndarray, first: int, last: int, count: int) -> np.ndarr
 
 
 def _by_factor(first: int, last: int, time: np.ndarray, count: int) -> np.ndarray:
-    """Return steps from ``first`` to ``last`` whose times since ``first`` grow by a factor."""
+    """Return steps from ``first`` to ``last``, geometrically spaced in time since ``first``."""
     if last <= first:
         return np.empty(0, np.int64)
     begin = time[first - 1] if first else 0.0

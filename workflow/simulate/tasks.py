@@ -24,12 +24,12 @@ ScaledHistory = tuple[tuple[float, ...], tuple[float, ...]]  # times in tau, ind
 
 
 class LineShape(NamedTuple):
-    """Lines or maps apart from H and N: random with these modes, or measured."""
+    """Kind of lines or maps, without H and N: random with these modes, or measured."""
 
     rolloff: float = 0.0  # wave number below which the spectrum is flat, in 2 pi/L; 0: none
     cutoff: int = 0  # number of the last mode; 0: N/2
     measured: str = ""  # identity of measured lines, or of random ones with their spectrum
-    slope: float = 0.0  # their rms slope, in h/dx
+    slope: float = 0.0  # rms slope of measured lines, in h/dx
     body: str = "foundation"  # or "half-space", which has maps (bodies.py)
     flat: bool = False  # maps of one row: uniform across, as in a line contact
 
@@ -37,17 +37,17 @@ class LineShape(NamedTuple):
 class Problem(NamedTuple):
     """One dimensionless problem: the numbers of the paper, then those of a scene."""
 
-    hurst: float  # for measured lines a typical value, for predictions alone
+    hurst: float  # for measured lines a typical value, used in predictions alone
     elements: int  # N = L / dx
     load: float  # Fbar = F_N / (4 G L h); 0 where the indentation is prescribed
-    speed: float  # vbar = v1 tau / dx; of the first slide of a programme
-    ratio: float  # r = v2 / v1; of the first velocity step of a programme
+    speed: float  # vbar = v1 tau / dx; v1 is before the first velocity step
+    ratio: float  # r = v2 / v1, of the first velocity step
     spectrum: Spectrum = KELVIN
     surface: LineShape = LineShape()
-    programme: Programme = ()  # empty: only steady states and the step from v1 to v2
+    programme: Programme = ()  # if empty: steady states and the step from v1 to v2
     start: str = "steady"
-    indentation: float | ScaledHistory | None = None  # in h over the mean line; None: a load
-    drive: Drive | None = None  # moved by the programme; None: it moves the line itself
+    indentation: float | ScaledHistory | None = None  # in h over the mean line; None: a given load
+    drive: Drive | None = None  # None: the programme moves the line itself
 
     def samples(self, steps_per_spacing: Any) -> Any:
         """Return the number of samples of the line or map.
@@ -64,29 +64,29 @@ class Problem(NamedTuple):
 
     @property
     def ends(self) -> tuple[float, float]:
-        """Return the speeds that mu_1 and mu_2 belong to: of the first and of the last slide."""
+        """Return the speeds to which mu_1 and mu_2 belong: of the first and of the last slide."""
         slides = [leg.speed for leg in self.programme if isinstance(leg, Slide)]
         return (slides[0], slides[-1]) if slides else (self.speed, self.ratio * self.speed)
 
 
 Record = tuple[str, int]  # (key of a task, block of realizations)
 
-# Fields of an outcome whose block means are columns; layout.py lays out the rest of a record.
+# SCALARS : fields of an outcome with a column each; layout.py lays out the rest of a record.
 OTHER_FIELDS = ("curves", "work", "seconds", "initial_rate")
 SCALARS = tuple(name for name in Outcome._fields if name not in OTHER_FIELDS)
 
-PHASES = ("surfaces", *Seconds._fields)  # of the work on a line, calls excluded
+PHASES = ("surfaces", *Seconds._fields)  # of the work on a line, without the cost of calls
 
 
 class Recording(NamedTuple):
-    """Samples of a march that are stored."""
+    """Settings of the samples of a march that are stored."""
 
     samples: int  # of a curve, approximately
     record: str = "time"  # samples even in "time", "distance", or the "log" of time in a leg
-    every: int = 0  # store every n-th step instead; 0: samples
+    every: int = 0  # if not 0, store every n-th step instead
     requested: tuple[str, ...] = ()  # results of a programme (kernels/scene)
     dense: tuple[str, ...] = ()  # "healing", "loop": results with additional samples
-    origin: Origin = ZERO_ORIGIN  # of a resumed programme
+    origin: Origin = ZERO_ORIGIN  # start of a resumed programme
     refined_blocks: int = 0  # blocks whose first line is also run with halved steps
 
 
@@ -95,7 +95,7 @@ class Task(NamedTuple):
 
     problem: Problem
     steps_per_spacing: int
-    march_steps: int  # to march after the jump
+    march_steps: int  # after the jump
     key: str
 
 
@@ -114,8 +114,8 @@ class Batch:
     realizations_per_block: int
     seconds: float  # predicted
     refine: bool = True  # locate contact edges between samples (kernels/quick/contacts)
-    # Measured lines, a row for each realization of the batch, or the mode amplitudes of random
-    # lines with their spectrum, both in h. None: random lines given by H.
+    # Heights of measured lines, a row per realization of the batch; or mode amplitudes of random
+    # lines with their spectrum; both in h. If both are None, random lines are given by H.
     heights: np.ndarray | None = field(default=None, compare=False)
     modes: np.ndarray | None = field(default=None, compare=False)
     resumed: SavedState | None = field(default=None, compare=False)  # initial state
