@@ -1,6 +1,6 @@
 """Plan of a run and its cost: distinct problems, steps, goals, batches.
 
-Plain data: it computes no realization and opens no store.
+A plan is plain data: it computes no realization and opens no store.
 """
 
 from typing import TYPE_CHECKING

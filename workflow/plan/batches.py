@@ -1,4 +1,4 @@
-"""Batches: the records of a plan that the store lacks, cut into work of about equal length.
+"""Batches: the records of a plan that the store lacks, cut into pieces of similar duration.
 
 The store is read once, record by record. The missing records can then be cut to any length.
 """
@@ -14,9 +14,9 @@ from .plan import Plan
 from .variant import Variant, samples_of, sharing
 
 MIN_BATCH_SECONDS, MAX_BATCH_SECONDS = 1.0, 10.0
-MANY_BATCHES = 200  # from this number on batches get longer: each costs the scheduler milliseconds
-MAX_SHARED_LENGTH = 6.0  # in batch lengths: up to it tasks that share sweeps stay in one batch
-RECUT_FACTOR = 2.0  # pieces longer than this times the target are cut again, at the measured rate
+MANY_BATCHES = 200  # beyond it batches get longer, as each costs the scheduler milliseconds
+MAX_SHARED_LENGTH = 6.0  # in batch lengths; tasks that share sweeps stay together up to it
+RECUT_FACTOR = 2.0  # pieces that exceed the target by this factor are cut again
 
 
 class Missing(NamedTuple):
@@ -30,7 +30,7 @@ class Missing(NamedTuple):
 
 
 def batch_target(seconds: float) -> float:
-    """Return the length of a batch for ``seconds`` of predicted work."""
+    """Return the duration of a batch (s), for ``seconds`` of predicted work."""
     return min(max(MIN_BATCH_SECONDS, seconds / MANY_BATCHES), MAX_BATCH_SECONDS)
 
 
@@ -39,8 +39,8 @@ def missing_work(
 ) -> list[Missing]:
     """Return the records of a plan that are not stored, each in exactly one entry.
 
-    stored : records that need no computing, a store or a set.
-    blocks : number of blocks by key of the task, by default those expected.
+    stored : records that need no computing, as a store or a set.
+    blocks : number of blocks by task key, by default the expected ones.
     """
     counts = blocks or plan.expected
     return [
@@ -67,11 +67,11 @@ def block_seconds(plan: Plan, variant: Variant, tasks: list[Task]) -> float:
 
 
 def cut(plan: Plan, missing: list[Missing], target: float) -> list[Missing]:
-    """Return missing work in pieces whose blocks take about ``target`` seconds each at most.
+    """Return missing work in pieces of at most about ``target`` seconds for each block.
 
-    Tasks that share sweeps stay together up to MAX_SHARED_LENGTH times as long, and a task that
-    takes longer stays whole. Pieces longer than the target come first, the longest first, so that
-    no worker is left alone with one at the end.
+    Tasks that share sweeps stay together up to MAX_SHARED_LENGTH times the target, and a single
+    task is never divided. Pieces longer than the target come first, the longest first, so that no
+    worker is left alone with a long piece at the end.
     """
     pieces = [piece for entry in missing for piece in _pieces(plan, entry, target)]
     return sorted(pieces, key=lambda piece: -max(piece.seconds, target))
@@ -87,8 +87,8 @@ def make_batches(
 
     Every missing record is in exactly one batch; results do not depend on the cut.
 
-    rate : measured over predicted time of the work of a variant, by its label. It is called for
-        each piece when its batches are made, so that finished batches correct those to come.
+    rate : label of a variant -> measured over predicted time of its work. It is called for each
+        piece when its batches are made, so that finished batches correct later ones.
     """
     for piece in pieces:
         predicted = target / rate(piece.variant.label)  # predicted seconds done in ``target``
@@ -103,7 +103,7 @@ def batch_of(plan: Plan, piece: Missing, first_block: int, blocks: int) -> Batch
     """Return the batch of some blocks of a piece."""
     block_size = plan.study.realizations_per_block
     lines = piece.variant.lines
-    heights, modes = None, lines.amplitudes  # in h; modes: of random lines like measured ones
+    heights, modes = None, lines.amplitudes  # in h; modes of random lines like measured ones
     if lines.profile is not None:
         roughness = lines.profile.roughness
         if modes is None:
@@ -131,13 +131,13 @@ def batch_of(plan: Plan, piece: Missing, first_block: int, blocks: int) -> Batch
 def _missing_runs(
     line: list[Task], blocks: dict[str, int], stored: Container[Record]
 ) -> Iterator[tuple[list[Task], int, int]]:
-    """Yield (tasks, first block, number of blocks) where the same tasks are missing."""
+    """Yield (tasks, first block, number of blocks) for runs of blocks that the same tasks lack."""
     counts = [(task, blocks[task.key]) for task in line]
     ends = sorted({count for _, count in counts})
     requested = [[task for task, count in counts if count >= end] for end in ends]
 
     def lacking(block: int) -> list[Task]:
-        if not stored:  # up to the next end the same tasks lack every block
+        if not stored:  # every requested block is missing
             return requested[bisect_right(ends, block)]
         return [t for t, count in counts if block < count and (t.key, block) not in stored]
 
@@ -148,7 +148,7 @@ def _missing_runs(
 
 
 def _pieces(plan: Plan, whole: Missing, target: float) -> Iterator[Missing]:
-    """Yield the tasks of missing work in groups that take about ``target`` seconds a block."""
+    """Yield the tasks of missing work in groups of about ``target`` seconds for each block."""
     block_size = plan.study.realizations_per_block
     chosen: list[Task] = []
     lines: set[int] = set()
@@ -167,7 +167,7 @@ def _pieces(plan: Plan, whole: Missing, target: float) -> Iterator[Missing]:
 
 
 def _groups(plan: Plan, whole: Missing, target: float) -> Iterator[list[Task]]:
-    """Yield groups of tasks that share sweeps; the tasks one by one where that takes too long."""
+    """Yield groups of tasks that share sweeps, or single tasks if a group takes too long."""
     for _, group in groupby(whole.tasks, sharing):
         tasks = list(group)
         if _seconds_on_lines(plan, whole.variant, tasks) <= MAX_SHARED_LENGTH * target:
@@ -177,6 +177,6 @@ def _groups(plan: Plan, whole: Missing, target: float) -> Iterator[list[Task]]:
 
 
 def _seconds_on_lines(plan: Plan, variant: Variant, tasks: list[Task]) -> float:
-    """Return the predicted time of one block of some tasks, without the drawing of lines."""
+    """Return the predicted time of one block of tasks, without drawing the lines."""
     seconds = sum(variant.seconds[variant.rows[task.key]] for task in tasks)
     return plan.study.realizations_per_block * seconds

@@ -1,14 +1,14 @@
 """Laws of error and scatter, which turn a requested accuracy into steps and realizations.
 
-All are relative and measured with the scheme ``exponential``, r = 1.2. Errors: 224 random problems,
-H 0 ... 1, Fbar 1e-3 ... 25, x 0.03 ... 3200, N 320 ... 10 000, against the finest m (64 to 512) on
-the same lines. They bound 9 in 10 problems, and 9 in 10 of 480 others (tests/tools/wide.py,
-docs/accuracy.md). Scatter: standard errors times the root of the number of lines, which come in
-quartets; 290 problems, Fbar 1e-3 ... 25, x 0.25 ... 600, N 320 ... 3200, over 16 quartets. Of
-these, two in three are within a factor of 1.7 of the law.
+All are relative and were measured with the scheme ``exponential`` at r = 1.2. Errors: 224 random
+problems, H 0 ... 1, Fbar 1e-3 ... 25, x 0.03 ... 3200, N 320 ... 10 000, against the finest m (64
+to 512) on the same lines. The laws bound the errors of 9 in 10 of these, and of 9 in 10 of 480
+others (tests/tools/wide.py, docs/accuracy.md). Scatter: standard error times the root of the number
+of lines, from 16 quartets of lines; 290 problems, Fbar 1e-3 ... 25, x 0.25 ... 600, N 320 ... 3200.
+Two in three are within a factor of 1.7 of the law.
 
-The functions take a problem, or many of them together (problems.py), and steps for each. refine :
-whether contacts of steady sliding are located between the samples.
+The functions take a problem or a stack of problems (problems.py), and the steps of each. refine :
+whether the edges of contacts in steady sliding are located between the samples.
 """
 
 from collections.abc import Callable
@@ -23,11 +23,11 @@ from ..simulate import Problem
 from ..study import FOUNDATION
 from .problems import Numbers, expected_rate, speed_ratio, viscous_pressure
 
-FEW = 2.0  # patches of contact that carry the load
+FEW = 2.0  # with fewer contact patches, marches are shorter (window_rate)
 
 
 def known(problem: Problem, body: str = FOUNDATION) -> Numbers:
-    """Return whether the laws of a body hold: Kelvin elements, load > 0, no reversal of motion."""
+    """Return whether the laws hold: Kelvin elements, random surface, no programme or reversal."""
     plain = problem.spectrum == KELVIN and not problem.programme and not problem.surface.measured
     plain = plain and problem.surface.body == body
     numbers = np.stack([problem.load, problem.speed, problem.ratio])
@@ -35,24 +35,24 @@ def known(problem: Problem, body: str = FOUNDATION) -> Numbers:
 
 
 class Coarseness(NamedTuple):
-    """The constants of the error of an estimate of steady sliding, or of the jump."""
+    """Constants of the error law of steady sliding, or of the jump."""
 
     size: float  # prefactor
     load: float  # exponent of the load
-    pressed: float  # exponent of 1 + the viscous pressure over the load
+    pressed: float  # exponent of 1 + viscous pressure/load
     sliding: float  # exponent of 1 + 1/vbar
     elements: float  # unit of the number of elements
-    rough: float  # exponent of that number, times H
-    whole: float  # error whatever the contacts, added in quadrature, times m^2
+    rough: float  # exponent of the number of elements, times H
+    whole: float  # error, times m^2, that is added in quadrature for any contacts
 
 
 STEADY = Coarseness(0.060, -0.32, 0.41, 0.92, 88.0, -1.22, 0.03)
 JUMP = Coarseness(0.158, -0.26, 0.61, 0.68, 94.0, -1.36, 0.06)
-FOLLOWED = 1e-5  # error of mu_1 and jump with located contacts; 3 of 1000 jumps exceed it
+FOLLOWED = 1e-5  # error of mu_1 and jump with located edges; 3 of 1000 jumps exceed it
 
 
 def coarse_error(law: Coarseness, problem: Problem, steps: Numbers, refine: bool = True) -> Numbers:
-    """Return the error of mu_1 or jump: second order in 1/m, or FOLLOWED with located contacts."""
+    """Return the error of mu_1 or jump: second order in 1/m, or FOLLOWED with located edges."""
     _, elements, load, speed, _ = problem[:5]
     contacts = load**law.load * (1.0 + viscous_pressure(problem) / load) ** law.pressed
     line = (elements / law.elements) ** (law.rough * problem.hurst)
@@ -69,7 +69,7 @@ def _slides(problem: Problem) -> Numbers:
 def relaxation_rate_error(problem: Problem, steps: Numbers, refine: bool = True) -> Numbers:
     """Return the predicted error of b; see ``rate_error``.
 
-    A march uses the samples of the line, whether contacts of steady states are located or not.
+    refine : ignored, as a march uses the samples of the line.
     """
     return rate_error(problem, steps, contact_width(problem) * steps, expected_rate(problem))
 
@@ -77,8 +77,8 @@ def relaxation_rate_error(problem: Problem, steps: Numbers, refine: bool = True)
 def rate_error(problem: Problem, steps: Numbers, samples: Numbers, rate: Numbers) -> Numbers:
     """Return the error of b from the steps of the march and the samples per contact.
 
-    samples : per contact. rate : b. The edges of contacts and the straight line between samples
-    matter where contacts slide past, from x = 1 on.
+    rate : b. Errors due to contact edges, and to straight lines between samples, count from x = 1
+    on, where sliding replaces the contacts.
     """
     share = _share(problem, steps, rate)
     stepping = 0.02 * (share / allowed_share(problem)) ** 1.5
@@ -88,7 +88,7 @@ def rate_error(problem: Problem, steps: Numbers, samples: Numbers, rate: Numbers
 
 
 def shape_error(steps: Numbers) -> Numbers:
-    """Return the error of a march due to the straight line between two samples."""
+    """Return the error of a march due to straight lines between samples."""
     return 0.5 / np.asarray(steps) ** 2.0
 
 
@@ -96,7 +96,7 @@ def first_order_rate_error(problem: Problem, steps: Numbers, rate: Numbers) -> N
     """Return the additional error of b due to the implicit Euler scheme.
 
     A mode of rate b decays at the rate b ln(1 + s)/s, where s is the time step over the relaxation
-    time 1/b. In a spectrum of modes the error is up to four times as large.
+    time 1/b. With several modes the error is up to four times as large.
     """
     share = _share(problem, steps, rate)
     return 4.0 * (1.0 - np.log1p(share) / share)
@@ -116,9 +116,9 @@ def allowed_share(problem: Problem) -> Numbers:
 def contact_width(problem: Problem) -> Numbers:
     """Return the width of the contacts that carry half of the load, in dx; valid above x = 1.
 
-    If one peak carries the load, only its front touches, over 2 sqrt(R F_N / (8 G v tau)): the
-    first law. If many do, contacts are narrower for higher H and shorter lines: the second law. Of
-    88 measured widths below 15 dx, eight in ten are within a factor of 1.5.
+    Law 1: if one peak carries the load, only its front touches, over 2 sqrt(R F_N / (8 G v tau)).
+    Law 2: if many peaks do, contacts are wider for higher H and, except near H = 0, longer lines.
+    Of 88 measured widths below 15 dx, eight in ten are within a factor of 1.5.
     """
     hurst, elements, load, speed, _ = problem[:5]
     line, fast = np.log(elements), np.log(speed)
@@ -129,10 +129,10 @@ def contact_width(problem: Problem) -> Numbers:
 
 
 def touchable_share(hurst: Numbers, load: Numbers, viscous_pressure: Numbers) -> Numbers:
-    """Return the share of the line below the indentation, which a march visits.
+    """Return the share of the line that the indentation reaches, which a march visits.
 
-    At rest it grows with the load; at speed a smaller share carries it, about the load over the
-    viscous pressure. Of 1500 random problems, Fbar 1e-4 ... 30, vbar 0.02 ... 1000, N 700 ...
+    At rest it grows with the load. At speed a smaller share carries the load, about the load over
+    the viscous pressure. Of 1500 random problems, Fbar 1e-4 ... 30, vbar 0.02 ... 1000, N 700 ...
     12000, half are within 20 % and nine in ten within a factor of 2.2.
     """
     rest = np.exp(-0.40 + 0.78 * hurst) * load**0.635
@@ -145,7 +145,7 @@ def window_rate(problem: Problem) -> Numbers:
 
     It is x^(1 - H) if many patches carry the load. One or two patches are renewed once they have
     slid their own width. Of 92 measured curves with x > 1, N to 3000, 94 % fell to 5 % within
-    4 over this rate, the others within 4.2; by x^(1 - H) alone marches took up to 100 times longer.
+    4 over this rate, the others within 4.2. By x^(1 - H) alone marches took up to 100 times longer.
     """
     rate = expected_rate(problem)
     with np.errstate(all="ignore"):  # loads of zero, where no law holds
@@ -158,7 +158,7 @@ def window_rate(problem: Problem) -> Numbers:
 def relaxing_share(problem: Problem) -> Numbers:
     """Return the magnitude of the share of the jump that relaxes, valid above 1e-3.
 
-    In 112 of the same problems it was below 0.01; by the law, in 105 of these and in 4 more.
+    It was below 0.01 in 112 of the measured problems; by the law in 105 of these and 4 others.
     """
     hurst, elements, load, _, _ = problem[:5]
     x = speed_ratio(problem)
@@ -168,7 +168,7 @@ def relaxing_share(problem: Problem) -> Numbers:
 
 
 def mu_1_scatter(problem: Problem) -> Numbers:
-    """Return the scatter of mu_1 (and mu_2), which is smaller near full contact."""
+    """Return the scatter of mu_1 and mu_2, which decreases towards full contact."""
     hurst, elements, load, _, _ = problem[:5]
     contacts = (
         load**-0.09 * (1.0 + load) ** -1.57 * (1.0 + viscous_pressure(problem) / load) ** 0.08
@@ -196,7 +196,7 @@ def relaxation_rate_scatter(problem: Problem) -> Numbers:
 
 
 class Laws(NamedTuple):
-    """The laws of one estimate."""
+    """Laws of error and scatter of one estimate."""
 
     error: Callable[..., Numbers]  # of (problem, steps, refine)
     scatter: Callable[[Problem], Numbers]  # of one line

@@ -11,7 +11,7 @@ from .goal import FIRST_ORDER
 from .half_space import laws_of
 from .plan import Plan
 
-MAX_PROBLEMS = 300  # whose errors are predicted, spread over all problems
+MAX_PROBLEMS = 300  # largest number of problems to predict, spread over all
 
 
 class PredictedErrors(NamedTuple):
@@ -24,8 +24,8 @@ class PredictedErrors(NamedTuple):
 def predicted_errors(plan: Plan) -> dict[str, PredictedErrors]:
     """Return the errors of each estimate of a study, at problems for which the laws hold.
 
-    The result is empty if they hold for no problem: they are known for Kelvin bodies on random
-    surfaces. For b of the first-order scheme no bound is known before a run.
+    The laws hold for Kelvin bodies on random surfaces. The result is empty without such a problem.
+    For b by the first-order scheme no bound is known before a run.
     """
     variant = plan.variants[0]
     some = variant.tasks[:: math.ceil(len(variant.tasks) / MAX_PROBLEMS)]

@@ -1,7 +1,7 @@
-"""Requirements of an accuracy: steps per spacing, horizon and realizations of a problem.
+"""Settings that reach an accuracy: steps per spacing, horizon and realizations of a problem.
 
-Elements are tied to steps in these kernels: an element sits at every sample, so more steps per
-spacing are more elements per spacing too.
+The kernels have an element at every sample, so that more steps per spacing also mean more elements
+per spacing.
 """
 
 from typing import NamedTuple
@@ -28,13 +28,13 @@ from .problems import Numbers, expected_rate, viscous_pressure
 
 JACKKNIFE_GROUPS = 32  # at most; with fewer blocks, each block is a group
 MIN_BLOCKS, MIN_RATE_BLOCKS = 2, 8  # per point; with fewer than the second, b is rarely significant
-FIRST_SHARE = 0.3  # of the predicted need, run first; its measured errors determine the rest
-TRIED = 3  # number of m compared: the first fine enough and its doubles; finer never pays
-STATES = 28.0  # cost of drawing and of both steady states per sample, in updates of the march
+FIRST_SHARE = 0.3  # of the predicted realizations, run first; their errors determine the rest
+TRIED = 3  # number of m compared: the first fine enough, and its doublings
+STATES = 28.0  # cost of drawing and both steady states per sample, in updates of the march
 
 
 class Goal(NamedTuple):
-    """Settings with which a problem, or each of a stack, reaches the accuracy."""
+    """Settings with which a problem, or each problem of a stack, reaches the accuracy."""
 
     steps: Numbers  # per spacing
     bias: dict[str, Numbers]  # bound of the relative discretisation error, by estimate
@@ -54,12 +54,11 @@ class Goal(NamedTuple):
 
 
 def goal_of(problem: Problem, scene: Scene, numerics: Numerics) -> Goal:
-    """Return the cheapest settings for the accuracy, by the laws of error_laws.py and cost.py.
+    """Return the cheapest settings for the accuracy, by the laws of error_laws.py or half_space.py.
 
-    Discretisation may use up to half of the accuracy. If no line that a worker can hold is fine
-    enough, the finest of those is used. A number of steps given by the user is kept, and its error
-    is not counted: the accuracy is then that of the given discretisation. b is not judged if almost
-    nothing is expected to relax.
+    Discretisation may use up to half of the accuracy. If no line that fits into a worker is fine
+    enough, the finest one that fits is used. A number of steps given by the user is kept, and its
+    discretisation error does not count. b does not count if almost nothing is expected to relax.
     """
     names = accuracy_estimates(scene.quantities)
     wanted, laws = numerics.accuracy or 0.0, laws_of(problem)
@@ -75,7 +74,7 @@ def goal_of(problem: Problem, scene: Scene, numerics: Numerics) -> Goal:
     first = LEAST_OF_MAPS if on_map else least_steps(problem, scene)
     least = np.broadcast_to(first, np.shape(problem.load))
     check_resolution(problem, least, numerics)
-    # A start for the search; the first steps that are tried replace it.
+    # Initial value, which the first steps that are tried replace.
     best, tried = Goal(least, dict.fromkeys(names, np.inf), scatter, np.inf), np.zeros_like(least)
     lowest, steps = np.full(least.shape, np.inf), least
     share = touchable_share(problem.hurst, problem.load, viscous_pressure(problem))
@@ -115,12 +114,12 @@ def allowed(wanted: float, bias: Numbers) -> Numbers:
 
 
 def least_blocks(names: tuple[str, ...]) -> int:
-    """Return the smallest number of blocks of a point for the judged estimates."""
+    """Return the smallest number of blocks of a point for these estimates."""
     return MIN_RATE_BLOCKS if "relaxation_rate" in names else MIN_BLOCKS
 
 
 def most_blocks(study: Study, most: int) -> int:
-    """Return the cap on the blocks of a point."""
+    """Return the largest number of blocks of a point. Raises UserError if it is out of range."""
     blocks = most // study.realizations_per_block
     if blocks > MAX_BLOCKS:
         raise UserError(
@@ -137,7 +136,7 @@ def most_blocks(study: Study, most: int) -> int:
 
 
 def whole_blocks(study: Study, realizations: Numbers, most: int) -> Numbers:
-    """Return the number of blocks for at least ``realizations``, within the limit."""
+    """Return the number of blocks for at least ``realizations``, within the limits."""
     blocks = np.ceil(realizations / study.realizations_per_block - 1e-9)
     least = least_blocks(accuracy_estimates(study.scene.quantities))
     return np.clip(blocks, least, most_blocks(study, most)).astype(np.int64)
@@ -145,15 +144,15 @@ def whole_blocks(study: Study, realizations: Numbers, most: int) -> Numbers:
 
 MAX_SAMPLES_PER_LINE = 6_000_000  # keeps a worker below 1 GiB
 MIN_STEPS = 8  # of a march
-BIAS = 0.02  # largest relative discretisation error by "auto"
+BIAS = 0.02  # relative discretisation error that "auto" aims for
 GENERAL_STEPS = 8  # m for elements with internal variables, or for a programme
-RENEWAL = 0.04  # share of the line after which sliding has replaced the contacts
+RENEWAL = 0.04  # distance that renews all contacts, as a share of the line
 FIRST_ORDER = 8  # factor on the steps for a first-order scheme
-MOST_FOR_CONTACTS = 64
+MOST_FOR_CONTACTS = 64  # largest m chosen to resolve contacts
 
 
 def rung(need: Numbers) -> Numbers:
-    """Return the least of 1, 2, 3, 4, 6, 8, 12 ... that is not below ``need``."""
+    """Return the smallest of 1, 2, 3, 4, 6, 8, 12 ... that is not below ``need``."""
     below = 1 << (np.frexp(np.maximum(need, 1.0))[1] - 1).astype(np.int64)
     between, least = 3 * below // 2, need * (1.0 - 1e-9)
     return np.where(below >= least, below, np.where(between >= least, between, 2 * below))
@@ -168,12 +167,12 @@ def least_steps(problem: Problem, scene: Scene) -> Numbers:
 
 
 def steps_per_spacing(problem: Problem, scene: Scene, numerics: Numerics) -> Numbers:
-    """Return m: the given number, or for "auto" the smallest with a bias below BIAS.
+    """Return m: the given number, or for "auto" the smallest with a bias of at most BIAS.
 
     For steady friction and jumps it is 4 (quick/contacts/between_samples.py). A relaxation needs
-    a fine m in time and in space (error_laws.py). For contacts m is at most MOST_FOR_CONTACTS,
+    small steps in time and in space (error_laws.py). For contacts m is at most MOST_FOR_CONTACTS,
     and the line must fit into a worker; the result marks points that remain coarse. First-order
-    schemes take FIRST_ORDER times as many.
+    schemes take FIRST_ORDER times as many steps.
     """
     steps: Numbers = numerics.steps_per_spacing
     if steps is None and problem.surface.body == HALF_SPACE:
@@ -212,7 +211,7 @@ def fits_worker(problem: Problem, steps: int) -> bool:
 
 
 def check_resolution(problem: Problem, steps: Numbers, numerics: Numerics) -> None:
-    """Raise UserError for a line too long for a worker, and for speeds at which rounding shows.
+    """Raise UserError for a line too long for a worker, and for speeds with visible rounding.
 
     The kernels refuse these speeds too (kernels/quick/cases.py).
     """
@@ -229,18 +228,18 @@ def check_resolution(problem: Problem, steps: Numbers, numerics: Numerics) -> No
         )
     speeds = np.sort(np.abs([speed, speed * ratio]), axis=0)
     most = np.minimum(SPEED_LIMITS[1], 1.0 / min_step(problem.spectrum) / steps)
-    odd = ~((speeds[0] >= SPEED_LIMITS[0]) & (speeds[1] <= most))
-    if odd.any():
+    outside = ~((speeds[0] >= SPEED_LIMITS[0]) & (speeds[1] <= most))
+    if outside.any():
         raise UserError(
-            f"grid.velocity: v tau/dx runs from {speeds[0][odd][0]:.3g} to "
-            f"{speeds[1][odd][0]:.3g}, but must lie between {SPEED_LIMITS[0]:g} and "
-            f"{most[odd][0]:.3g}, "
+            f"grid.velocity: v tau/dx runs from {speeds[0][outside][0]:.3g} to "
+            f"{speeds[1][outside][0]:.3g}, but must lie between {SPEED_LIMITS[0]:g} and "
+            f"{most[outside][0]:.3g}, "
             "where rounding shows"
         )
 
 
 def _shorter(problem: Problem, elements: int) -> str:
-    """Return advice, in words, to reduce the samples of a line."""
+    """Return advice to the user on how to reduce the samples of a line."""
     if not problem.surface.measured:
         return "set a smaller number, a higher velocity or a larger spacing"
     most = MAX_SAMPLES_PER_LINE // elements
@@ -266,8 +265,8 @@ def _check_map(elements: np.ndarray, steps: np.ndarray, samples: Numbers) -> Non
 def horizon_steps(problem: Problem, numerics: Numerics, steps: Numbers) -> Numbers:
     """Return the number of steps to march: ``horizon`` expected relaxation times, at least 8.
 
-    With internal variables it is at least ``horizon`` times the distance over which contacts are
-    renewed.
+    With internal variables the march also covers at least ``horizon`` times the distance that
+    renews all contacts.
     """
     time = numerics.horizon / window_rate(problem)
     need = time * steps * abs(problem.speed) * abs(problem.ratio)

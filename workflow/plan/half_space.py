@@ -1,16 +1,16 @@
-"""Requirements of a half-space: steps per spacing, errors and cost, by measured laws.
+"""Settings for a half-space: steps per spacing, errors and memory, by measured laws.
 
-The functions take a problem, or many of them together, like the laws of the foundation
-(error_laws.py, cost.py). A map has (N m)^2 samples, eight in its shortest wave at m = 4.
+The functions take a problem or a stack of problems, like the laws of the foundation
+(error_laws.py, cost.py). A map has (N m)^2 samples, and eight per shortest wave at m = 4.
 
 Errors: 15 problems at H = 0.7, N = 16, sigma_0/(E* grad z) 0.01 ... 0.2, x 0.3 ... 30, four maps
 each with m = 2, 4, 8 against m = 16. The error of mu_1 was 1 to 2.4 % at m = 4 and at most 0.5 % at
 m = 8, for any load and x. The error of the jump is as small with many samples per contact patch,
-otherwise up to 2 over the samples per patch.
+otherwise up to 2 divided by their number.
 
-Scatter: standard errors times the root of the number of maps; 264 problems, sigma_0/(E* grad z)
+Scatter: standard error times the root of the number of maps; 264 problems, sigma_0/(E* grad z)
 0.002 ... 0.6, x 0.1 ... 30, H 0 ... 1, side of one or two longest waves, N 8 ... 64. Two in three
-are within a factor of 1.6. The scatter of b follows no law.
+are within a factor of 1.6. No law describes the scatter of b.
 """
 
 from functools import partial
@@ -26,20 +26,20 @@ from .ratio_of_bodies import nominal_pressure
 LEAST_OF_MAPS, MOST_STEPS = 4, 16
 MOST_SAMPLES = 4096**2  # of a map; a worker then needs 4 GiB and more
 # Measured at 512 and 1024 samples a side, without branches and with 13.
-MAP_BYTES, BRANCH_BYTES = 260.0, 25.0  # of a worker, for each sample
-# Logarithm of the scatter: constant, coefficients of ln of the contact area, of the free area, of
-# longest waves per side, of shortest waves in each; of H; of ln x.
+MAP_BYTES, BRANCH_BYTES = 260.0, 25.0  # of a worker, per sample
+# Terms of ln(scatter): constant, and coefficients of ln(contact area), ln(free area), ln(longest
+# waves per side), ln(elements per longest wave), H and ln(x).
 SCATTER = {
     "mu_1": (-1.09, -0.40, 0.37, -1.12, -0.87, 0.87, -0.14),
     "jump": (-0.28, -0.40, 0.43, -1.20, -1.00, 0.63, -0.02),
 }
-LEAST_FREE = 0.1  # share out of contact, below which the scatter was not measured
+LEAST_FREE = 0.1  # smallest free area at which the scatter was measured
 
 
 def steps_for(problem: Problem, wanted: float) -> Numbers:
-    """Return the smallest m whose errors of mu_1 and jump are below the requested one, if it fits.
+    """Return the smallest m of 4, 8, 16 whose errors of mu_1 and jump are at most ``wanted``.
 
-    It is four times a power of two, at most MOST_STEPS; maps have at most MOST_SAMPLES.
+    If no map with at most MOST_SAMPLES samples reaches it, return the largest m that fits.
     """
     steps = np.full(np.shape(problem.load), LEAST_OF_MAPS)
     for _ in range(2):
@@ -51,12 +51,12 @@ def steps_for(problem: Problem, wanted: float) -> Numbers:
 
 
 def may_be_so_fine(problem: Problem, steps: Numbers) -> Numbers:
-    """Return whether a map with these steps per spacing fits and is within the tested range."""
+    """Return whether a map with these steps per spacing fits, and the steps were tested."""
     return ((problem.elements * steps) ** 2 <= MOST_SAMPLES) & (steps <= MOST_STEPS)
 
 
 def map_error(name: str, steps: Numbers, samples: Numbers) -> Numbers:
-    """Return the error of an estimate; samples : number in a connected contact patch."""
+    """Return the error of an estimate. samples : per connected contact patch."""
     whole = 0.38 / np.asarray(steps) ** 2.0
     if name == "mu_1":
         return whole
@@ -72,7 +72,7 @@ def expected_samples(problem: Problem, steps: Numbers) -> Numbers:
 
 
 def expected_error(name: str, problem: Problem, steps: Numbers, refine: bool = True) -> Numbers:
-    """Return the predicted error.
+    """Return the predicted error of an estimate.
 
     refine : ignored, as contacts of maps are not located between the samples.
     """
@@ -80,10 +80,10 @@ def expected_error(name: str, problem: Problem, steps: Numbers, refine: bool = T
 
 
 def expected_area(problem: Problem) -> Numbers:
-    """Return the expected share of real contact; nine in ten measured ones are 0.7 to 1.2 times it.
+    """Return the expected share of real contact; nine in ten measurements are 0.7 to 1.2 times it.
 
-    Under very light loads it is that of Persson's theory, 2.26 sigma_0/(E* grad z), if sliding does
-    not stiffen the elastomer.
+    For light loads and slow sliding, which does not stiffen the elastomer, it is that of Persson's
+    theory, 2.26 sigma_0/(E* grad z).
     """
     load = nominal_pressure(problem) / line_slope(problem)
     stiffer = np.hypot(1.0, speed_ratio(problem) / (0.83 + 0.77 * problem.hurst))

@@ -36,8 +36,8 @@ from ..study import (
     accuracy_estimates,
 )
 
-MANTISSA_BITS = 40  # values within 1e-12 become equal, lest rounding of the input split them
-MIN_ROUNDING = 0.02  # largest rounding of a force over the residual; at 1, steps are halved forever
+MANTISSA_BITS = 40  # values within 1e-12 become equal despite rounding of the input
+MIN_ROUNDING = 0.02  # largest rounding of forces over their residual; at 1, halving never ends
 
 
 def canonical(values: np.ndarray) -> np.ndarray:
@@ -47,7 +47,7 @@ def canonical(values: np.ndarray) -> np.ndarray:
 
 
 def rounded(value: float) -> float:
-    """Return one value as ``canonical`` rounds it."""
+    """Return a single value, rounded by ``canonical``."""
     return float(canonical(np.array(value)))
 
 
@@ -57,12 +57,12 @@ class Scale(NamedTuple):
     spacing: float  # dx, m
     tau: float  # s
     roughness: float  # h, m
-    reference: float  # m/s
+    reference: float  # velocity, m/s
     stiffness: float  # E* L of the lines, N/m
 
 
 def with_scene(base: Problem, scene: Scene, scale: Scale, depth: float) -> Problem:
-    """Return a problem with the programme of a scene, its start, control and drive, if it has one.
+    """Return a problem with the programme, start, control and drive of a scene, if it has any.
 
     depth : prescribed indentation, m; NaN if the study has none.
     """
@@ -90,7 +90,7 @@ def with_scene(base: Problem, scene: Scene, scale: Scale, depth: float) -> Probl
 
 
 def _drive(spring: Spring | None, scale: Scale) -> Drive | None:
-    """Return a drive in dimensionless units: of friction E* L h^2/dx, of length dx, of time tau."""
+    """Return a drive in units of E* L h^2/dx (force), dx (length) and tau (time)."""
     if spring is None:
         return None
     unit = scale.stiffness * (scale.roughness / scale.spacing) ** 2  # of a spring, N/m
@@ -119,7 +119,7 @@ def _speeds(scene: Scene, scale: Scale) -> tuple[float, float]:
 
 
 def line_modes(surface: Surface, elements: int) -> LineShape:
-    """Return the description of lines with this number of elements."""
+    """Return the dimensionless description of lines with this number of elements."""
     profile, base = surface.profile, surface.spectrum
     if profile is None or base is None:
         return LineShape(*surface.modes(elements), body=surface.body)
@@ -157,10 +157,10 @@ def _leg(segment: Segment, scale: Scale) -> kernels.Leg:
 
 
 def check_programme(problem: Problem, steps: Any, origin: Origin) -> None:
-    """Raise UserError for more than MAX_PROGRAMME_STEPS steps or steps lost in rounding.
+    """Raise UserError for more than MAX_PROGRAMME_STEPS steps, and for steps lost in rounding.
 
-    It is also raised for a drive that never moves the line. steps : numbers of steps per spacing,
-    of problems that share this programme.
+    Also for a drive that never moves the line. steps : numbers of steps per spacing of the problems
+    that share this programme.
     """
     programme = problem.programme
     if problem.drive:
@@ -182,10 +182,10 @@ def check_programme(problem: Problem, steps: Any, origin: Origin) -> None:
 
 
 def _check_pull(problem: Problem, drive: Drive) -> None:
-    """Raise UserError if the force of a drive is negligible, or lost in rounding.
+    """Raise UserError if the force of a drive is negligible, or its balance is lost in rounding.
 
-    A line at rest under the load bears no friction, and creeps under any resolved force. The
-    rounding of a force must lie well below the residual of the force balance.
+    A line at rest has no static friction, and creeps under any resolved force. The rounding error
+    of a force must lie well below the tolerance of the force balance.
     """
     legs = list(drive_legs(problem.programme, 0.0))
     stretch = max(np.abs(course.place).max() for course in legs)
@@ -207,7 +207,7 @@ def _check_pull(problem: Problem, drive: Drive) -> None:
 
 
 def kernel_quantities(study: Study) -> Quantities:
-    """Return the quantities requested from the kernels; a relaxation also requires the jump."""
+    """Return the quantities requested from the kernels; a relaxation includes the jump."""
     requested = study.scene.quantities
     curve = any(name in requested for name in ("relaxation", "peak", "rate_state"))
     return Quantities(

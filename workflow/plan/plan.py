@@ -1,4 +1,4 @@
-"""The plan of a study: problems, batches and predicted cost. Pure data; computes nothing."""
+"""Plan of a study: problems and predicted cost, as plain data."""
 
 import math
 from typing import NamedTuple
@@ -18,10 +18,10 @@ DRIVER_BYTES = 330e6  # interpreter and libraries of the process that plans and 
 WORKER_BYTES = 235e6  # interpreter, libraries, machine code
 BYTES_PER_STEP = 65  # of the longest programme
 BYTES_PER_SAMPLE = 130  # line, state and temporaries at the peak
-BYTES_PER_TASK = 2000  # of the plan
-BYTES_PER_RECORD = 1  # many share an entry of the index
+BYTES_PER_TASK = 2000  # memory of the plan
+BYTES_PER_RECORD = 1  # many records share an entry of the index
 BYTES_PER_POINT = 4500  # of the grid, for all estimates of the result
-MOST_RECORDS = 20_000_000  # that are planned, indexed and collected within minutes and 2 GiB
+MOST_RECORDS = 20_000_000  # planned, indexed and collected within minutes and 2 GiB
 BYTES_PER_CURVE_SAMPLE = 80  # of the curves of the result, per grid point
 
 
@@ -31,7 +31,7 @@ class Plan(NamedTuple):
     study: Study
     variants: list[Variant]
     quantities: Quantities  # of the kernels
-    first: dict[str, int]  # blocks of the first round by task key, or all without goals
+    first: dict[str, int]  # blocks of the first round, by task key; all blocks without goals
     expected: dict[str, int]  # blocks that the goals are predicted to need, by task key
 
     @property
@@ -91,7 +91,7 @@ class Plan(NamedTuple):
         return DRIVER_BYTES + stored + estimates + BYTES_PER_STEP * self.longest_programme()
 
     def predicted_seconds(self) -> float:
-        """Return the core-seconds of the whole study, within COST_FACTOR either way."""
+        """Return the predicted core-seconds of the whole study, right within COST_FACTOR."""
         realizations = sum(variant.total_seconds(self.expected) for variant in self.variants)
         return self.study.realizations_per_block * realizations
 

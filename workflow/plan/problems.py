@@ -1,9 +1,9 @@
 """Exact similarity: many points of the grid are one dimensionless problem, computed once.
 
 mu/grad z, d/h and t/tau depend only on H, N = L/dx, Fbar = F_N/(4 G L h), vbar = v1 tau/dx and
-r = v2/v1; h and F_N enter only as F_N/h. A scene adds the spectrum of the material over G and tau,
-the modes of the lines and its programme. Axes that change material, lines or scene (study/axes.py)
-change these for each of their values; all other parts follow from them.
+r = v2/v1; h and F_N enter only as F_N/h. A scene adds the spectrum of the material in units of G
+and tau, the modes of the lines and its programme. Each value of an axis that changes the material,
+the lines or the scene (study/axes.py) has its own spectrum, modes or programme.
 """
 
 import math
@@ -23,9 +23,9 @@ from ..study import HALF_SPACE, Material, Parts, Study, axes_of, check_load
 from .motion import Scale, canonical, line_modes, rounded, with_scene
 
 LEAST_CHANGE = 1e-13  # |dv/v1| vbar; below it rounding is over 1e-3 of the jump
-TYPICAL_HURST = 0.8  # of measured lines, for predictions of cost alone
+TYPICAL_HURST = 0.8  # of measured lines, used in predictions alone
 Numbers = Any  # a number, or an array with one entry per problem of a stack
-Points = dict[str, np.ndarray]  # axis -> its value at every point of the grid
+Points = dict[str, np.ndarray]  # axis -> values at all points of the grid
 
 
 def distinct_problems(study: Study, label: str = "") -> tuple[list[Problem], np.ndarray]:
@@ -63,15 +63,15 @@ def distinct_problems(study: Study, label: str = "") -> tuple[list[Problem], np.
 
 
 def stack_problems(problems: list[Problem]) -> list[tuple[np.ndarray, Problem]]:
-    """Return (number of problems, one problem whose fields are arrays), for the laws.
+    """Return pairs (indices of problems, the stack of these: a problem with fields of arrays).
 
-    The problems share all fields except the five numbers of the paper, arrays of shape (P,), and
-    the slopes of their lines, which are part of the surface.
+    The problems of a stack share all fields except the five numbers of the paper, of shape (P,),
+    and the slopes of their lines, which are part of the surface.
     """
     rows: dict[tuple, list[int]] = {}
     for row, problem in enumerate(problems):
         rows.setdefault(problem[5:], []).append(row)
-    indices = []
+    stacks = []
     for others, chosen in rows.items():
         table = np.array([problems[row][:5] for row in chosen])
         hurst, elements, *numbers = np.ascontiguousarray(table.T)
@@ -80,8 +80,8 @@ def stack_problems(problems: list[Problem]) -> list[tuple[np.ndarray, Problem]]:
         slopes = {line: line_slope(problem) for line, problem in lines.items()}
         slope: Numbers = np.array([slopes[problems[row][:2]] for row in chosen])
         many = many._replace(surface=many.surface._replace(slope=slope))
-        indices.append((np.array(chosen), many))
-    return indices
+        stacks.append((np.array(chosen), many))
+    return stacks
 
 
 def _settings(
@@ -89,7 +89,7 @@ def _settings(
 ) -> np.ndarray:
     """Return the index of the setting of each point; new settings are added to ``indices``.
 
-    A setting is a problem without its numbers: what follows from material, lines and scene.
+    A setting is a problem without its numbers, given by material, lines and scene.
     length : total length of the lines that one drive pulls, m.
     """
     names = ["elements"]
@@ -132,7 +132,7 @@ def _numbers(study: Study, label: str, others: list[Parts], points: Points) -> l
         if study.surface.profile is not None:
             check_load("grid.normal_force", study.surface.profile, load)
     _check("velocity", "v1 tau/dx", speed, SPEED_LIMITS)
-    if study.scene.programme:  # which has its own speeds
+    if study.scene.programme:  # a programme has its own speeds
         speed, step = np.zeros_like(speed), np.zeros_like(speed)
     else:
         step = np.broadcast_to(at["velocity_step"], speed.shape)
@@ -167,7 +167,7 @@ def viscous_pressure(problem: Problem) -> Numbers:
 def line_slope(problem: Problem, normalisation: str = "modal") -> Numbers:
     """Return the spectral rms slope of the lines of a problem, in h/dx."""
     rolloff, cutoff, measured, slope, body, _ = problem.surface
-    if measured or np.ndim(slope):  # array : of a stack of problems
+    if measured or np.ndim(slope):  # arrays belong to a stack of problems
         return slope
     return _slope(body, problem.hurst, problem.elements, normalisation, rolloff, cutoff)
 

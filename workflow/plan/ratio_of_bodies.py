@@ -29,7 +29,7 @@ class InTable(NamedTuple):
     """Coordinates of a problem in the table."""
 
     kind: str
-    waves: float  # lambda_r q_max/2 pi: shortest waves in the longest
+    waves: float  # lambda_r q_max/(2 pi): number of shortest waves in the longest
     hurst: float
     load: float  # sigma_0/(E* grad z)
     speed_ratio: float  # x = v1 tau q_max
@@ -37,14 +37,14 @@ class InTable(NamedTuple):
 
 def nominal_pressure(problem: Problem) -> float:
     """Return the nominal pressure, in E* h/dx; on a foundation F_N = sigma_0 lambda_r L."""
-    longest = max(problem.surface.rolloff, 1.0)  # its wave number in 2 pi/L
+    longest = max(problem.surface.rolloff, 1.0)  # wave number of lambda_r, in 2 pi/L
     shared = 1.0 if problem.surface.body == HALF_SPACE else longest
     return problem.load * shared / problem.elements
 
 
 def place_of(problem: Problem, normalisation: str = "modal") -> InTable:
     """Return the coordinates of a problem in the table, on either body."""
-    longest = max(problem.surface.rolloff, 1.0)  # its wave number in 2 pi/L
+    longest = max(problem.surface.rolloff, 1.0)  # wave number of lambda_r, in 2 pi/L
     last = problem.surface.cutoff or problem.elements // 2
     kind = KINDS[problem.spectrum != KELVIN]
     load = nominal_pressure(problem) / line_slope(problem, normalisation)
@@ -69,7 +69,7 @@ def model_ratio(problem: Problem, normalisation: str = "modal") -> tuple[float, 
 
 
 def _of_point(entries: dict[str, np.ndarray], place: InTable) -> np.ndarray | None:
-    """Return (ln ratio, relative error) at a load and speed, interpolated on a grid of both."""
+    """Return (ln ratio, relative error) at a load and speed, interpolated; None outside."""
     ratios = []
     for name in ("ratio", "error"):
         along = [

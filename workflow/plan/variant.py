@@ -25,7 +25,7 @@ from .goal import Goal, fits_worker, goal_of, horizon_steps, steps_per_spacing
 from .motion import check_programme, recording_of
 from .problems import distinct_problems, stack_problems
 
-PROBLEM_BYTES = struct.Struct("<dqddd")  # H, N, load, speed and ratio, as hashed in a task key
+PROBLEM_BYTES = struct.Struct("<dqddd")  # H, N, load, speed, ratio, hashed in a task key
 STEPS_BYTES = struct.Struct("<qq")
 
 
@@ -53,7 +53,7 @@ class Variant(NamedTuple):
         return drawing + sum(self.seconds[self.rows[task.key]] for task in tasks)
 
     def total_seconds(self, blocks: dict[str, int]) -> float:
-        """Return the predicted time of one realization per block. blocks : by key of the task."""
+        """Return the predicted time of blocks of one realization. blocks : number by task key."""
         total = sum(blocks[task.key] * self.seconds[row] for row, task in enumerate(self.tasks))
         for line in self.by_line:
             for samples, tasks in groupby(line, samples_of):
@@ -69,7 +69,7 @@ class Problems(NamedTuple):
     """Distinct problems of a variant. Variants of one material and surface share them."""
 
     problems: list[Problem]
-    key_bytes: list[bytes]  # the problems as they enter keys
+    key_bytes: list[bytes]  # each problem as it enters its task key
     points: np.ndarray  # index of the problem of each grid point
     stacks: list[tuple[np.ndarray, Problem]]  # as ``stack_problems`` returns them
 
@@ -97,7 +97,7 @@ def _distinct(study: Study, label: str) -> Problems:
 
 
 class Sizes(NamedTuple):
-    """Steps, goals and predicted times of the problems of a variant."""
+    """Steps, goals and predicted times, for each problem of a variant."""
 
     steps: list[int]  # per spacing
     march_steps: list[int]  # after the jump
@@ -135,7 +135,7 @@ def _sizes_of(
 def variant_of(
     study: Study, quantities: Quantities, label: str, problems: Problems, origin: Origin
 ) -> Variant:
-    """Return a variant of a study; ``problems`` belong to it, ``origin`` as for ``make_plan``."""
+    """Return a variant of a study. problems : of the variant. origin : as for ``make_plan``."""
     sizes = _sizes_of(study, quantities, label, problems, origin)
     recording = _recording(study, label, problems.problems, sizes.steps)._replace(origin=origin)
     tasks = _tasks(study, quantities, label, recording, problems, sizes)
@@ -161,7 +161,7 @@ def variant_of(
 
 
 def _recording(study: Study, label: str, problems: list[Problem], steps: list[int]) -> Recording:
-    """Return the recording of a variant, without halved steps if a worker lacks the memory."""
+    """Return the recording of a variant; no halved steps if these do not fit into a worker."""
     recording = recording_of(study, label)
     pairs = zip(problems, steps, strict=True)
     if recording.refined_blocks and not all(
@@ -204,7 +204,7 @@ def _by_line(tasks: list[Task]) -> list[list[Task]]:
 
 
 def sharing(task: Task) -> tuple[int, float]:
-    """Return the key of tasks on a line whose steady states are computed in one call.
+    """Return a key that tasks share if their steady states on a line are computed in one call.
 
     Loads may differ: thresholds do not depend on them, and sweeps run together (quick/steady).
     """
