@@ -291,8 +291,8 @@ def _parts_to_hold_out(
 ) -> tuple[list[tuple[int, np.ndarray]], str]:
     """Return the parts (motion, rows) that are held out in turn, and their description.
 
-    Parts are segments, sorted by speed so that folds have similar speeds, or quarters of a few
-    segments. A segment with a unique extreme of speed or rest stays in every fit.
+    Parts are segments, sorted by speed so that folds have similar speeds, or quarters if there are
+    few segments. A segment with a unique extreme of speed or rest stays in every fit.
     """
     parts = [(k, rows) for k, motion in enumerate(motions) for _, rows in motion.parts()]
     if len(parts) < FOLDS + 2:

@@ -56,8 +56,8 @@ class LoadLaw(FittedLaw):
     ) -> MemoryLaw:
         """Return the law of one load (N), optionally at another temperature as in ``Law.at``.
 
-        Outside the table it warns and uses the nearest load. Raises UserError for a load that is
-        missing, or not finite and positive.
+        Loads outside the table are clamped to its ends, with a warning. Raises UserError for a load
+        that is missing, or not finite and positive.
         """
         if normal_force is None:
             raise LawError(

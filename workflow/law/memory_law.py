@@ -108,8 +108,8 @@ class MemoryLaw(Law):
     def steady(self, v: ArrayLike) -> np.ndarray:
         """Return mu_ss(v)."""
         v = finite_numbers("v", v)
-        whole = self.direct + self.target.sum(axis=0)
-        return even(v, self.speed, self.age) * odd(v, self.speed, whole)
+        total = self.direct + self.target.sum(axis=0)
+        return even(v, self.speed, self.age) * odd(v, self.speed, total)
 
     def outside(self) -> str:
         """Return a text on the behaviour of the law outside its range."""

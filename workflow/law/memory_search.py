@@ -175,7 +175,7 @@ class MemorySearch:
 
 
 def _roughness(speeds: np.ndarray) -> np.ndarray:
-    """Return the matrix from a table to its curvatures over ln v and its weighted values."""
+    """Return the matrix that maps a table to its curvatures over ln v and weighted values."""
     count = speeds.size
     values = VALUE_WEIGHT * np.eye(count)
     if count < 3:

@@ -134,7 +134,7 @@ class Law(FittedLaw):
     def init(self, velocity: float) -> np.ndarray:
         """Return the state of steady sliding at a velocity (m/s).
 
-        It begins with the velocity. Raises UserError for a velocity that is not finite.
+        The state begins with the velocity. Raises UserError for a velocity that is not finite.
         """
         return self._init(finite_number("velocity", velocity, "m/s"))
 
@@ -172,7 +172,7 @@ class Law(FittedLaw):
         """Return steady friction mu(v); v in m/s, any shape and sign."""
 
     def scaled(self, factor: float) -> dict[str, Any]:
-        """Return the fields that change with the time scale, for times multiplied by a factor."""
+        """Return the fields that depend on time, with all times multiplied by a factor."""
         numbers = {name: getattr(self, name) for name in self.times}
         return {
             name: number * factor if self.times[name] > 0 else number / factor

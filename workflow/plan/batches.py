@@ -88,7 +88,7 @@ def make_batches(
     Every missing record is in exactly one batch; results do not depend on the cut.
 
     rate : label of a variant -> measured over predicted time of its work. It is called for each
-        piece when its batches are made, so that finished batches correct later ones.
+    piece when its batches are made, so that finished batches correct later ones.
     """
     for piece in pieces:
         predicted = target / rate(piece.variant.label)  # predicted seconds done in ``target``

@@ -43,7 +43,7 @@ class Coarseness(NamedTuple):
     sliding: float  # exponent of 1 + 1/vbar
     elements: float  # unit of the number of elements
     rough: float  # exponent of the number of elements, times H
-    whole: float  # error, times m^2, that is added in quadrature for any contacts
+    whole: float  # error times m^2 for any contacts, added in quadrature
 
 
 STEADY = Coarseness(0.060, -0.32, 0.41, 0.92, 88.0, -1.22, 0.03)
@@ -118,7 +118,7 @@ def contact_width(problem: Problem) -> Numbers:
 
     Law 1: if one peak carries the load, only its front touches, over 2 sqrt(R F_N / (8 G v tau)).
     Law 2: if many peaks do, contacts are wider for higher H and, except near H = 0, longer lines.
-    Of 88 measured widths below 15 dx, eight in ten are within a factor of 1.5.
+    The smaller width holds. Of 88 measured ones below 15 dx, 8 in 10 are within a factor of 1.5.
     """
     hurst, elements, load, speed, _ = problem[:5]
     line, fast = np.log(elements), np.log(speed)

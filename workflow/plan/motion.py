@@ -37,7 +37,7 @@ from ..study import (
 )
 
 MANTISSA_BITS = 40  # values within 1e-12 become equal despite rounding of the input
-MIN_ROUNDING = 0.02  # largest rounding of forces over their residual; at 1, halving never ends
+MIN_ROUNDING = 0.02  # largest rounding error of a force over the tolerance; at 1, no step converges
 
 
 def canonical(values: np.ndarray) -> np.ndarray:

@@ -40,22 +40,22 @@ def distinct_problems(study: Study, label: str = "") -> tuple[list[Problem], np.
     length = study.surface.profile.length if study.surface.profile else study.surface.length
     points["elements"] = np.round(length / points["spacing"]).astype(int)
     points["dx"] = length / points["elements"]
-    others = study.parts(label, axes_of(study.grid, *Parts._fields))
+    all_parts = study.parts(label, axes_of(study.grid, *Parts._fields))
     settings: dict[Problem, int] = {}
     pulled = study.surface.length / (study.force_share(label) * study.surfaces[label].copies)
-    which = np.stack([_settings(parts, points, settings, pulled) for parts in others], axis=-1)
-    known = np.where(np.isnan(points["hurst"]), TYPICAL_HURST, points["hurst"])
+    which = np.stack([_settings(parts, points, settings, pulled) for parts in all_parts], axis=-1)
+    hursts = np.where(np.isnan(points["hurst"]), TYPICAL_HURST, points["hurst"])
     columns = (
-        known[..., None],
+        hursts[..., None],
         points["elements"][..., None],
-        *_numbers(study, label, others, points),
+        *_numbers(study, label, all_parts, points),
     )
     rows = [np.broadcast_to(problem, which.shape).ravel().tolist() for problem in (*columns, which)]
     indices: dict[tuple, int] = {}
     index = [indices.setdefault(row, len(indices)) for row in zip(*rows, strict=True)]
-    every, problems = list(settings), []
+    bases, problems = list(settings), []
     for hurst, elements, load, speed, ratio, setting in indices:
-        problem = every[setting]._replace(hurst=hurst, elements=elements, load=load)
+        problem = bases[setting]._replace(hurst=hurst, elements=elements, load=load)
         if not problem.programme:  # a programme has its own speeds
             problem = problem._replace(speed=speed, ratio=ratio)
         problems.append(problem)
@@ -63,7 +63,7 @@ def distinct_problems(study: Study, label: str = "") -> tuple[list[Problem], np.
 
 
 def stack_problems(problems: list[Problem]) -> list[tuple[np.ndarray, Problem]]:
-    """Return pairs (indices of problems, the stack of these: a problem with fields of arrays).
+    """Return pairs (indices of problems, stack); a stack is a problem whose fields are arrays.
 
     The problems of a stack share all fields except the five numbers of the paper, of shape (P,),
     and the slopes of their lines, which are part of the surface.
@@ -115,14 +115,14 @@ def _settings(
     return np.array(index)[inverse].reshape(points["elements"].shape)
 
 
-def _numbers(study: Study, label: str, others: list[Parts], points: Points) -> list[np.ndarray]:
-    """Return load, speed (0 in a programme) and ratio (1) at every point; last axis : others."""
-    modulus = np.array([parts.material.contact_modulus for parts in others])
-    tau = np.array([parts.material.tau for parts in others])
+def _numbers(study: Study, label: str, all_parts: list[Parts], points: Points) -> list[np.ndarray]:
+    """Return load, speed (0 in a programme) and ratio (1) at all points; last axis : all_parts."""
+    modulus = np.array([parts.material.contact_modulus for parts in all_parts])
+    tau = np.array([parts.material.tau for parts in all_parts])
     at = {axis: values[..., None] for axis, values in points.items()}
     with np.errstate(over="ignore", under="ignore", divide="ignore", invalid="ignore"):
-        whole = modulus * study.surface.length * at["roughness"]
-        load = study.force_share(label) * at["normal_force"] / whole
+        unit = modulus * study.surface.length * at["roughness"]
+        load = study.force_share(label) * at["normal_force"] / unit
         load *= study.surfaces[label].copies
         speed = at["velocity"] * tau / at["dx"]
     if study.scene.control == "indentation":

@@ -136,10 +136,10 @@ def fit_power_law(x: np.ndarray, rate: np.ndarray, bias: np.ndarray) -> PowerLaw
     free = centred @ log_b / (centred @ centred)
     prefactor = np.exp(log_b.mean(axis=0) - free * log_x.mean())
     residual = (log_b[:, 0] - alpha[0] * log_x) / np.log(10.0)
-    scatter, off = float(np.sqrt(np.mean(residual**2))), np.log1p(bias)
-    one = float(off @ log_x / (log_x @ log_x))
-    other = float(off @ np.abs(centred) / (centred @ centred))
-    return PowerLaw(alpha, free, prefactor, scatter, one, other, count)
+    scatter, shift = float(np.sqrt(np.mean(residual**2))), np.log1p(bias)
+    alpha_bias = float(shift @ log_x / (log_x @ log_x))
+    free_bias = float(shift @ np.abs(centred) / (centred @ centred))
+    return PowerLaw(alpha, free, prefactor, scatter, alpha_bias, free_bias, count)
 
 
 def fit_exponents(
@@ -156,13 +156,13 @@ def fit_exponents(
     resolved = points["resolution_status"] != UNRESOLVED
     chosen = [fitted & resolved & (hurst == value) for value in axis]
     bias = points["relaxation_rate_bias"]
-    left = [np.sum(fitted & ~resolved & (hurst == value)) for value in axis]
+    unresolved = [np.sum(fitted & ~resolved & (hurst == value)) for value in axis]
     laws = columns([fit_power_law(x[rows], rates[rows], bias[rows]) for rows in chosen])
     exponents: Estimates = {}
     for name in ("alpha", "alpha_free", "alpha_prefactor"):
         enter(exponents, name, getattr(laws, name))
     for name in ("alpha_scatter", "alpha_bias", "alpha_free_bias"):
         exponents[name] = getattr(laws, name)
-    exponents["alpha_unresolved"] = np.array(left, dtype=np.int32)
+    exponents["alpha_unresolved"] = np.array(unresolved, dtype=np.int32)
     exponents["alpha_points"] = laws.alpha_points.astype(np.int32)
     return exponents

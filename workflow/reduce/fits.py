@@ -25,7 +25,7 @@ WINDOW_END = 0.05  # the window ends where the deviation has decreased to this s
 MIN_WINDOW_SAMPLES = 3
 DEVIATION_ROUNDING = 1e-14  # relative to the rms slope: smaller deviations are rounding
 MIN_QUALITY = 0.8
-MAX_NOISE_RESIDUAL = 3.0  # largest sum of squares left by noise, over the variances of the samples
+MAX_NOISE_RESIDUAL = 3.0  # largest sum of squares left by noise, over the summed variances
 
 
 class RelaxationFit(NamedTuple):
@@ -119,8 +119,8 @@ def _fit_all(
     """Return rows (amplitude, rate) of the fit of every row of ``curves``, NaN if it fails.
 
     rates : initial guesses. offset : also fit an offset. The weight of a sample is the time between
-    the midpoints to its neighbours, or from the jump on. The weighted sum then approximates an
-    integral over time for any spacing of the samples.
+    the midpoints to its neighbours (of the first sample, from the jump on). The weighted sum then
+    approximates an integral over time for any spacing of the samples.
     """
     scale, span = curves[0, 0], time[-1]
     halfway = 0.5 * (time[1:] + time[:-1])

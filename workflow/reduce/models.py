@@ -72,7 +72,7 @@ class Comparison(NamedTuple):
     fast_rate: np.ndarray  # b of the faster of two exponentials
     slow_rate: np.ndarray
     fast_share: np.ndarray  # share of the amplitude
-    gain_stretched: tuple[float, float]  # decrease of the score relative to eq. 6, its error
+    gain_stretched: tuple[float, float]  # decrease of the score relative to eq. 6, and error
     gain_two_exponentials: tuple[float, float]
 
 

@@ -20,8 +20,8 @@ from .blocks import Estimates
 
 UNRESOLVED, COARSE, RESOLVED = 0, 1, 2
 RESOLUTION_MEANINGS = "unresolved coarse resolved"
-RESOLVED_SAMPLES = 4.0  # smallest samples per contact of a resolved contact
-UNRESOLVED_SAMPLES = 1.0  # largest samples per contact of an unresolved contact
+RESOLVED_SAMPLES = 4.0  # smallest number of samples across a resolved contact
+UNRESOLVED_SAMPLES = 1.0  # largest number of samples across an unresolved contact
 RESOLUTION_COMMENT: str = (
     f"resolved: samples_per_contact is {RESOLVED_SAMPLES:g} or more, and of measured lines "
     f"bias_bound at most {BIAS:g}; coarse: above {UNRESOLVED_SAMPLES:g}; unresolved: contacts are "

@@ -28,8 +28,8 @@ MAX_CALL_SAMPLES = 4 * MAX_SHORT_SAMPLES  # of all short lines in one call
 class BlockSums(NamedTuple):
     """Sums over the lines of a block; times and positions of a trace are running means."""
 
-    scalars: np.ndarray  # shape (tasks, len(SCALARS)), or without tasks for one task
-    curves: np.ndarray  # shape (tasks, values), likewise
+    scalars: np.ndarray  # shape (tasks, len(SCALARS)); (len(SCALARS),) for one task
+    curves: np.ndarray  # shape (tasks, values); (values,) for one task
     lines: int  # number of lines in these sums
 
 
