@@ -27,7 +27,7 @@ FEW = 2.0  # with fewer contact patches, marches are shorter (window_rate)
 
 
 def known(problem: Problem, body: str = FOUNDATION) -> Numbers:
-    """Return whether the laws hold: Kelvin elements, random surface, no programme or reversal."""
+    """Return whether the laws hold: Kelvin elements, random surface, load > 0, no programme."""
     plain = problem.spectrum == KELVIN and not problem.programme and not problem.surface.measured
     plain = plain and problem.surface.body == body
     numbers = np.stack([problem.load, problem.speed, problem.ratio])

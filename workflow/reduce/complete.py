@@ -115,8 +115,8 @@ class PowerLaw(NamedTuple):
     alpha_free: np.ndarray  # b = c x^alpha, shape (replicates,)
     alpha_prefactor: np.ndarray  # c, shape (replicates,)
     alpha_scatter: float  # rms of log10(b / x^alpha)
-    alpha_bias: float  # of alpha if b is biased equally at all points
-    alpha_free_bias: float  # of alpha_free if fast and slow points are biased oppositely
+    alpha_bias: float  # of alpha if b is biased in one direction at all points
+    alpha_free_bias: float  # of alpha_free if b is biased oppositely at fast and slow points
     alpha_points: int
 
 
