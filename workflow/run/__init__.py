@@ -1,6 +1,6 @@
 """The driver of a run: rounds, failures, collection, status and summary.
 
-Computes what is missing, stores it as it finishes, reduces, writes the result.
+It computes the missing records, stores them as they finish, reduces them and writes the result.
 """
 
 from typing import TYPE_CHECKING

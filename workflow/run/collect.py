@@ -1,8 +1,8 @@
 """Reduction of stored block means on the workers, in rounds, and assembly of the datasets.
 
-Points that miss the accuracy get more realizations, up to the limit. Decisions depend only on the
-block means of the round, not on other stored records: the same study takes the same rounds with
-the same bits, for all workers and after a crash.
+Points that miss the accuracy get more realizations, up to the limit. This decision depends only on
+the block means of the round, not on other stored records. The same study therefore takes the same
+rounds and gives the same bits for any number of workers, and also after a crash.
 """
 
 import math
@@ -27,8 +27,8 @@ if TYPE_CHECKING:
 
 
 TASKS_PER_REDUCTION = 32
-NEED_MARGIN = 1.1  # over the extrapolated need, which half of the points would miss narrowly
-GROWTH_LIMITS = (1.25, 4.0)  # of the realizations from one round to the next
+NEED_MARGIN = 1.1  # safety factor on the growth; without it half of the points narrowly miss
+GROWTH_LIMITS = (1.25, 4.0)  # smallest and largest growth of the realizations in one round
 
 
 class Collector:
@@ -37,17 +37,17 @@ class Collector:
     def __init__(
         self, workers: Workers, store: Store, plan: Plan, summary: Summary, watch: Watch
     ) -> None:
-        """Create a collector. watch : callable that returns True to give up."""
+        """Create a collector. watch : callable that returns True to stop collecting."""
         self.workers, self.store, self.plan = workers, store, plan
         self.summary, self.watch = summary, watch
         self.widths = {variant.label: plan.widest_row(variant) for variant in plan.variants}
         self.fitted = {variant.label: Fitted(variant) for variant in plan.variants}
 
     def datasets(self, blocks: dict[str, int]) -> "Groups":
-        """Return label -> dataset of every variant, from ``blocks`` of each task (by key).
+        """Return label -> dataset of every variant. blocks : number of blocks by key of the task.
 
-        Failed tasks have estimates NaN, flags -1 and realizations 0. The result is empty if
-        ``watch()`` turned true.
+        Failed tasks have NaN estimates, flags -1 and 0 realizations. The result is empty if
+        ``watch()`` returned True.
         """
         datasets = {}
         sound = [(variant, self._sound(variant)) for variant in self.plan.variants]
@@ -72,14 +72,14 @@ class Collector:
     def reporter(
         self, title: str, work: list[tuple[Variant, list[int]]], blocks: dict[str, int]
     ) -> Reporter:
-        """Return a progress reporter for the fits at rows of variants."""
+        """Return a progress reporter for the pending fits. work : variants, each with its rows."""
         seconds = (self._seconds(variant, rows, blocks).values() for variant, rows in work)
         return Reporter(title, sum(map(sum, seconds)))
 
     def _seconds(
         self, variant: Variant, rows: list[int], blocks: dict[str, int]
     ) -> dict[int, float]:
-        """Return the predicted times of the pending fits, by row of a variant."""
+        """Return the predicted seconds of the pending fits of a variant, by row."""
         fitted = self.fitted[variant.label].blocks
         counts = {row: blocks[variant.tasks[row].key] for row in rows}
         groups = {r: min(n, JACKKNIFE_GROUPS) for r, n in counts.items() if fitted[r] != n}
@@ -88,10 +88,10 @@ class Collector:
     def fit(
         self, variant: Variant, rows: list[int], blocks: dict[str, int], reporter: Reporter
     ) -> bool:
-        """Fit the tasks at rows of a variant from ``blocks`` of each, and report progress.
+        """Fit the tasks at ``rows`` of a variant, and report progress.
 
-        Tasks already fitted from the same number of blocks are skipped. Returns False if
-        ``watch()`` turned true before all were fitted.
+        blocks : number of blocks by key of the task. Tasks already fitted from the same number of
+        blocks are skipped. Returns False if ``watch()`` returns True, which ends the fits early.
         """
         fitted = self.fitted[variant.label]
         counts = [blocks[task.key] for task in variant.tasks]
@@ -112,7 +112,7 @@ class Collector:
         return not self.watch()
 
     def attained(self, variant: Variant, rows: list[int]) -> "Attained":
-        """Return the accuracy reached by fitted tasks at rows of a variant with goals."""
+        """Return the accuracy reached by the fitted tasks at ``rows`` of a variant with goals."""
         tasks = [variant.tasks[row] for row in rows]
         estimates = self.fitted[variant.label].at(rows)
         expected = [variant.goals[task.key] for task in tasks]
@@ -124,7 +124,7 @@ class Collector:
         return reduce.attained(estimates, goals, ratios, accuracy, realizations)
 
     def _complete(self, variant: Variant, sound: np.ndarray, blocks: dict[str, int]) -> "Estimates":
-        """Return the estimates of all tasks; failed ones are marked."""
+        """Return the estimates of all tasks, with failed tasks marked. sound : the other rows."""
         rows, tasks = sound.tolist(), variant.tasks
         estimates = self.fitted[variant.label].at(rows)
         if variant.goals:
@@ -152,11 +152,11 @@ class Fitted:
     """Estimates of the fitted tasks of a variant."""
 
     def __init__(self, variant: Variant) -> None:
-        self.blocks = np.zeros(len(variant.tasks), int)  # in the fit of each task; 0: not fitted
+        self.blocks = np.zeros(len(variant.tasks), int)  # in the fit of each task; 0: no fit yet
         self.arrays: Estimates = {}
 
     def enter(self, rows: list[int], estimates: "Estimates", blocks: list[int]) -> None:
-        """Enter the estimates of tasks."""
+        """Store the estimates of the tasks at ``rows``. blocks : number of blocks in each fit."""
         for name, values in estimates.items():
             if name not in self.arrays:
                 self.arrays[name] = np.empty((self.blocks.size, *values.shape[1:]), values.dtype)
@@ -164,16 +164,16 @@ class Fitted:
         self.blocks[rows] = blocks
 
     def at(self, rows: list[int]) -> "Estimates":
-        """Return the estimates of fitted tasks, as read-only arrays."""
+        """Return the estimates at ``rows``; callers must not write to the arrays."""
         if rows == list(range(self.blocks.size)):
-            return dict(self.arrays)  # a copy of the curves of 1e5 points would be large
+            return dict(self.arrays)  # not copied: the curves of 1e5 points are large
         return {name: values[rows] for name, values in self.arrays.items()}
 
 
 def _portions(groups: dict[int, int]) -> list[list[int]]:
-    """Return the rows of tasks in portions with equal numbers of jackknife groups.
+    """Return the rows in portions of tasks with the same number of jackknife groups.
 
-    groups : numbers of groups by row. A portion is reduced in one call.
+    groups : number of groups by row. Each portion is reduced in one call.
     """
     rows_by_count: dict[int, list[int]] = {}
     for row, count in groups.items():
@@ -191,9 +191,9 @@ def _reduce_portion(portion: "tuple[list[int], Blocks]") -> "tuple[Estimates, fl
 
 
 def next_blocks(now: int, growth: float, most: int) -> int:
-    """Return the number of blocks of the next round, which is ``now`` if no more are needed.
+    """Return the number of blocks of the next round, or ``now`` if no more are needed.
 
-    growth : missing factor by the measured standard errors. most : the limit.
+    growth : factor by which the number must grow, from the measured standard errors. most : limit.
     """
     if growth <= 1.0:
         return now
@@ -213,7 +213,7 @@ class Rounds:
         self.number = 1
 
     def advance(self, collector: Collector) -> bool:
-        """Judge the tasks of the round; return whether a further round is needed."""
+        """Raise the blocks of tasks that miss the accuracy; return whether to run another round."""
         for variant in self.plan.variants:
             if self.open.get(variant.label):
                 self.open[variant.label] = self._raise_blocks(collector, variant)

@@ -1,10 +1,10 @@
 """Core time of a study, estimated from a random sample of its work.
 
-A draw is some lines of one piece of work, computed as in a run and timed in this process. Pieces
-are drawn with known probabilities. The mean of the times, each divided by the probability of its
-draw, estimates the total without bias however wrong the predictions are (M. H. Hansen and W. N.
-Hurwitz, Ann. Math. Stat. 14 (1943) 333, doi:10.1214/aoms/1177731356). Wrong predictions widen the
-standard error, which is that of independent draws.
+A draw computes and times some lines of one piece of work in this process. Pieces are drawn with
+known probabilities. Each time is divided by the probability of its draw; the mean of these ratios
+is an unbiased estimate of the total, however wrong the predicted times are (M. H. Hansen and W. N.
+Hurwitz, Ann. Math. Stat. 14 (1943) 333, doi:10.1214/aoms/1177731356). Wrong predictions increase
+the standard error, which is computed as for independent draws.
 """
 
 import math
@@ -22,9 +22,9 @@ from ..simulate import Batch, block_means, load_kernels
 from ..study import HALF_SPACE
 from ..system import report_compilation
 
-DRAW_SECONDS = 0.2  # predicted, of a draw, where single lines are short enough
-TYPICAL_DRAWS = 40  # in a time that is shorter than as many such draws
-MIN_DRAWS = 8  # for a standard error
+DRAW_SECONDS = 0.2  # predicted time of a draw, unless its smallest possible share takes longer
+TYPICAL_DRAWS = 40  # number of draws in a short time limit; draws are then shorter
+MIN_DRAWS = 8  # smallest number of draws with a standard error
 GOLDEN_RATIO = 0.5 * (math.sqrt(5.0) - 1.0)
 
 
@@ -36,7 +36,7 @@ class CostSample(NamedTuple):
     draws: int
 
     def __str__(self) -> str:
-        """Return it in words: 12.5 ± 0.4 core-hours from 43 samples."""
+        """Return the estimate as text, such as "12.5 ± 0.4 core-hours from 43 samples"."""
         units = ((3600.0, "core-hours"), (60.0, "core-minutes"), (1.0, "core-seconds"))
         size, unit = next((u for u in units if self.seconds >= 2.0 * u[0]), units[-1])
         value, count = self.seconds / size, counted(self.draws, "sample")
@@ -50,10 +50,10 @@ class CostSample(NamedTuple):
 class Share(NamedTuple):
     """The lines of a piece of work that one draw computes."""
 
-    size: int  # realizations of a unit: of a block, a quartet of lines, or one map
-    units: int  # in the piece
-    drawn: int  # units that are drawn
-    lines: int  # realizations that are computed of each of them
+    size: int  # realizations per unit; a unit is a block, a quartet of lines, or one map
+    units: int  # number of units in the piece
+    drawn: int  # number of units in a draw
+    lines: int  # number of realizations computed in each drawn unit
 
     @property
     def share(self) -> float:
@@ -62,10 +62,10 @@ class Share(NamedTuple):
 
 
 def sample_cost(plan: Plan, seconds: float) -> CostSample:
-    """Return the core time of a study from draws that take about ``seconds`` of core time.
+    """Estimate the core time of a study from draws that take about ``seconds`` of core time.
 
-    The sequence of draws follows from the seed of the study, its length from the time that they
-    take. No draw begins after ``seconds``, but one that has begun ends: at least one is computed.
+    The seed of the study determines the sequence of draws; their measured times determine its
+    length. No draw begins after ``seconds``, but a running draw is completed and at least one runs.
     """
     missing = missing_work(plan, ())
     pieces = cut(plan, missing, batch_target(total_seconds(missing)))
@@ -78,7 +78,7 @@ def sample_cost(plan: Plan, seconds: float) -> CostSample:
     estimates: list[float] = []
     spent = 0.0
     while not estimates or spent < seconds:
-        # A sequence of low discrepancy spreads any number of draws evenly over the pieces.
+        # A low-discrepancy sequence spreads any number of draws evenly over the pieces.
         place = (start + GOLDEN_RATIO * len(estimates)) % 1.0
         row = int(np.searchsorted(ends, place * ends[-1], side="right"))
         batch = drawn_batch(plan, pieces[row], shares[row], generator)
@@ -90,9 +90,9 @@ def sample_cost(plan: Plan, seconds: float) -> CostSample:
 
 
 def share_of(plan: Plan, piece: Missing, seconds: float) -> Share:
-    """Return the lines of a piece that are predicted to take ``seconds``, or the least there are.
+    """Return the share of a piece predicted to take ``seconds``, or the smallest possible share.
 
-    Lines of a block are alike. Measured lines, and those run with halved steps too, stay in blocks.
+    Blocks are split, except those of measured lines and of lines also run with halved steps.
     """
     size = plan.study.realizations_per_block
     units, single = piece.blocks, size
@@ -107,10 +107,10 @@ def share_of(plan: Plan, piece: Missing, seconds: float) -> Share:
 
 
 def draw_weights(pieces: list[Missing], shares: list[Share], seconds: float) -> np.ndarray:
-    """Return the probabilities of the pieces, up to a factor.
+    """Return the unnormalised probabilities of the pieces, shape (pieces,).
 
-    They are proportional to the predicted time of a piece. Where a draw takes longer than
-    ``seconds`` they fall with the root of its time, which gives the smallest error in a given time.
+    They are proportional to the predicted time of a piece. If a draw takes longer than ``seconds``,
+    they are divided by the square root of its time, which minimises the error for a given time.
     """
     predicted = np.array([piece.blocks * piece.seconds for piece in pieces])
     drawn = predicted * np.array([share.share for share in shares])
@@ -126,7 +126,7 @@ def drawn_batch(plan: Plan, piece: Missing, share: Share, generator: np.random.G
 
 
 def _warm_up(plan: Plan, pieces: list[Missing], shares: list[Share]) -> None:
-    """Compile or load the kernels, and run a short draw of each variant that is not timed."""
+    """Compile or load the kernels, and run one short untimed draw of each variant."""
     generator = np.random.default_rng(plan.study.seed)
     with report_compilation("the kernels needed", "10 to 60 s", cache.WAITING_EVENT):
         for variant in plan.variants:

@@ -1,4 +1,4 @@
-"""Retry policy of failed batches: split, retried alone, then recorded as failed."""
+"""Retry policy: a failed batch is split, its tasks are retried alone, then recorded as failed."""
 
 import dataclasses
 import math
@@ -15,16 +15,16 @@ class Failures:
     """The retry policy of a run, and its failed tasks.
 
     A failed batch is split into its tasks. A task that raises again, or kills its workers while it
-    runs alone, is recorded in the journal; later runs skip it unless they retry failures.
+    runs alone, is recorded in the journal. Later runs skip it unless ``retry_failed`` is set.
     """
 
     def __init__(self, store: Store, plan: Plan, most: int) -> None:
-        """Create the policy. most : number of failed tasks above which the run starts no work."""
+        """Create the policy. most : largest number of new failures; beyond it the run stops."""
         self.store, self.plan, self.most = store, plan, most
-        self.fresh = 0  # failures of this run
+        self.fresh = 0  # number of tasks that failed in this run
 
     def __contains__(self, record: Any) -> bool:
-        """Return whether a record needs no work: it is stored, or its task failed."""
+        """Return whether a record is settled: it is stored, or its task failed."""
         return record[0] in self.store.failed or record in self.store
 
     def __call__(self, batch: Batch, error: Exception, alone: bool) -> list[Batch]:
@@ -49,7 +49,7 @@ class Failures:
         return [(v.label, t) for v in self.plan.variants for t in v.tasks if t.key in failed]
 
     def lines(self) -> list[str]:
-        """Return a table of all failed tasks of the plan, by grid point."""
+        """Return a table of all failed tasks of the plan, with a heading; empty if none failed."""
         tasks = self.tasks()
         if not tasks:
             return []
@@ -57,13 +57,13 @@ class Failures:
         return [f"{len(tasks)} problems failed; --retry-failed retries them:", *rows]
 
     def where(self, task: Task) -> str:
-        """Return the first grid point of a task as text, without axes that have no value."""
+        """Return the first grid point of a task as text (see ``point_in_words``)."""
         return point_in_words(self.plan.first_point(task))
 
     def _record(self, batch: Batch, error: Exception) -> None:
         (task,) = batch.tasks
         if task.key in self.store.failed:
-            return  # another block of it failed
+            return  # another block of this task failed before
         if _killed(error):
             times = getattr(error, "allowed_failures", 0) + 1
             why = f"its worker died {times} times, or retired before the job's walltime"
@@ -76,12 +76,12 @@ class Failures:
 
 
 def _killed(error: Exception) -> bool:
-    """Return whether a worker died. Without workers dask's scheduler is not imported."""
+    """Return whether a worker died. dask's scheduler is not imported if there are no workers."""
     scheduler = sys.modules.get("distributed.scheduler")
     return scheduler is not None and isinstance(error, scheduler.KilledWorker)
 
 
 def point_in_words(point: dict[str, float]) -> str:
-    """Return a grid point as text, without NaN axes (the Hurst exponent of measured lines)."""
+    """Return a grid point as text, without axes that are NaN (such as H of measured lines)."""
     known = {axis: value for axis, value in point.items() if not math.isnan(value)}
     return " ".join(f"{axis}={value:.4g}" for axis, value in known.items())

@@ -1,4 +1,4 @@
-"""Run a plan: compute what is missing, store it as it finishes, reduce, write the result."""
+"""Run a plan: compute the missing records, store them, reduce them and write the result."""
 
 import time
 from functools import partial
@@ -46,14 +46,14 @@ if TYPE_CHECKING:
     from ..result import Groups
 
 
-ATTEMPTS = 3  # at a result, when shards turn out damaged
+ATTEMPTS = 3  # at collecting a result if shards are found damaged
 
 
 def run_plan(plan: Plan, result: Path, how: RunOptions) -> Summary:
     """Compute the missing records of a plan, store them, and write the result file.
 
-    An interrupted run keeps all finished batches and writes no result file; so does one with more
-    than ``how.max_failures`` failed problems. With fewer, these are marked in the result.
+    A run that is interrupted, or in which more than ``how.max_failures`` problems fail, keeps all
+    finished batches but writes no result file. Otherwise failed problems are marked in the result.
     """
     import_dask()
     began = time.monotonic()
@@ -95,7 +95,7 @@ class _Run:
         self.status = StatusWriter(result, store.folder, status, self._extent)
 
     def is_done(self) -> bool:
-        """Return whether the result exists and would be written again unchanged; report it."""
+        """Return whether the result exists and is up to date; if so, complete the summary."""
         if not is_unchanged(self.plan, self.store, self.failures, self.result, self.missing):
             return False
         self.summary.written = self.summary.unchanged = True
@@ -105,18 +105,18 @@ class _Run:
         return True
 
     def seconds(self) -> float:
-        """Return the predicted core-seconds of the remaining work, fits included."""
+        """Return the predicted core-seconds of the missing records and of all fits."""
         groups = (min(blocks, JACKKNIFE_GROUPS) for blocks in self.plan.expected.values())
         return total_seconds(self.missing) + sum(fit_seconds(self.plan, count) for count in groups)
 
     def load_kernels(self) -> None:
-        """Load or compile the required kernels, once for all processes of this machine."""
-        if self.missing and self.how.cluster.where == LOCAL:  # others compile for themselves
+        """Load or compile the required kernels once for all processes of this machine."""
+        if self.missing and self.how.cluster.where == LOCAL:  # remote workers compile their own
             for variant in self.plan.variants:
                 load_kernels(variant.lines.body, variant.numerics.scheme, self.plan.quantities)
 
     def finish(self, workers: Workers) -> None:
-        """Compute, collect and write; record the outcome in the status in any case."""
+        """Compute and collect, then write the result; always record the outcome in the status."""
         state = "ended early"
         try:
             with self.watch.telling(self._look):
@@ -134,7 +134,7 @@ class _Run:
             self.status.end(state)
 
     def _datasets(self, workers: Workers) -> "Groups":
-        """Compute the missing records, then collect; repeat both if shards are damaged."""
+        """Compute and collect, again if a shard is damaged; return no datasets after a stop."""
         collector = Collector(workers, self.store, self.plan, self.summary, self.watch)
         missing = self.missing if self.plan.first == self.plan.expected else None
         for _ in range(ATTEMPTS):
@@ -156,7 +156,7 @@ class _Run:
         )
 
     def _marked(self, datasets: "Groups", blocks: dict[str, int]) -> "Groups":
-        """Return the datasets with the makers of their records and the key of the result."""
+        """Return the datasets with the record makers and the result key as attributes."""
         sound = {key: count for key, count in blocks.items() if key not in self.store.failed}
         makers = self.store.index.makers_of(sound)
         require_one(makers, self.how.one_kind)
@@ -166,7 +166,7 @@ class _Run:
         return {label: data.assign_attrs(attributes) for label, data in datasets.items()}
 
     def _compute(self, workers: Workers, missing: list[Missing]) -> None:
-        """Compute and store what is missing."""
+        """Compute and store the missing records."""
         target = self.how.batch_seconds or batch_target(total_seconds(missing))
         target = min(target, self.how.cluster.longest_batch)
         pieces = cut(self.plan, missing, target)
@@ -177,7 +177,7 @@ class _Run:
 
             def look(threads: int, in_flight: int) -> None:
                 del in_flight
-                if threads:  # without workers the watch reports it
+                if threads:  # otherwise the watch reports that workers are missing
                     reporter.beat(threads, self.failures.fresh)
                 buffer.flush_when_due()
 
@@ -194,7 +194,7 @@ class _Run:
                     reporter.advance(done.seconds, remaining.seconds())
 
     def _extent(self, missing: list[Missing] | None = None) -> tuple[int, float]:
-        """Return the number of records that are settled, and the predicted seconds of the rest."""
+        """Return the number of settled records, and the predicted core-seconds of the others."""
         missing_records = missing_work(self.plan, self.failures) if missing is None else missing
         return self.plan.records - total_records(missing_records), total_seconds(missing_records)
 
@@ -202,13 +202,13 @@ class _Run:
         return self.interrupt() or self.failures.too_many()
 
     def _look(self, threads: int, in_flight: int) -> None:
-        """Record the workers every second."""
+        """Record the number of workers, and write the status if it is due."""
         self.summary.workers = max(self.summary.workers, threads)
         self.status.write(threads, min(threads, in_flight))
 
 
 def require_one(makers: set[Maker], required: bool) -> None:
-    """Raise UserError if records have several makers although one is required."""
+    """Raise UserError if records have several makers and ``required`` is true."""
     if required and len(makers) > 1:
         kinds = "; ".join(f"{maker.versions} on {maker.processor}" for maker in sorted(makers))
         raise UserError(

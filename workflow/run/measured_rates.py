@@ -1,19 +1,19 @@
-"""Rates of a run: measured over predicted core time of its finished batches."""
+"""Rates of a run: ratios of measured to predicted core time of finished batches."""
 
 from collections import defaultdict
 
 from ..plan import Missing, Plan
 from ..simulate import Batch
 
-PRIOR_SECONDS = 1.0  # predicted work without a measurement, at the rate 1
-ROUNDING_SHARE = 1e-9  # of the predicted work: a smaller rest is rounding
+PRIOR_SECONDS = 1.0  # s of work at the rate 1 that are added to the measurements
+ROUNDING_SHARE = 1e-9  # share of the predicted work; a smaller remainder is a rounding error
 
 
 class MeasuredRates:
-    """Measured over predicted core time of finished batches, by label of the variant.
+    """Ratio of measured to predicted core time of finished batches, by label of the variant.
 
-    The predictions of a plan are rough; batches to come and the remaining time are corrected by
-    these rates.
+    The predictions of a plan are rough. These rates correct the lengths of later batches and the
+    remaining time.
     """
 
     def __init__(self, plan: Plan) -> None:
@@ -22,19 +22,19 @@ class MeasuredRates:
         self.predicted: dict[str, float] = defaultdict(float)
 
     def enter(self, batch: Batch, seconds: float) -> None:
-        """Count a finished batch. seconds : its core time."""
+        """Add a finished batch. seconds : its measured core time."""
         label = self.plan.variant_of_batch(batch).label
         self.used[label] += seconds
         self.predicted[label] += batch.seconds
 
     def rate(self, label: str) -> float:
-        """Return the rate of a variant; next to 1 until batches of it are finished."""
+        """Return the rate of a variant, which is 1 until its first batch finishes."""
         used, predicted = self.used.get(label, 0.0), self.predicted.get(label, 0.0)
         return (used + PRIOR_SECONDS) / (predicted + PRIOR_SECONDS)
 
 
 class Remaining:
-    """The core-seconds that are left of some work, corrected by measured rates."""
+    """Remaining core-seconds of some work, corrected by measured rates."""
 
     def __init__(self, work: list[Missing], rates: MeasuredRates) -> None:
         self.rates = rates
@@ -44,18 +44,18 @@ class Remaining:
         self.rounding = ROUNDING_SHARE * sum(self.predicted.values())
 
     def finish(self, batch: Batch) -> None:
-        """Take a finished batch off."""
+        """Subtract a finished batch."""
         label = self.rates.plan.variant_of_batch(batch).label
         left = self.predicted[label] - batch.seconds
         self.predicted[label] = left if left > self.rounding else 0.0
 
     def seconds(self) -> float:
-        """Return the core-seconds that are left."""
+        """Return the corrected remaining core-seconds."""
         return sum(
             predicted * self.rates.rate(label) for label, predicted in self.predicted.items()
         )
 
     def rate(self) -> float:
-        """Return the corrected over the predicted core-seconds that are left."""
+        """Return the ratio of corrected to predicted remaining core-seconds; 1 if none remain."""
         predicted = sum(self.predicted.values())
         return self.seconds() / predicted if predicted else 1.0

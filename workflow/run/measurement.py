@@ -1,4 +1,4 @@
-"""Run a measured study: measure, then write its result file durably."""
+"""Run of a measured study: measure, then write the result file durably."""
 
 import os
 import sys
@@ -12,9 +12,9 @@ from ..system import DiskRetry, Reporter, check_place, duration, import_dask, ma
 
 
 def run_measured(study: Measured, result: Path) -> list[str]:
-    """Measure, write the result file durably; return the lines to print.
+    """Measure, and write the result file durably; return the lines to print.
 
-    An interrupted measurement writes nothing: an earlier result stays as it was.
+    An interrupted measurement writes nothing, so that an earlier result stays unchanged.
     """
     import_dask()
     lines, seconds = study.script.outline(study.settings)
@@ -24,7 +24,7 @@ def run_measured(study: Measured, result: Path) -> list[str]:
     began = sum(os.times()[:4])
     with Reporter("measuring", seconds) as reporter:
         groups = study.script.measure(study.settings, study.seed, reporter.advance)
-    used = sum(os.times()[:4]) - began  # of this process and of those it waited for
+    used = sum(os.times()[:4]) - began  # CPU time of this process and its finished children
     origins = origin(study)
     marked = {name: data.assign_attrs(origins | data.attrs) for name, data in groups.items()}
     patience = DiskRetry(THIS_MACHINE.patience)

@@ -1,7 +1,7 @@
 """Progress of a study, written to the folder of its result during a run.
 
-Reading takes no time per point: the file states its position in the journal of the store, and only
-later entries are counted.
+The status file records an offset in the journal of the store. A reader counts only later entries,
+so that its time does not grow with the number of points.
 """
 
 import hashlib
@@ -22,35 +22,35 @@ from ..store import Store, journal
 from ..study import Study
 from ..system import holder, write_durably
 
-WRITE_SECONDS = 5.0
-LONGEST = 2**16  # bytes of a status
+WRITE_SECONDS = 5.0  # shortest time between two writes
+LONGEST = 2**16  # bytes that are read of a status file
 
 
 @dataclass
 class Status:
     """Progress of a study."""
 
-    study: str  # study_digest
-    total: int  # records, one for each problem and block
-    done: int
-    left: float  # core-seconds as the plan predicts them
-    failed: int = 0  # problems
-    offset: int = 0  # bytes of the journal that are counted
+    study: str  # digest of the study, see study_digest
+    total: int  # number of records, one per problem and block
+    done: int  # number of settled records
+    left: float  # remaining core-seconds as predicted by the plan
+    failed: int = 0  # number of failed problems
+    offset: int = 0  # bytes of the journal counted so far
     state: str = "not running"
-    running: int = 0  # batches
+    running: int = 0  # number of running batches
     workers: int = 0
     updated: str = ""
     host: str = ""
     pid: int = 0
-    rate: float = 1.0  # measured over predicted core time of the remaining work
+    rate: float = 1.0  # ratio of corrected to predicted core time of the remaining work
 
     @property
     def seconds_left(self) -> float:
-        """Return the core-seconds that are left, corrected by the finished batches."""
+        """Remaining core-seconds, corrected by the rate of the finished batches."""
         return self.left * self.rate
 
     def advance(self, folder: Path) -> bool:
-        """Count new entries of the journal; return whether the status is then complete."""
+        """Count new entries of the journal; return False if all records must be counted again."""
         if journal.size(folder) < self.offset:
             return False
         for entry, offset in journal.entries(folder, self.offset):
@@ -61,7 +61,7 @@ class Status:
                 self.left = max(0.0, left) if self.done < self.total else 0.0
             elif "failed" in entry:
                 self.failed += 1
-            elif entry.keys() & {"run", "retry", "dropped"}:  # another run, a damaged shard
+            elif entry.keys() & {"run", "retry", "dropped"}:  # another run, or a dropped shard
                 return False
         return True
 
@@ -71,12 +71,12 @@ class Status:
 
     @property
     def ended(self) -> str:
-        """Outcome of the last run, if nothing runs."""
+        """Outcome of the last run, provided that no run is active."""
         return "was killed" if self.state == "running" else self.state
 
     def lines(self, result: Path, by: str | None) -> list[str]:
-        """Return the lines that the command prints. by : process that runs in the folder."""
-        total = max(self.total, self.done)  # rounds may take more than predicted
+        """Return the output of the command. by : holder of the folder's lock, or None."""
+        total = max(self.total, self.done)  # rounds may need more records than predicted
         alive = self.runs(by)
         running, workers = (self.running, self.workers) if alive else (0, 0)
         source = "predicted" if self.rate == 1.0 else "by the rate of the finished batches"
@@ -102,28 +102,28 @@ def result_line(result: Path) -> str:
 
 
 def study_digest(study: Study) -> str:
-    """Return a digest that identifies a study, its settings and our code."""
+    """Return a digest of the settings of a study and of the numerical code."""
     return hashlib.sha256((CODE_HASH + study.text).encode()).hexdigest()[:16]
 
 
 def status_file(result: Path) -> Path:
-    """Return the path of the status of a study."""
+    """Return the path of the status file that belongs to a result."""
     return result.with_suffix(".status.json")
 
 
 class StatusWriter:
-    """Writer of the status of a run, which it replaces as a whole every few seconds."""
+    """Writer that replaces the status file of a run every few seconds."""
 
     def __init__(
         self, result: Path, folder: Path, status: Status, extent: Callable[[], tuple[int, float]]
     ) -> None:
-        """Create the writer. extent : counts settled records and seconds of the others."""
+        """Create the writer. extent : returns settled records and core-seconds of the others."""
         self.path, self.folder = status_file(result), folder
         self.status, self.extent = status, extent
         self.status.pid, self.status.host = os.getpid(), socket.gethostname()
         self.status.offset = journal.size(folder)
         self.written = -WRITE_SECONDS
-        self.complaint = ""  # the last warning
+        self.complaint = ""  # last warning, which is not repeated
 
     def write(self, workers: int, running: int) -> None:
         """Write the status if it is due."""
@@ -131,7 +131,7 @@ class StatusWriter:
             self.end("running", workers, running)
 
     def end(self, state: str, workers: int = 0, running: int = 0) -> None:
-        """Write the state or the outcome of the run; warn if the disk refuses."""
+        """Write the status with this state of the run; warn if the disk refuses."""
         self.written = time.monotonic()
         try:
             self._bring_up_to_date(state, workers, running)
@@ -150,7 +150,7 @@ class StatusWriter:
 
 
 def read_status(study: Study, result: Path, folder: Path) -> Status:
-    """Return the progress of a study: the updated status of its last run, or counted records."""
+    """Return the progress of a study from its status file, or by counting all records."""
     try:
         with open_plain(status_file(result)) as file:
             content = json.loads(file.read(LONGEST))
@@ -165,7 +165,7 @@ def read_status(study: Study, result: Path, folder: Path) -> Status:
 
 
 def _counted(study: Study, folder: Path) -> Status:
-    """Return the status counted record by record."""
+    """Return the status of a study by counting its stored records."""
     plan, store = make_plan(study), Store(folder)
     missing = missing_work(plan, store)
     failed = sum(t.key in store.failed for v in plan.variants for t in v.tasks)

@@ -1,4 +1,4 @@
-"""Key of a result, by which a run recognises a result that it would write again."""
+"""Key of a result, by which a run recognises a result that is up to date."""
 
 import hashlib
 from collections.abc import Container
@@ -13,13 +13,13 @@ from ..store import Store
 from ..system import our_sources, package_versions
 from .status import study_digest
 
-KEY_ATTRIBUTE = "key"  # of the result file
+KEY_ATTRIBUTE = "key"  # attribute of the result file that holds the key
 
 
 def result_key(plan: Plan, store: Store, blocks: dict[str, int]) -> str:
-    """Return the key of a result. blocks : number of blocks of each task, by its key.
+    """Return the key of a result. blocks : number of blocks by key of the task.
 
-    The key depends on the study, the code of the program, the packages that fit and write, the
+    The key depends on the study, the source code of the program, the versions of the packages, the
     keys and makers of the records, and the failed tasks.
     """
     digest = hashlib.sha256()
@@ -40,10 +40,10 @@ def result_key(plan: Plan, store: Store, blocks: dict[str, int]) -> str:
 def is_unchanged(
     plan: Plan, store: Store, settled: Container[Record], result: Path, missing: list[Missing]
 ) -> bool:
-    """Return whether a run would write the existing result again.
+    """Return whether the existing result is up to date, so that a run would reproduce it.
 
-    settled : records that are stored or belong to failed tasks. missing : missing records of the
-    expected blocks.
+    settled : records that are stored or belong to failed tasks. missing : missing records among
+    the expected blocks.
     """
     rounds = plan.first != plan.expected
     if missing and not rounds:
@@ -58,9 +58,9 @@ def is_unchanged(
 
 
 def _blocks(plan: Plan, realizations: dict[str, np.ndarray]) -> dict[str, int] | None:
-    """Return the blocks of each task (by key), given the realizations of a result at each point.
+    """Return the number of blocks by key of the task, given the realizations at each grid point.
 
-    Returns None if the result is of another grid. Failed tasks count as planned.
+    Returns None if the result has another grid. Failed tasks keep the planned number.
     """
     blocks = dict(plan.first)
     for variant in plan.variants:

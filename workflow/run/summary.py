@@ -1,4 +1,4 @@
-"""Summary of a run and its times, printed at its end; no result depends on it."""
+"""Summary of a run and its times, printed at its end."""
 
 import time
 from collections import defaultdict
@@ -22,34 +22,34 @@ from .failures import point_in_words
 if TYPE_CHECKING:
     import xarray as xr
 
-COSTLIEST = 3  # points shown
-SHOWN = ("hurst", "normal_force", "spacing", "velocity", "velocity_step")
+COSTLIEST = 3  # number of costliest points shown
+SHOWN = ("hurst", "normal_force", "spacing", "velocity", "velocity_step")  # axes of these points
 
 
 @dataclass
 class Summary:
-    """Summary of a run; times are core-seconds of workers unless stated otherwise."""
+    """Summary of a run. Times are core-seconds of workers unless stated otherwise."""
 
-    batches: int = 0
-    reused: int = 0  # records found in the store
-    predicted: float = 0.0  # for all that was missing
-    predicted_done: float = 0.0  # for the finished batches
-    used: float = 0.0
-    start: float = 0.0  # s, compiling kernels and starting workers
-    wall: float = 0.0  # s, from the first to the last
-    workers: int = 1
-    files: float = 0.0  # s, reading and writing in the driver, mostly while workers compute
-    peak: int = 0  # bytes, of the largest worker
+    batches: int = 0  # number of finished batches
+    reused: int = 0  # number of records already settled in the store
+    predicted: float = 0.0  # time of all missing records
+    predicted_done: float = 0.0  # time of the finished batches
+    used: float = 0.0  # measured time of the finished batches
+    start: float = 0.0  # s, wall time to compile kernels and start workers
+    wall: float = 0.0  # s, wall time of the whole run
+    workers: int = 1  # largest number of worker threads
+    files: float = 0.0  # s, wall time of reading and writing in the driver
+    peak: int = 0  # bytes, peak memory of the largest worker
     interrupted: bool = False
-    written: bool = False  # the result file
-    unchanged: bool = False  # it was there before
-    failures: list[str] = field(default_factory=list)  # a table
-    accuracy: list[str] = field(default_factory=list)  # what was reached, by variant
-    phases: dict[str, float] = field(default_factory=lambda: defaultdict(float))
-    tasks: dict[str, float] = field(default_factory=lambda: defaultdict(float))  # by key
+    written: bool = False  # whether the result file exists at the end
+    unchanged: bool = False  # whether the result file was up to date before the run
+    failures: list[str] = field(default_factory=list)  # lines of a table
+    accuracy: list[str] = field(default_factory=list)  # lines on the accuracy reached, by variant
+    phases: dict[str, float] = field(default_factory=lambda: defaultdict(float))  # time by phase
+    tasks: dict[str, float] = field(default_factory=lambda: defaultdict(float))  # time by task key
 
     def count(self, batch: Batch, done: BatchResult) -> None:
-        """Enter a finished batch."""
+        """Add a finished batch."""
         self.batches += 1
         self.predicted_done += batch.seconds
         self.used += done.seconds
@@ -63,20 +63,20 @@ class Summary:
 
     @contextmanager
     def filing(self) -> Iterator[None]:
-        """Book the wall time of this block to reading and writing files."""
+        """Add the wall time of this block to ``files``."""
         began = time.monotonic()
         yield
         self.files += time.monotonic() - began
 
     def say_accuracy(self, plan: Plan, result: Path) -> None:
-        """Record at how many points a written result has the requested accuracy, if any."""
+        """Add lines on the accuracy that a written result reaches, if an accuracy is requested."""
         if any(variant.goals for variant in plan.variants):
             with ExitStack() as stack:
                 for label, dataset in results.open_result(plan.study, result, stack).items():
                     self.accuracy += accuracy_lines(label, dataset)
 
     def lines(self, plan: Plan) -> list[str]:
-        """Return the report of a run, line by line."""
+        """Return the lines of the summary."""
         factor = f" (factor {self.used / self.predicted_done:.2f})" if self.predicted_done else ""
         whole = "" if self.written else f", of {duration(self.predicted)} for the whole"
         rows = [
@@ -92,7 +92,7 @@ class Summary:
         return rows + self.accuracy
 
     def _where(self) -> str:
-        """Return the shares of the core time that the workers had once they were there."""
+        """Return a line with the shares of the workers' core time, counted from their start."""
         whole = max((self.wall - self.start) * self.workers, 1e-9)
         shares = {**self.phases, "scheduling, waiting": whole - sum(self.phases.values())}
         shown = ", ".join(f"{name} {max(part, 0.0) / whole:.0%}" for name, part in shares.items())
@@ -122,7 +122,7 @@ class Summary:
 
 
 def accuracy_lines(label: str, dataset: "xr.Dataset") -> list[str]:
-    """Return, in words, at how many points a dataset has the requested accuracy."""
+    """Return lines with the number of points that meet the accuracy, and the worst point."""
     if "accuracy_status" not in dataset:
         return []
     status = dataset.accuracy_status.values

@@ -1,4 +1,4 @@
-"""Workers that compute and fit: this process for short work, or those of a cluster."""
+"""Workers that compute and fit: this process for short work, otherwise those of a cluster."""
 
 import sys
 from collections.abc import Callable, Iterable, Iterator
@@ -13,32 +13,32 @@ from ..simulate import Batch, BatchResult, block_means
 from ..study import LOCAL, THIS_MACHINE, Cluster
 from ..system import Watch, own_versions
 
-SECONDS_HERE = 10.0  # predicted work below which this process computes without workers
-SECONDS_PER_FIT = 3e-5  # and replicate
+SECONDS_HERE = 10.0  # predicted time below which this process computes without workers
+SECONDS_PER_FIT = 3e-5  # core time of one fit to one jackknife replicate
 
 # stream(function, items, watch, retry) yields (item, function(item)).
 Stream = Callable[..., Iterator[tuple[Any, Any]]]
 
 
 class RunOptions(NamedTuple):
-    """Options of a run; no number of the result depends on them.
+    """Options of a run; the numbers of the result do not depend on them.
 
-    batch_seconds : predicted length of a batch; by default it grows with the study.
+    batch_seconds : predicted length of a batch, s; by default it grows with the study.
     work : function that computes a batch; tests replace it.
     """
 
     cluster: Cluster = THIS_MACHINE
-    workers: int | None = None  # processes of this machine; None: one per core, if any
+    workers: int | None = None  # local processes; None: one per core, or none for short work
     dashboard: bool = False
     batch_seconds: float | None = None
     max_failures: int = 0
     retry_failed: bool = False
     one_kind: bool = False  # refuse to mix records of several makers
-    no_lock: bool = False  # work without locks of the file system
+    no_lock: bool = False  # continue if the file system does not support locks
     work: Callable[[Batch], BatchResult] = block_means
 
     def here(self, seconds: float) -> bool:
-        """Return whether this process computes work of ``seconds`` (predicted) without workers."""
+        """Return whether to compute without workers. seconds : predicted time of the work."""
         workers_requested = (
             self.cluster.where != LOCAL or self.workers is not None or self.dashboard
         )
@@ -46,12 +46,12 @@ class RunOptions(NamedTuple):
 
 
 def fit_seconds(plan: Plan, groups: int) -> float:
-    """Return the predicted time of the fits of a task. groups : of the jackknife."""
+    """Return the predicted seconds of the fits of a task. groups : number of jackknife groups."""
     return (groups + 1) * plan.quantities.relaxation * SECONDS_PER_FIT
 
 
 class Workers(NamedTuple):
-    """A stream of work to the workers, and their function of a batch."""
+    """A function that streams items through the workers, and the function that computes a batch."""
 
     stream: Stream
     work: Callable[[Batch], BatchResult]
@@ -59,7 +59,7 @@ class Workers(NamedTuple):
 
 @contextmanager
 def open_workers(how: RunOptions, seconds: float, watch: Watch) -> Iterator[Workers]:
-    """Yield the workers for work of ``seconds`` (predicted).
+    """Yield the workers. seconds : predicted time of the work.
 
     Raises UserError if no workers are available.
     """
@@ -86,7 +86,7 @@ def stream_here(
     watch: Watch,
     retry: Callable[[Any, Exception, bool], list[Any]] | None = None,
 ) -> Iterator[tuple[Any, Any]]:
-    """Yield (item, function(item)), one after the other, until watch() is true.
+    """Yield (item, function(item)), one item at a time, until ``watch()`` returns True.
 
     As in cluster.stream, an item that raises twice is passed to ``retry``, which returns its
     replacements; without ``retry`` the error ends the stream.
@@ -115,5 +115,5 @@ def _tried(function: Callable[[Any], Any], item: Any) -> Any:
         return function(item)
     except UserError:
         raise
-    except Exception:  # on a cluster two workers try it
+    except Exception:  # retried as on a cluster, where a second worker tries it
         return function(item)
