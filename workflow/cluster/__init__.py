@@ -1,6 +1,6 @@
 """Execution of batches on local processes, batch jobs or a running scheduler.
 
-Only this room and ``run`` import dask's scheduler.
+Only this package and ``run`` import dask's scheduler.
 """
 
 from typing import TYPE_CHECKING

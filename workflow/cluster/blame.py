@@ -1,6 +1,6 @@
-"""Detection of sick workers, on which items fail in a row that other workers compute.
+"""Detection of sick workers: several items in a row fail there and succeed on other workers.
 
-Workers are identified by address. With several hosts, a failing worker stands for its host, since
+Workers are identified by address. If there are several hosts, failures are counted per host, since
 the workers of a host share disk and memory.
 """
 
@@ -11,17 +11,17 @@ from dataclasses import dataclass, field
 from ..system import say
 from .pool import Snapshot
 
-MAX_CONSECUTIVE_FAILURES = 3  # of items that succeed elsewhere, before a worker is excluded
-RESTART_SECONDS = 30.0  # within which a lost worker may be restarted
+MAX_CONSECUTIVE_FAILURES = 3  # of items that succeed elsewhere; then the worker is excluded
+RESTART_SECONDS = 30.0  # time within which a lost worker is expected to restart
 
 
 @dataclass
 class Blame:
-    """State of all workers over successive snapshots, with the excluded ones."""
+    """Record of worker failures and losses over successive snapshots, by ``place``."""
 
-    now: Snapshot = field(default_factory=lambda: Snapshot({}))
-    failures: Counter[str] = field(default_factory=Counter)  # consecutive, by place
-    excluded: set[str] = field(default_factory=set)  # places
+    now: Snapshot = field(default_factory=lambda: Snapshot({}))  # latest snapshot
+    failures: Counter[str] = field(default_factory=Counter)  # consecutive failures, by place
+    excluded: set[str] = field(default_factory=set)  # excluded places
     lost: dict[str, float] = field(default_factory=dict)  # time of the loss (s), by address
     by_host: bool = False  # whether workers run on several hosts
 
@@ -37,14 +37,14 @@ class Blame:
         self.by_host = len({address.rpartition(":")[0] for address in snapshot.threads}) > 1
 
     def fit(self, failed: Iterable[str] = ()) -> list[str]:
-        """Return the ready workers that are neither excluded nor at a place of a failure."""
+        """Return the ready workers outside the excluded places and those of ``failed``."""
         return self._elsewhere(self.now.ready, failed)
 
     def awaited(self, failed: Iterable[str] = ()) -> bool:
-        """Return whether ``fit`` is empty but may soon have a worker.
+        """Return whether ``fit`` is empty but a suitable worker may soon connect.
 
-        This holds before the first worker connects, and after a suitable worker was lost, which
-        its nanny restarts within seconds.
+        This holds before the first worker connects, and shortly after a suitable worker was lost,
+        since its nanny restarts it within seconds.
         """
         lost = self._elsewhere(self.lost, failed)
         return not self.now.threads or (not self.fit(failed) and bool(lost))
@@ -58,11 +58,11 @@ class Blame:
         return places > 1 or (len(failed) > 1 and not self.fit(failed))
 
     def place(self, address: str) -> str:
-        """Return the place of a worker: its host, or its address if there is a single host."""
+        """Return the place of a worker: its host if there are several hosts, else its address."""
         return address.rpartition(":")[0] if self.by_host else address
 
     def succeeded(self, address: str, failed: Iterable[str]) -> None:
-        """Record that a worker computed an item that failed at ``failed``; exclude sick workers."""
+        """Record that a worker computed an item that had failed at ``failed``; exclude the sick."""
         place = self.place(address)
         self.failures.pop(place, None)
         for other in {self.place(other) for other in failed if other} - {place, *self.excluded}:

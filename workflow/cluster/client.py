@@ -27,8 +27,8 @@ from .security import ENCRYPTED, new_security, no_pages, scheduler_options, secu
 
 CONNECT_SECONDS = 10
 MUTE_SECONDS = 30  # timeout for a scheduler that accepts connections but does not answer
-CLOSE_SECONDS = 2.0  # timeout of closing
-WORKER_TTL = "25s"  # after which dask restarts a silent worker; also the period of its check
+CLOSE_SECONDS = 2.0  # timeout for closing a client
+WORKER_TTL = "25s"  # silence after which dask restarts a worker; also the period of the check
 LOOPBACK = "127.0.0.1"
 
 
@@ -48,14 +48,14 @@ def open_client(
         raise UserError("--dashboard: needs bokeh (the extra 'dashboard' of this package)")
     settings = {
         "distributed.scheduler.worker-ttl": WORKER_TTL,
-        "distributed.scheduler.worker-saturation": 1.0,  # no queue on workers: Ctrl-C is quick
+        "distributed.scheduler.worker-saturation": 1.0,  # no queue on workers, for a quick Ctrl-C
         "distributed.admin.low-level-log-length": 0,  # otherwise 1000 messages stay in memory
-        # Event-loop ticks and profiles take a tenth of a core of an idle process.
+        # By default, event-loop ticks and profiles take a tenth of a core in an idle process.
         "distributed.admin.tick.interval": "1s",
         "distributed.worker.profile.enabled": dashboard,  # only the dashboard shows it
         **{f"distributed.nanny.pre-spawn-environ.{k}": v for k, v in THREADS.items()},
     }
-    # The stream reports lost workers in one line.
+    # Silenced because ``stream`` reports lost workers in one line.
     for name in ("distributed.client", "distributed.scheduler"):
         logging.getLogger(name).setLevel(logging.CRITICAL)
     watch = watch or Watch()
@@ -79,9 +79,9 @@ def open_client(
 
 @contextlib.contextmanager
 def _local_cluster(loop: IOLoop, workers: int | None, dashboard: bool) -> Iterator[SpecCluster]:
-    """Yield local processes that accept only holders of the certificate of this run."""
+    """Yield a cluster of local processes, which require the certificate of this run to connect."""
     count = workers or CPU_COUNT
-    # Workers import from this folder, so that it must belong to this user alone.
+    # Workers import code from this folder, so that only this user may write to it.
     with tempfile.TemporaryDirectory(prefix="elastomer-friction-") as folder:
         security = new_security(folder)
         ends = {"host": LOOPBACK, "protocol": ENCRYPTED, "security": security}
@@ -96,16 +96,16 @@ def _local_cluster(loop: IOLoop, workers: int | None, dashboard: bool) -> Iterat
         cluster_options = {"loop": loop, "security": security, "silence_logs": logging.CRITICAL}
         pages = dask.config.set(no_pages(security, dashboard))
         with pages, SpecCluster(**parts, **cluster_options) as local:
-            # Replaces a nanny that gave up because its worker was killed during a restart.
+            # Replace any nanny that gave up because its worker was killed during a restart.
             local.adapt(minimum=count, maximum=count, interval=ADAPT_INTERVAL)
             yield local
 
 
 @contextlib.contextmanager
 def _loop_without_ctrl_c() -> Iterator[IOLoop]:
-    """Yield the event loop of a thread that blocks SIGINT, as do the processes it starts.
+    """Yield the event loop of a thread that blocks SIGINT.
 
-    Ctrl-C is sent to the whole process group, so that workers must inherit the blocked signal.
+    Ctrl-C is sent to the whole process group. Workers started from the thread inherit the block.
     """
     started: concurrent.futures.Future[IOLoop] = concurrent.futures.Future()
     finished = asyncio.Event()
@@ -115,7 +115,7 @@ def _loop_without_ctrl_c() -> Iterator[IOLoop]:
         await finished.wait()
 
     def run() -> None:
-        signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})  # inherited by processes
+        signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
         asyncio.run(until_finished())
 
     resource_tracker.ensure_running()  # a later start would unblock the signal in that thread
@@ -130,11 +130,11 @@ def _loop_without_ctrl_c() -> Iterator[IOLoop]:
 
 
 def _client_of(loop: IOLoop, cluster: Cluster) -> Client:
-    """Return a client of a running scheduler."""
+    """Return a client of a running scheduler. Raises UserError if no scheduler answers."""
     security = security_of(cluster)
     try:
         return sync(loop, _connected, cluster.where, security)
-    # The greeting of another service is read as a huge length, which raises MemoryError.
+    # MemoryError: the greeting of another service is misread as a huge message length.
     except (OSError, ValueError, MemoryError) as error:
         accepting = " that accepts the certificates" if security else ""
         text = f"--scheduler {cluster.where}: no scheduler answers there{accepting}"
@@ -143,7 +143,7 @@ def _client_of(loop: IOLoop, cluster: Cluster) -> Client:
 
 async def _connected(where: Any, security: Any = None) -> Client:
     """Return a connected client, or close it and raise if no scheduler answers."""
-    # Not the default client, from which xarray would request locks while it connects.
+    # If this were the default client, xarray would request locks from it while it connects.
     options = {"timeout": CONNECT_SECONDS, "set_as_default": False, "asynchronous": True}
     client = Client(where, security=security, **options)
     try:  # without a timeout a client waits forever for a stopped scheduler
@@ -156,8 +156,8 @@ async def _connected(where: Any, security: Any = None) -> Client:
 async def _closed(client: Client) -> None:
     """Close a client, whether or not its scheduler answers.
 
-    A client that is still open when Python collects it may deadlock: the collection can happen
-    while dask holds the lock that closing needs.
+    A client that is still open when it is garbage-collected may deadlock, as the collection can
+    happen while dask holds the lock that closing needs.
     """
     with contextlib.suppress(TimeoutError):
         await client.close(timeout=CLOSE_SECONDS)

@@ -1,4 +1,4 @@
-"""Stream of items through the workers, with a bounded window that is refilled in bulk."""
+"""Stream of items through the workers. The number of items in flight is bounded by a window."""
 
 import math
 from collections.abc import Callable, Collection, Iterable, Iterator
@@ -16,18 +16,18 @@ from .pool import ResultLost, Snapshot
 
 ITEMS_PER_THREAD, MIN_WINDOW = 4, 8  # items in flight
 BOUND_ITEMS_PER_THREAD = (
-    2  # if items are bound to certain workers, so that others can take the rest
+    2  # while workers are excluded: items are then bound to workers and cannot move
 )
 TAKE_SECONDS = 0.2  # longest wait for an arrival before the stop flag is checked
-STOP_SECONDS = 10.0  # wait for running items after a stop
-MAX_WORKER_DEATHS = 3  # that an item may cause before it is given up; dask has the same limit
+STOP_SECONDS = 10.0  # longest wait for running items after a stop
+MAX_WORKER_DEATHS = 3  # caused by one item before it is given up; dask has the same limit
 
-# Returns the items to compute instead of one that failed with an error, alone or not.
+# Called with (item, error, whether the item ran alone); returns the items to compute instead.
 Retry = Callable[[Any, Exception, bool], list[Any]]
 
 
 def raise_error(item: Any, error: Exception, alone: bool) -> list[Any]:
-    """Raise the error of a worker; retry an item once, alone, if its worker died."""
+    """Raise the error of an item; if its workers died, retry it once alone instead."""
     if isinstance(error, KilledWorker) and not alone:
         return [item]
     raise error
@@ -40,17 +40,17 @@ def stream(
     retry: Retry = raise_error,
     blame: Blame | None = None,
 ) -> Iterator[tuple[Any, Any]]:
-    """Yield (item, result) in order of arrival; after watch() is true, only running items.
+    """Yield (item, result) in order of arrival.
 
     At most a few items per worker thread are in flight, so that memory does not grow with the
-    study. An item that raises is retried on another worker; it waits for one if none has connected
-    or one was lost recently. ``retry`` returns the replacement of an item that failed on two
-    workers, or twice on the only worker. Items of killed workers run last and one at a time, so
-    that the item that kills is known. After a stop, running items are awaited for at most
-    STOP_SECONDS. Raises UserError if the scheduler is lost, or when patience ends.
+    study. An item that raises is retried on another worker; it waits if a suitable worker may soon
+    connect. An item that failed on two workers, or twice on the only worker, is passed to
+    ``retry``, which returns its replacements. So is an item whose workers died several times; its
+    replacements run last and one at a time, so that a lethal item is identified. Once ``watch()``
+    returns True, no item starts and running items are awaited for at most STOP_SECONDS.
+    Raises UserError if the scheduler is lost, or when the patience of ``watch`` ends.
 
-    pool : a Pool, or its stand-in in a simulation. blame : state of the workers from earlier
-    streams.
+    pool : a Pool, or its stand-in in tests. blame : state of the workers from earlier streams.
     """
     return iter(_Stream(pool, iter(items), watch or Watch(), retry, blame or Blame()))
 
@@ -60,10 +60,10 @@ class _Work:
     """An item with its failures and its worker."""
 
     item: Any
-    failed: list[str] = field(default_factory=list)  # addresses at which it raised, or ""
-    deaths: int = 0  # of its workers
-    workers: Collection[str] = ()  # allowed workers; empty: all
-    worker: str = ""  # address in the last snapshot
+    failed: list[str] = field(default_factory=list)  # addresses at which it raised; "": unknown
+    deaths: int = 0  # number of its workers that died
+    workers: Collection[str] = ()  # addresses of allowed workers; empty: all
+    worker: str = ""  # address of its worker in the last snapshot
 
 
 @dataclass
@@ -75,13 +75,13 @@ class _Stream:
     blame: Blame
     in_flight: dict[str, _Work] = field(default_factory=dict)  # by key
     again: list[_Work] = field(default_factory=list)  # submitted before the rest of the source
-    alone: list[_Work] = field(default_factory=list)  # submitted after it, one at a time
-    isolated: bool = False  # whether the item in flight is the only one
-    window: int = MIN_WINDOW
+    alone: list[_Work] = field(default_factory=list)  # submitted after the source, one at a time
+    isolated: bool = False  # whether the item in flight was submitted alone
+    window: int = MIN_WINDOW  # largest number of items in flight
     answer: Any = None  # future of the next snapshot
-    requested: float = -math.inf  # time of the request for a snapshot
-    checked: float = -math.inf  # time of the last check
-    stopped: float = math.inf  # time of the stop
+    requested: float = -math.inf  # time of the last request for a snapshot, s
+    checked: float = -math.inf  # time of the last check, s
+    stopped: float = math.inf  # time of the stop, s
 
     def __iter__(self) -> Iterator[tuple[Any, Any]]:
         try:
@@ -96,10 +96,10 @@ class _Stream:
             self.pool.drop(self.in_flight)
 
     def _submit(self) -> None:
-        """Fill the window from the retries and the source; then submit items one at a time."""
+        """Fill the window with retries and new items; if none are left, submit one item alone."""
         free = self.window - len(self.in_flight)
         if self.watch() or free <= self.window // 8 or (self.isolated and self.in_flight):
-            return  # refilled in bulk
+            return  # the window is refilled in bulk
         works = self.again[:free]
         del self.again[:free]
         works += map(_Work, islice(self.source, free - len(works)))
@@ -117,7 +117,7 @@ class _Stream:
     def _send(self, works: list[_Work], workers: list[str]) -> None:
         """Submit items, restricted to ``workers`` unless it is empty.
 
-        A preference would not do, since idle workers steal items and a failing worker is idle.
+        A mere preference does not suffice: idle workers steal items, and a sick worker is idle.
         """
         if works:
             keys = self.pool.submit([work.item for work in works], workers)
@@ -126,7 +126,7 @@ class _Stream:
                 self.in_flight[key] = work
 
     def _take(self) -> list[tuple[Any, Any]]:
-        """Return the arrived (item, result), and schedule replacements of failed items."""
+        """Return the arrived (item, result) pairs, and reschedule failed items."""
         done: list[tuple[Any, Any]] = []
         for arrival in self.pool.take(TAKE_SECONDS):
             work = self.in_flight.pop(arrival.key)
@@ -151,7 +151,7 @@ class _Stream:
             self.again.append(work)
 
     def _look(self) -> None:
-        """Every second request a snapshot of the workers and report to the watch."""
+        """Once a second, request a snapshot of the workers and report to the watch."""
         now, stopping = self.pool.monotonic(), self.watch()
         if stopping:
             self.stopped = min(self.stopped, now)
@@ -161,7 +161,7 @@ class _Stream:
         due = now - self.checked >= BEAT_SECONDS
         if self.answer is None and (
             due or self.requested < self.stopped <= now
-        ):  # soon after a stop
+        ):  # at once after a stop
             self.answer, self.requested = self.pool.request_snapshot(), now
         if not due:
             return
@@ -174,10 +174,10 @@ class _Stream:
         self.watch.look(threads, len(self.in_flight), NO_ANSWER if silent else "")
 
     def _note(self, snapshot: Snapshot, now: float) -> None:
-        """Update the workers; resubmit the items of lost workers.
+        """Update the state of the workers; resubmit the items of lost workers.
 
-        Dask would resubmit them too, but does not count workers that retire, as at the end of a
-        job. After a stop, drop the items that no worker had started at the time of the snapshot.
+        Dask resubmits them too, but does not count the loss of workers that retire, for instance at
+        the end of a job. After a stop, drop the items that are not on a worker in the snapshot.
         """
         blame = self.blame
         blame.note(snapshot, now)

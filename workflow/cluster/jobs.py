@@ -17,7 +17,7 @@ from ..study import BATCH_SYSTEMS, Cluster, walltime_seconds
 from ..system import PROGRAM_ROOT, THREADS, interface_named, refused
 from .security import ENCRYPTED, new_security, no_pages, scheduler_options
 
-# Workers import from their local folder, so that it must belong to this user alone. They import
+# Workers import code from their local folder, so that only this user may write to it. They import
 # nothing from the folder in which the job was submitted.
 PRIVATE_FOLDER_LINES = (
     "export PYTHONSAFEPATH=1",
@@ -25,16 +25,16 @@ PRIVATE_FOLDER_LINES = (
     "export DASK_TEMPORARY_DIRECTORY=$(mktemp -d)",
     "trap 'rm -rf \"$DASK_TEMPORARY_DIRECTORY\"' EXIT",
 )
-ADAPT_INTERVAL = "5s"  # between checks for workers to be replaced
-LIFETIME_STAGGER = 0.1  # share of the lifetime, so that workers do not all retire at once
+ADAPT_INTERVAL = "5s"  # between checks for lost workers
+LIFETIME_STAGGER = 0.1  # random share of the lifetime, so that workers do not all retire at once
 
 
 @contextlib.contextmanager
 def job_cluster(loop: IOLoop, cluster: Cluster, dashboard: bool = False) -> Iterator[Any]:
-    """Yield a cluster with a local scheduler and ``cluster.jobs`` jobs as workers.
+    """Yield a cluster with a local scheduler and workers in ``cluster.jobs`` jobs.
 
-    They share a certificate of this run, stored in a private folder next to the logs of the jobs.
-    Raises UserError if the batch system or the interface is missing, or if it refuses jobs.
+    They share a certificate of this run, stored in a private folder beside the logs. Raises
+    UserError if dask-jobqueue, the batch system or the interface is missing, or jobs are refused.
     """
     name, logs = cluster.where, Path(cluster.log_folder)
     try:
@@ -59,7 +59,7 @@ def job_cluster(loop: IOLoop, cluster: Cluster, dashboard: bool = False) -> Iter
 
 
 def _settings(cluster: Cluster, dashboard: bool, pages: dict[str, Any]) -> dict[str, Any]:
-    """Return the arguments of dask-jobqueue's cluster. pages : settings of dask."""
+    """Return the arguments of dask-jobqueue's cluster. pages : dask settings of ``no_pages``."""
     lifetime = cluster.lifetime
     settings = {f"DASK_{name.replace('.', '__').upper()}": value for name, value in pages.items()}
     exported = [f"export {k}={shlex.quote(str(v))}" for k, v in {**THREADS, **settings}.items()]
@@ -91,7 +91,7 @@ def _written(seconds: float) -> str:
 
 
 def _try_submitting(name: str, script: str) -> None:
-    """Submit the script on trial, as errors of the real submissions are shown to nobody."""
+    """Submit the script on trial, since errors of the real submissions are not reported."""
     command = BATCH_SYSTEMS[name].trial
     if not command:
         return

@@ -1,7 +1,7 @@
 """Pool of the workers of a dask client: submission, arrivals, and snapshots.
 
-No call blocks on a process that may have been stopped: requests are awaited in the event loop of
-the client.
+No call blocks if the scheduler or a worker has been stopped: requests are awaited in the event loop
+of the client.
 """
 
 import asyncio
@@ -21,18 +21,18 @@ from ..ground import UserError
 from .worker import ADDRESS_ATTRIBUTE, with_address
 
 SCHEDULER_LOST = "the scheduler was lost; run again to resume"
-FETCH_SECONDS = 30.0  # timeout of a transfer, after which the result is recomputed
+FETCH_SECONDS = 30.0  # timeout for the transfer of a result, which is then recomputed
 
 
 class ResultLost(Exception):
-    """Raised if a result could not be fetched from its worker."""
+    """A result could not be fetched from its worker."""
 
 
 class Arrival(NamedTuple):
     """The outcome of an item: a value or an error."""
 
     key: str
-    address: str = ""  # of the worker, if known
+    address: str = ""  # address of the worker; "": unknown
     value: Any = None
     error: Exception | None = None
 
@@ -40,9 +40,9 @@ class Arrival(NamedTuple):
 class Snapshot(NamedTuple):
     """The scheduler's view of its workers."""
 
-    threads: dict[str, int]  # by address
+    threads: dict[str, int]  # number of threads of each worker, by address
     ready: Collection[str] = ()  # addresses that accept work; the others are short of memory
-    running: Mapping[str, str] = {}  # key of an item on a worker -> address
+    running: Mapping[str, str] = {}  # key of each item on a worker -> address of the worker
 
 
 class Pool:
@@ -53,7 +53,7 @@ class Pool:
     def __init__(self, client: Client, function: Callable) -> None:
         self._client, self._loop = client, cast(Any, client.loop).asyncio_loop
         self._function, self._name = partial(with_address, function=function), funcname(function)
-        self._futures: dict[str, Future] = {}  # awaited
+        self._futures: dict[str, Future] = {}  # awaited items, by key
         self._arrivals: SimpleQueue[Arrival] = SimpleQueue()
 
     def submit(self, items: Iterable[Any], workers: Collection[str] = ()) -> list[str]:
@@ -68,7 +68,7 @@ class Pool:
         return [str(future.key) for future in futures]
 
     def take(self, seconds: float) -> list[Arrival]:
-        """Return the arrivals once there is one, or none after the given time."""
+        """Wait for an arrival and return all that are there; return none after ``seconds``."""
         arrivals = []
         with contextlib.suppress(Empty):
             arrivals.append(self._arrivals.get(timeout=seconds))
@@ -76,7 +76,7 @@ class Pool:
         return [arrival for arrival in arrivals if self._futures.pop(arrival.key, None)]
 
     def drop(self, keys: Iterable[str]) -> None:
-        """Stop waiting for items; those that no worker has started are not computed."""
+        """Stop waiting for items; those that have not started are cancelled."""
         for key in keys:
             if future := self._futures.pop(key, None):
                 future.release()
@@ -86,7 +86,7 @@ class Pool:
         return self._futures[key].status == "pending"
 
     def request_snapshot(self) -> "concurrent.futures.Future[Snapshot]":
-        """Request a snapshot from the scheduler. The future raises UserError if it is lost."""
+        """Request a snapshot. Its future raises UserError if the scheduler is lost."""
         return asyncio.run_coroutine_threadsafe(self._snapshot(), self._loop)
 
     async def _snapshot(self) -> Snapshot:

@@ -1,6 +1,6 @@
 """Access control: certificates on every connection, and no unprotected HTTP pages.
 
-Without certificates, anyone who reaches a port of dask can run code as its owner.
+Without certificates, anyone who can connect to a port of dask can run code as its owner.
 """
 
 import ssl
@@ -17,25 +17,25 @@ from ..study import Cluster
 
 ENCRYPTED = "tls://"
 CREDENTIALS = ("key", "cert")
-# Keys of [cluster] -> names in dask.
+# Keys of the table [cluster] -> arguments of dask's Security.
 TLS_FILES = {
     "tls_ca_file": "tls_ca_file",
     "tls_cert": "tls_client_cert",
     "tls_key": "tls_client_key",
 }
-# Validity of a certificate after and before the present, as clocks differ or are set back.
+# Validity of a certificate after and before its creation, as clocks differ or are set back.
 VALIDITY, CLOCK_MARGIN = timedelta(days=365), timedelta(days=2)
 
 
 def scheduler_options(dashboard: bool) -> dict[str, Any]:
-    """Return options of a scheduler whose HTTP port is reachable from this machine only."""
-    return {"dashboard": dashboard, "dashboard_address": "127.0.0.1:0"}  # any free port
+    """Return options of a scheduler whose HTTP port is reachable only from this machine."""
+    return {"dashboard": dashboard, "dashboard_address": "127.0.0.1:0"}  # 0: any free port
 
 
 def no_pages(security: Any, dashboard: bool) -> dict[str, Any]:
     """Return settings of dask that disable all HTTP pages except the dashboard.
 
-    The HTTP port then uses TLS, as otherwise a client without certificate would wait for an answer.
+    Without the dashboard, the HTTP port uses TLS: clients without certificate are refused at once.
     """
     workers: dict[str, Any] = {"distributed.worker.http.routes": []}
     if dashboard:
@@ -45,10 +45,10 @@ def no_pages(security: Any, dashboard: bool) -> dict[str, Any]:
 
 
 def new_security(folder: str) -> Security:
-    """Return a new certificate of this run; connections without it are refused.
+    """Create a certificate for this run; return a Security that refuses connections without it.
 
-    folder : private folder for the certificate and its key. ``Security.temporary`` does not serve:
-    its certificate is valid from the present second on and fails when the clock is set back.
+    folder : private folder for the certificate and its key. ``Security.temporary`` is not used:
+    its certificate is valid only from its creation, and fails if the clock is set back.
     """
     from cryptography import x509
     from cryptography.hazmat.primitives import hashes, serialization
@@ -75,7 +75,7 @@ def new_security(folder: str) -> Security:
 
 
 def security_of(cluster: Cluster) -> Security | None:
-    """Return the security of a running scheduler, or warn if it has none.
+    """Return the Security of a running scheduler, or None with a warning if it does not use TLS.
 
     Raises UserError if the certificates are missing or cannot be used.
     """
@@ -89,7 +89,7 @@ def security_of(cluster: Cluster) -> Security | None:
         return None
     if not (cluster.tls_ca_file and cluster.tls_cert):
         if dask.config.get("distributed.comm.tls.ca-file"):
-            return Security(require_encryption=True)  # as dask's own configuration says
+            return Security(require_encryption=True)  # with dask's own configuration
         raise UserError(
             f"--scheduler {cluster.where}: needs cluster.tls_ca_file, cluster.tls_cert and "
             "cluster.tls_key, or dask's own configuration of TLS"

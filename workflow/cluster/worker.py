@@ -8,19 +8,19 @@ from distributed import get_worker
 from ..simulate import Batch, BatchResult, block_means
 from ..system import Versions, require
 
-ADDRESS_ATTRIBUTE = "elastomer_friction_worker"  # of an error: address of its worker
+ADDRESS_ATTRIBUTE = "elastomer_friction_worker"  # attribute of an error: address of its worker
 
 
 def run_batch(
     batch: Batch, expected: Versions, work: Callable[[Batch], BatchResult] = block_means
 ) -> BatchResult:
-    """Return the work of a batch; raise UserError if this process differs from the driver."""
+    """Compute a batch. Raises UserError if the versions here differ from those of the driver."""
     require(expected)
     return work(batch)
 
 
 def with_address(item: Any, function: Callable) -> tuple[str, Any]:
-    """Return the address of this worker and function(item); errors carry the address too."""
+    """Return the address of this worker and function(item); attach the address to any error."""
     address = get_worker().address
     try:
         return address, function(item)
