@@ -1,6 +1,6 @@
-"""Finished block means on the disk: immutable shards, and a journal of their contents.
+"""Store of finished block means on the disk: immutable shards, and a journal of their contents.
 
-One process writes, any number read; a record is found by (key of its task, block).
+One process writes, any number may read. A record is identified by (key of its task, block).
 """
 
 from typing import TYPE_CHECKING

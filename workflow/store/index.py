@@ -1,10 +1,10 @@
 """The index of a store: the shard of each record, and the tasks that failed for good.
 
-It follows from the entries of the journal, one after the other. A record is found by (key of its
-task, block). Tasks that are stored together form a part. The journal gives the keys of a part
-once, and refers to them by their checksum; so it does with makers, which computed records. The
-meaning of a line depends on the line alone, so that repeated lines, for instance of two joined
-journals, change nothing.
+The index is built by replaying the entries of the journal in order. A record is identified by (key
+of its task, block). Tasks that are stored together form a part. The journal lists the keys of a
+part once, and then refers to them by checksum; it lists makers, which computed records, in the same
+way. No entry refers to a position in the journal, so that repeated lines, for instance of two
+concatenated journals, change nothing.
 """
 
 import contextlib
@@ -21,33 +21,33 @@ MIN_RECORD_BYTES = 8 * len(SCALARS)
 
 
 class Rows(NamedTuple):
-    """Rows of a shard that hold one block of the tasks of a part."""
+    """Rows of a shard that hold one block of all tasks of a part."""
 
-    shard: str
-    first: int  # of the first task
-    step: int  # from a task to the next
+    shard: str  # name
+    first: int  # row of the first task
+    step: int  # number of rows from one task to the next
 
 
 class Index:
-    """Places of all records, from the entries of the journal."""
+    """Location of each record, from the entries of the journal."""
 
     def __init__(self) -> None:
         self.sizes: dict[str, int] = {}  # name of each shard -> bytes
         self.failed: dict[str, str] = {}  # key of each task that failed for good -> reason
         self.parts: dict[str, list[str]] = {}  # checksum of a part -> keys of its tasks
-        self.tasks: dict[str, list[tuple[str, int]]] = {}  # key -> (part, number in it), ...
-        self.makers: dict[str, Maker] = {}  # by checksum
-        self.makers_of_shard: dict[str, list[str]] = {}  # name of each shard -> checksums
+        self.tasks: dict[str, list[tuple[str, int]]] = {}  # key -> [(part, position in part), ...]
+        self.makers: dict[str, Maker] = {}  # checksum -> maker
+        self.makers_of_shard: dict[str, list[str]] = {}  # shard name -> checksums of its makers
         self.results: dict[str, str] = {}  # digest of each result written by a run -> file name
-        self.rows: dict[tuple[str, int], Rows] = {}  # (part, block) -> its rows
+        self.rows: dict[tuple[str, int], Rows] = {}  # (part, block) -> rows
 
     def __contains__(self, record: Record) -> bool:
-        """Return whether a shard holds a record."""
+        """Return whether a shard holds this record."""
         key, block = record
         return any((part, block) in self.rows for part, _ in self.tasks.get(key, ()))
 
     def find(self, record: Record) -> tuple[str, int]:
-        """Return (shard, row in it) of a record. Raises KeyError for a missing record."""
+        """Return the shard of a record and its row there. Raises KeyError for a missing record."""
         key, block = record
         for part, number in self.tasks[key]:
             if (part, block) in self.rows:
@@ -56,7 +56,7 @@ class Index:
         raise KeyError(record)
 
     def makers_of(self, blocks: Mapping[str, int]) -> set[Maker]:
-        """Return the makers of the stored records, given the number of blocks of each task."""
+        """Return the makers of the stored records. blocks : number of blocks by key of the task."""
         part_blocks: dict[str, int] = {}
         for key, count in blocks.items():
             for part, _ in self.tasks.get(key, ()):
@@ -76,7 +76,7 @@ class Index:
         makers: list[Maker],
         predicted: float,
     ) -> list[Entry]:
-        """Return the journal entries of a shard, after those of its new makers and parts."""
+        """Return the entries of new makers and parts, followed by the entry of the shard."""
         new: dict[str, Entry] = {}
         checksums = [digest("\n".join(maker).encode()) for maker in makers]
         for checksum, maker in zip(checksums, makers, strict=True):
@@ -114,7 +114,7 @@ class Index:
 
     def _add_part(self, part: str, keys: str) -> None:
         if part in self.parts or part != digest(keys.encode()):
-            return  # known, or a wrong checksum
+            return  # already known, or its checksum is wrong
         names = [keys[i : i + KEY_LENGTH] for i in range(0, len(keys), KEY_LENGTH)]
         self.parts[part] = names
         for number, key in enumerate(names):
@@ -127,7 +127,7 @@ class Index:
             raise ValueError("it has a batch without blocks")
         parts_known = all(part in self.parts for part, *_ in batches)
         if not (parts_known and self.makers.keys() >= set(makers)):
-            return  # the line of a part or a maker is spoilt: the shard itself will be read
+            return  # the line of a part or maker is damaged: ``Store.prepare`` reads the shard
         records = sum(len(self.parts[part]) * blocks for part, _, blocks in batches)
         if records != entry["records"] or records * MIN_RECORD_BYTES > entry["bytes"]:
             raise ValueError(
@@ -142,9 +142,9 @@ class Index:
 
 
 def indexed(folder: Path) -> Index:
-    """Return the index of the journal of a folder. Raises UserError as ``journal.entries``."""
+    """Return the index of the journal of a folder. Raises UserError like ``journal.entries``."""
     index = Index()
     for entry, _ in entries(folder):
-        with contextlib.suppress(TypeError, ValueError):  # treated as a spoilt line
+        with contextlib.suppress(TypeError, ValueError):  # skipped like a damaged line
             index.replay(entry)
     return index

@@ -1,8 +1,8 @@
-"""The journal of a store: one line per durable event, each with its own checksum.
+"""The journal of a store: one line with a checksum per durable event.
 
-Lines are only appended. A line that a crash or a disk has spoilt is skipped, as the shards hold
-the same information. An entry may give the format of the journal; a journal without one has the
-format of the first version, which this version reads too.
+Lines are only appended. A line damaged by a crash or by the disk is skipped, since the shards hold
+the same information. An entry may state the format of the journal. A journal without this entry
+was written by the first version; this version can read it.
 """
 
 import json
@@ -20,7 +20,7 @@ JOURNAL_FORMAT = "elastomer-friction journal 2"
 
 Entry = dict[str, Any]
 
-REQUIRED_FIELDS: dict[str, dict[str, type]] = {  # kind of entry -> its other fields
+REQUIRED_FIELDS: dict[str, dict[str, type]] = {  # kind of entry -> its further fields
     "format": {},
     "run": {},
     "part": {"keys": str},
@@ -34,13 +34,13 @@ REQUIRED_FIELDS: dict[str, dict[str, type]] = {  # kind of entry -> its other fi
 
 
 def encoded(entries: list[Entry]) -> bytes:
-    """Return entries as lines of the journal, in JSON."""
+    """Encode entries as JSON lines of the journal."""
     texts = (json.dumps(entry, separators=(",", ":")).encode() for entry in entries)
     return b"".join(line(text) for text in texts)
 
 
 def line(text: bytes) -> bytes:
-    """Return a line of the journal: the checksum of a text, a blank, the text."""
+    """Return a line of the journal: the checksum of ``text``, a space and ``text``."""
     return b"%08x %s\n" % (zlib.crc32(text), text)
 
 
@@ -50,7 +50,7 @@ def append(folder: Path, entries: list[Entry]) -> None:
 
 
 def entry_in(line: bytes) -> Entry | None:
-    """Return the entry of a line, or None for a spoilt line."""
+    """Return the entry of a line, or None for a damaged line."""
     checksum, _, text = line.rstrip(b"\n").partition(b" ")
     if not line.endswith(b"\n") or checksum != b"%08x" % zlib.crc32(text):
         return None
@@ -62,7 +62,7 @@ def entry_in(line: bytes) -> Entry | None:
 
 
 def _is_valid(entry: Entry) -> bool:
-    """Return whether an entry has the fields of its kind, with the right types."""
+    """Return whether an entry has the required fields of its kind, with the right types."""
     required = [{kind: str, **more} for kind, more in REQUIRED_FIELDS.items() if kind in entry]
     return all(
         isinstance(entry.get(name), type_) for fields in required for name, type_ in fields.items()
@@ -70,9 +70,9 @@ def _is_valid(entry: Entry) -> bool:
 
 
 def lines(folder: Path, offset: int = 0) -> Iterator[bytes]:
-    """Yield the lines of a journal from ``offset`` on; nothing if the journal is missing.
+    """Yield the lines of a journal from ``offset`` on; yield nothing if the journal is missing.
 
-    Raises UserError when the disk refuses.
+    Raises UserError if the disk cannot read it.
     """
     path = folder / NAME
     with refused(path, "cannot be read:"):
@@ -89,7 +89,7 @@ def lines(folder: Path, offset: int = 0) -> Iterator[bytes]:
 def entries(folder: Path, offset: int = 0) -> Iterator[tuple[Entry, int]]:
     """Yield (entry, offset of the next line) of every valid line from ``offset`` on.
 
-    Raises UserError as ``lines``, and for a journal of another format.
+    Raises UserError like ``lines``, and for a journal of another format.
     """
     for text in lines(folder, offset):
         offset += len(text)
@@ -106,7 +106,7 @@ def entries(folder: Path, offset: int = 0) -> Iterator[tuple[Entry, int]]:
 
 
 def size(folder: Path) -> int:
-    """Return the bytes of a journal, 0 if it is missing. Raises UserError as ``lines``."""
+    """Return the bytes of a journal, 0 if it is missing. Raises UserError like ``lines``."""
     path = folder / NAME
     with refused(path, "cannot be read:"):
         try:

@@ -1,4 +1,4 @@
-"""Merge one store into another, shard by shard."""
+"""Merging of one store into another, shard by shard."""
 
 import contextlib
 from functools import partial
@@ -17,14 +17,14 @@ from .store import DamagedShard, Store
 def merge_into(source: Path, target: Path, *, no_lock: bool = False) -> list[str]:
     """Copy the records of the store ``source`` into the store ``target``; return lines to print.
 
-    The source is not changed. Its damaged shards are named and left out; its failed tasks are left
-    out too, so that the next run tries them again. Raises UserError for a target in use, and when
-    a disk refuses.
+    The source is not changed. Its damaged shards are reported and not copied. Its failed tasks are
+    not copied either, so that the next run retries them. Raises UserError if the target is in use,
+    or if a disk refuses.
     """
     if target.exists() and source.samefile(target):
         raise UserError(f"{source}: cannot be merged with itself")
     for _ in journal.entries(source):
-        pass  # a journal of another format is refused
+        pass  # only raises UserError for a journal of another format
     with hold(target, without=no_lock):
         into = Store(target)
         into.prepare()
@@ -58,17 +58,17 @@ def merge_into(source: Path, target: Path, *, no_lock: bool = False) -> list[str
 
 
 def _holds(store: Store, name: str, content: bytes) -> bool:
-    """Return whether a store holds a shard, undamaged and byte for byte."""
+    """Return whether a store holds an undamaged shard of this name with the same bytes."""
     known = name in store.index.sizes and content == read_whole(shard_path(store.folder, name))
     return known and digest(content) == name
 
 
 def _compared(store: Store, contents: Contents) -> tuple[int, int]:
-    """Return how many records of a shard a store holds, and how many of them with other bits."""
+    """Return the number of records in both the shard and the store, and the number that differ."""
     while True:
         rows = [row for row, record in enumerate(contents.records) if record in store]
         theirs = contents.scalars[rows], contents.curves[rows]
-        with contextlib.suppress(DamagedShard):  # which the store has dropped: compare the rest
+        with contextlib.suppress(DamagedShard):  # the store has repaired it: compare again
             ours = store.read([contents.records[row] for row in rows], contents.curves.shape[1])
             unequal = [
                 (a.view("i8") != b.view("i8")).any(axis=1)

@@ -1,4 +1,4 @@
-"""NetCDF shards of version 0.3.0: a run converts those in its folder to .npz, once."""
+"""Conversion of netCDF shards, written by version 0.3.0, to .npz shards."""
 
 import re
 
@@ -10,10 +10,10 @@ NETCDF_NAMES = {"batches": "chunk", "keys": "key", "scalars": "scalars", "curves
 
 
 def converted(name: str, content: bytes, fault: str) -> bytes:
-    """Return the same records as the bytes of an .npz shard.
+    """Convert the bytes of a netCDF shard; return the bytes of an .npz shard of the same records.
 
-    fault : why the file cannot be read, found by ``unreadable``. Raises ForeignFile for a file of
-    another program or version, and ValueError for a damaged one.
+    fault : reason why the file cannot be read, from ``unreadable``, or "". Raises ForeignFile for a
+    file of another program or version, and ValueError for a damaged file.
     """
     if digest(content) != name:
         raise ValueError("its content does not match the checksum in its name")

@@ -1,8 +1,8 @@
 """Shards: block means of many finished batches in one .npz file.
 
-A shard describes its own content and what computed it. Its name is the checksum of its bytes, and
-equal records give equal bytes: members are stored uncompressed with a fixed time stamp. Reading a
-shard takes memory in proportion to the size of its file, whatever its headers claim.
+A shard lists its batches and the makers of its records. Its name is the checksum of its bytes.
+Equal records give equal bytes, since members are stored uncompressed with a fixed time stamp.
+Reading a shard takes memory in proportion to the size of its file, whatever its headers claim.
 """
 
 import hashlib
@@ -26,38 +26,38 @@ SHARD_FORMAT_NAME = "elastomer-friction shard "
 SHARD_FORMAT = SHARD_FORMAT_NAME + "4"
 SHARD_SUFFIX = ".npz"
 KEY_BYTES = 16
-KEY_LENGTH = 2 * KEY_BYTES  # as text
-MEMBER_DATE = 1980, 1, 1, 0, 0, 0  # the earliest that a zip archive can hold
+KEY_LENGTH = 2 * KEY_BYTES  # number of hexadecimal digits
+MEMBER_DATE = 1980, 1, 1, 0, 0, 0  # earliest time stamp that a zip archive can hold
 NPY_VERSION = 1, 0
 
 SHARD_ARRAYS: dict[
     str, tuple[str, tuple[int | None, ...]]
-] = {  # name -> type, shape; None: any length
+] = {  # name -> (type, shape); None: any length
     "format": ("|u1", (None,)),  # text in UTF-8
     "makers": ("|u1", (None,)),  # JSON in UTF-8
-    "batches": ("<i8", (None, 3)),  # numbers of keys, of the first block, of blocks
-    "keys": ("|u1", (None, KEY_BYTES)),
-    "scalars": ("<f8", (None, len(SCALARS))),
-    "curves": ("<f8", (None, None)),
+    "batches": ("<i8", (None, 3)),  # a row per batch: number of keys, first block, number of blocks
+    "keys": ("|u1", (None, KEY_BYTES)),  # a row per task
+    "scalars": ("<f8", (None, len(SCALARS))),  # a row per record
+    "curves": ("<f8", (None, None)),  # a row per record
 }
 
 Finished = list[tuple[Batch, BatchResult]]
 
 
 class StoredBatch(NamedTuple):
-    """Records of one batch in a shard, in the order (task, block)."""
+    """Records of one batch in a shard, sorted by task, then by block."""
 
-    keys: tuple[str, ...]
+    keys: tuple[str, ...]  # keys of the tasks
     first_block: int
     blocks: int
 
 
 class Contents(NamedTuple):
-    """Content of a shard: the records of its batches one after the other."""
+    """Content of a shard: the records of its batches in order."""
 
     batches: list[StoredBatch]
     makers: list[Maker]
-    records: list[Record]  # of each row
+    records: list[Record]  # record in each row of the arrays
     scalars: np.ndarray  # shape (records, len(SCALARS))
     curves: np.ndarray  # shape (records, curve_samples); NaN beyond the samples of a record
 
@@ -67,17 +67,17 @@ class ForeignFile(Exception):
 
 
 def digest(content: bytes) -> str:
-    """Return the checksum of a shard (hexadecimal)."""
+    """Return the hexadecimal checksum of the bytes of a shard."""
     return hashlib.sha256(content).hexdigest()[:32]
 
 
 def stored_batch(batch: Batch) -> StoredBatch:
-    """Return the keys and blocks of a batch as a shard holds them."""
+    """Return the keys and blocks of a batch."""
     return StoredBatch(tuple(task.key for task in batch.tasks), batch.first_block, batch.blocks)
 
 
 def encode(finished: Finished) -> bytes:
-    """Return the bytes of a shard that holds finished batches."""
+    """Encode finished batches as the bytes of a shard."""
     curve_samples = max(result.curves.shape[2] for _, result in finished)
     scalars = [result.scalars.reshape(-1, len(SCALARS)) for _, result in finished]
     curves = []
@@ -99,12 +99,12 @@ def encode(finished: Finished) -> bytes:
 
 
 def text_array(text: str) -> np.ndarray:
-    """Return a text as an array of its bytes."""
+    """Return the UTF-8 bytes of a text as an array."""
     return np.frombuffer(text.encode(), np.uint8)
 
 
 def packed(arrays: Mapping[str, np.ndarray]) -> bytes:
-    """Return the bytes of a shard with these arrays, and with its format."""
+    """Return the bytes of a shard with these arrays and the array "format"."""
     arrays = {"format": text_array(SHARD_FORMAT), **arrays}
     buffer = io.BytesIO()
     with zipfile.ZipFile(buffer, "w") as archive:
@@ -117,10 +117,10 @@ def packed(arrays: Mapping[str, np.ndarray]) -> bytes:
 
 
 def decode(name: str, content: bytes) -> Contents:
-    """Return the content of a shard of this name from its bytes.
+    """Decode the bytes of the shard ``name``.
 
-    Raises ForeignFile for a file of another program or version, and ValueError for damage and for
-    contradictions.
+    Raises ForeignFile for a file of another program or version, and ValueError if the shard is
+    damaged or inconsistent.
     """
     version = re.search(SHARD_FORMAT_NAME.encode() + rb"[0-9]+", content)
     if version and version[0] != SHARD_FORMAT.encode():
@@ -137,7 +137,7 @@ def decode(name: str, content: bytes) -> Contents:
         table, keys = arrays["batches"].tolist(), bytes(arrays["keys"]).hex()
         scalars, curves = arrays["scalars"], arrays["curves"]
         _check_counts(table, len(keys) // KEY_LENGTH, len(scalars), len(curves))
-    except Exception as error:  # a forged file can make any of these calls fail in any way
+    except Exception as error:  # a forged file can cause any exception in these calls
         reason = " ".join(str(error).split())
         raise ValueError(f"it is not a valid shard: {reason:.200}") from error
     names = (keys[i : i + KEY_LENGTH] for i in range(0, len(keys), KEY_LENGTH))
@@ -147,9 +147,9 @@ def decode(name: str, content: bytes) -> Contents:
 
 
 def _unpacked(content: bytes) -> dict[str, np.ndarray]:
-    """Return the arrays of a shard, read-only.
+    """Return the arrays of a shard, which are read-only.
 
-    Raises ValueError for other members, types or shapes, and for more data than ``content`` has.
+    Raises ValueError for other members, types or shapes, and if they claim more than ``content``.
     """
     with zipfile.ZipFile(io.BytesIO(content)) as archive:
         members = archive.infolist()
@@ -164,7 +164,7 @@ def _unpacked(content: bytes) -> dict[str, np.ndarray]:
 
 
 def _array(name: str, content: bytes) -> np.ndarray:
-    """Return a member of a shard as an array; allocate nothing that its header claims."""
+    """Return a member of a shard as an array in the memory of ``content``, without allocation."""
     file = io.BytesIO(content)
     if (version := npy.read_magic(file)) != NPY_VERSION:
         raise ValueError(f"{name} has the npy version {version}")
@@ -182,7 +182,7 @@ def _array(name: str, content: bytes) -> np.ndarray:
 
 
 def _check_counts(table: list[list[int]], tasks: int, *records: int) -> None:
-    """Raise ValueError unless the batches add up to the numbers of keys and of rows."""
+    """Raise ValueError unless the batches add up to the numbers of tasks and of records."""
     if any(keys <= 0 or first < 0 or blocks <= 0 for keys, first, blocks in table):
         raise ValueError("it has a batch without records")
     sums = sum(row[0] for row in table), sum(keys * blocks for keys, _, blocks in table)
@@ -192,7 +192,7 @@ def _check_counts(table: list[list[int]], tasks: int, *records: int) -> None:
 
 
 def shard_sizes(sizes: Mapping[str, int], suffix: str = SHARD_SUFFIX) -> dict[str, int]:
-    """Return name -> bytes of the shards among the files of a folder, given by name -> bytes."""
+    """Return the sizes of the shards among files. sizes : file name -> bytes."""
     return {
         name.removesuffix(suffix): size
         for name, size in sizes.items()
@@ -201,5 +201,5 @@ def shard_sizes(sizes: Mapping[str, int], suffix: str = SHARD_SUFFIX) -> dict[st
 
 
 def shard_path(folder: Path, name: str) -> Path:
-    """Return the file of a shard."""
+    """Return the path of a shard."""
     return folder / f"{name}{SHARD_SUFFIX}"

@@ -1,10 +1,10 @@
 """Durable store of finished batches: immutable shards and a journal of their contents.
 
-A shard is built in memory, written aside, flushed and renamed, and its folder is flushed; then a
-line is added to the journal. Records are found by (key of the task, block), so that a wider grid,
-another batch size or another study reuses stored records. One process writes, the holder of the
-folder's lock; any number of processes may read. Every read compares the requested keys with those
-in the shard.
+A shard is built in memory, written to a temporary file, flushed and renamed, and its folder is
+flushed. Then a line is appended to the journal. Records are identified by (key of the task, block),
+so that a wider grid, another batch size or another study reuses them. Only the holder of the
+folder's lock writes; any number of processes may read. Every read compares the requested records
+with those in the shard.
 """
 
 import contextlib
@@ -38,14 +38,14 @@ CACHED_SHARDS = 4
 
 
 def store_folder(result: Path) -> Path:
-    """Return the folder of finished batches beside a result file; studies share it."""
+    """Return the folder of the store beside a result file; studies in one folder share it."""
     return result.parent / "store"
 
 
 def enter_result(result: Path) -> None:
-    """Record the digest of a result file durably in the store of its folder, made if need be.
+    """Record the digest of a result file durably in the store beside it; create it if missing.
 
-    A single line is appended in one piece, so that a measurement needs no lock of the folder.
+    The entry is appended by a single write, so that a measurement does not need the folder's lock.
     """
     folder = store_folder(result)
     make_folder(folder)
@@ -54,9 +54,9 @@ def enter_result(result: Path) -> None:
 
 
 def is_as_written(result: Path) -> bool | None:
-    """Return whether a result is unchanged since a run wrote it, by the store of its folder.
+    """Return whether a result is unchanged since a run wrote it, according to the store beside it.
 
-    None if that is unknown: the store is missing, unreadable, or does not list the result.
+    Returns None if the store is missing, unreadable, or does not list the result.
     """
     with contextlib.suppress(UserError):
         entries = journal.entries(store_folder(result))
@@ -66,17 +66,17 @@ def is_as_written(result: Path) -> bool | None:
 
 
 class DamagedShard(Exception):
-    """A shard that did not hold the records of the journal; either is mended, so try again."""
+    """Raised if a shard lacks records that the journal lists, once this is repaired: try again."""
 
 
 class Store:
-    """The shards of a results folder, indexed from the journal alone."""
+    """The shards of a folder, indexed from its journal without reading them."""
 
     def __init__(self, folder: Path, retry: DiskRetry | None = None) -> None:
         """Read the journal of ``folder``; change nothing.
 
-        retry : for temporary errors of the disk. Raises UserError for permanent errors, and for a
-        journal of another format.
+        retry : retry policy for temporary disk errors. Raises UserError for permanent disk errors,
+        and for a journal of another format.
         """
         self.folder, self.retry = folder, retry or DiskRetry()
         self.index = self.retry(partial(indexed, folder))
@@ -84,11 +84,11 @@ class Store:
         self._contents = lru_cache(CACHED_SHARDS)(lambda name: self._load(name))
 
     def prepare(self) -> None:
-        """Repair what a crash or a disk left behind; only for the holder of the folder's lock.
+        """Repair the store after a crash or disk error. The caller must hold the folder's lock.
 
-        Missing or damaged shards are set aside and named. Valid shards that the journal does not
-        list are entered, and netCDF shards of version 0.3.0 are converted. Foreign files are named
-        and not changed.
+        Listed shards that are missing or of a wrong size are reported and dropped. Unlisted shards
+        are entered if valid. Damaged files are set aside. NetCDF shards of version 0.3.0 are
+        converted. Foreign files are reported and not changed.
         """
         for suffix in (shard.SHARD_SUFFIX, NETCDF_SUFFIX):
             clear_leftovers(self.folder / f"*{suffix}")
@@ -120,7 +120,7 @@ class Store:
         self.enter(name, len(content), batches, makers, predicted)
 
     def begin(self, run: str) -> None:
-        """Record durably that a run begins: later shards may belong to another study."""
+        """Record durably that a run begins. Shards entered later may belong to another study."""
         self._write([{"run": run}])
 
     def wrote(self, result: Path) -> bool:
@@ -134,14 +134,14 @@ class Store:
         self._write([{"failed": key, "why": reason}])
 
     def forget_failures(self, keys: set[str]) -> None:
-        """Let failed tasks be tried again."""
+        """Forget the failures of these tasks, so that the run retries them."""
         self._write([{"retry": key} for key in sorted(keys & self.failed.keys())])
 
     def read(self, records: list[Record], curve_samples: int) -> tuple[np.ndarray, np.ndarray]:
         """Return scalars (records, len(SCALARS)) and curves (records, curve_samples).
 
-        Short curves are filled up with NaN. Raises DamagedShard once the shard is set aside, or
-        its journal entry is mended.
+        Short curves are padded with NaN. Raises DamagedShard after setting a damaged shard aside
+        or repairing its journal entry.
         """
         scalars = np.empty((len(records), len(SCALARS)))
         curves = np.full((len(records), curve_samples), np.nan)
@@ -167,13 +167,13 @@ class Store:
         return self.retry(partial(sizes_in, self.folder))
 
     def _load(self, name: str) -> shard.Contents:
-        """Return the content of a shard. Raises DamagedShard once a damaged one is set aside."""
+        """Return the content of a shard. Raises DamagedShard after setting a damaged one aside."""
         path = self._path(name)
         try:
             return shard.decode(name, self.retry(partial(read_whole, path)))
         except UserError as error:
             if not isinstance(error.__cause__, FileNotFoundError):
-                raise  # the disk cannot read it: the shard may be undamaged
+                raise  # the disk failed; the shard itself may be undamaged
             self._set_aside(path, "missing")
         except ValueError as error:
             self._set_aside(path, str(error))
@@ -183,7 +183,7 @@ class Store:
         raise DamagedShard(name)
 
     def _reindex(self, name: str) -> None:
-        """Enter every shard again by its content, as the journal was wrong about one."""
+        """Read all shards and enter them again, as the journal was wrong about shard ``name``."""
         path = self.folder / journal.NAME
         print(
             f"warning: {path}: does not match shard {name}: all shards are read again",
@@ -192,7 +192,7 @@ class Store:
         self._enter_shards(list(self.index.sizes))
 
     def _enter_shards(self, names: list[str]) -> None:
-        """Enter all undamaged shards among ``names`` by their content."""
+        """Read the shards ``names`` and enter those that are undamaged."""
         for name in names:
             with contextlib.suppress(DamagedShard):
                 contents = self._load(name)
@@ -201,7 +201,7 @@ class Store:
                 self.enter(name, size, contents.batches, contents.makers)
 
     def _convert(self, names: dict[str, int]) -> None:
-        """Replace netCDF shards of version 0.3.0 by the same records in .npz shards."""
+        """Replace netCDF shards of version 0.3.0 by .npz shards. names : name -> bytes."""
         paths = [self.folder / f"{name}{NETCDF_SUFFIX}" for name in sorted(names)]
         faults = self.retry(partial(unreadable, paths))
         count = 0
@@ -244,7 +244,7 @@ class Store:
         makers: list[Maker],
         predicted: float = 0.0,
     ) -> None:
-        """Enter a durable shard into the journal; ``predicted`` : core-seconds of its batches."""
+        """Append a shard to the journal. predicted : predicted core-seconds of its batches."""
         self._write(self.index.entries_of(name, size, batches, makers, predicted))
 
     def _write(self, entries: list[Entry]) -> None:

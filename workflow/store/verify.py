@@ -1,4 +1,4 @@
-"""Verify a store: every line of its journal, every shard and every key. Nothing is changed."""
+"""Verification of a store: every journal line, every shard and every key. It changes nothing."""
 
 from collections import defaultdict
 from pathlib import Path
@@ -12,7 +12,7 @@ from .shard import SHARD_SUFFIX, Contents, ForeignFile, decode, shard_path, shar
 
 
 def holds_a_store(folder: Path) -> bool:
-    """Return whether a folder holds a store: a journal, or shards without one."""
+    """Return whether a folder holds a store, that is, a journal or any shards."""
     sizes = sizes_in(folder)
     return (folder / journal.NAME).is_file() or any(
         shard_sizes(sizes, suffix) for suffix in (SHARD_SUFFIX, NETCDF_SUFFIX)
@@ -20,15 +20,15 @@ def holds_a_store(folder: Path) -> bool:
 
 
 class Verification:
-    """State of a store: counts, faults and notes."""
+    """Result of verifying a store: counts, faults and notes."""
 
     def __init__(self, folder: Path) -> None:
-        """Verify the store in ``folder``. Raises UserError when the disk cannot read it."""
+        """Verify the store in ``folder``. Raises UserError if it cannot be read."""
         self.folder, self.index = folder, Index()
         self.faults: list[str] = []  # losses, damage and contradictions
-        self.notes: list[str] = []  # possible but unusual states
-        self.journal_lines, self.records = 0, 0
-        self.keys: set[str] = set()  # of the problems in undamaged shards
+        self.notes: list[str] = []  # unusual but allowed states
+        self.journal_lines, self.records = 0, 0  # numbers
+        self.keys: set[str] = set()  # keys of the problems in valid shards
         self._read_journal()
         self.entered: dict[str, list[tuple[str, int, Rows]]] = defaultdict(list)  # by shard
         for (part, block), rows in self.index.rows.items():
@@ -44,7 +44,7 @@ class Verification:
         self._check_file_names(files, shards)
 
     def lines(self) -> list[str]:
-        """Return the report, line by line."""
+        """Return the lines of the report."""
         makers = sorted(self.index.makers.values())
         return [
             f"store       {self.folder}",
@@ -61,7 +61,7 @@ class Verification:
 
     def _read_journal(self) -> None:
         for _ in journal.entries(self.folder):
-            pass  # refuses an unreadable journal, and one of another format
+            pass  # only raises UserError for an unreadable journal or another format
         for number, line in enumerate(journal.lines(self.folder), 1):
             self.journal_lines = number
             entry = journal.entry_in(line)
@@ -76,7 +76,7 @@ class Verification:
             self.notes.append("the journal is missing or empty")
 
     def _check_file_names(self, files: dict[str, int], shards: list[str]) -> None:
-        """Compare the files of the folder with the journal; ``shards`` are those of this format."""
+        """Compare the files of the folder with the journal. shards : names of the .npz shards."""
         old = shard_sizes(files, NETCDF_SUFFIX)
         for name in sorted(self.index.sizes.keys() - set(shards) - old.keys()):
             self.faults.append(f"{name}{SHARD_SUFFIX}: missing, but listed in the journal")
@@ -88,7 +88,7 @@ class Verification:
         self.notes += [f"{name}: not part of the store" for name in unknown]
 
     def _is_undamaged(self, name: str) -> bool:
-        """Return whether a shard is valid and agrees with the journal; note any fault."""
+        """Return whether a shard is valid and agrees with the journal; record faults and notes."""
         path = shard_path(self.folder, name)
         try:
             contents = decode(name, read_whole(path))
@@ -106,7 +106,7 @@ class Verification:
         return not contradiction
 
     def _contradiction(self, name: str, contents: Contents) -> str:
-        """Return how a shard differs from its entry in the journal, or "" if it does not."""
+        """Describe how a shard differs from its journal entry; return "" if it does not."""
         if name not in self.index.sizes:
             self.notes.append(
                 f"{name}{SHARD_SUFFIX}: not listed in the journal; the next run enters it"

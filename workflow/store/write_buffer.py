@@ -1,4 +1,4 @@
-"""Buffer of finished batches before they are stored, many to a shard."""
+"""Buffer that collects finished batches, so that a shard holds many of them."""
 
 import time
 from collections.abc import Callable
@@ -8,22 +8,22 @@ from ..simulate import Batch, BatchResult
 from .shard import Finished
 from .store import Store
 
-MAX_LOST_SHARE = 1e-3  # of a run's time that a crash of the driver may cost
+MAX_LOST_SHARE = 1e-3  # share of a run's time that is lost if the driver crashes
 MAX_WAIT_SECONDS = 120.0
 MAX_BUFFER_BYTES = 2**24
 
 
 class WriteBuffer:
-    """Collects finished batches and stores them together; stores the rest at the end.
+    """Buffer that stores finished batches together, and the remaining ones at its exit.
 
-    A shard is written every few batch lengths at first, then after every thousandth of the elapsed
-    time of the run: some thousand shards for a run of days, whatever the number of workers.
+    At first a shard is written every two batch lengths, later after every thousandth of the elapsed
+    time, but at least every MAX_WAIT_SECONDS and whenever the buffer is full.
     """
 
     def __init__(
         self, store: Store, batch_seconds: float, now: Callable[[], float] = time.monotonic
     ) -> None:
-        """``now`` : the clock (s)."""
+        """Start the buffer. batch_seconds : predicted length of a batch. now : clock, s."""
         self.store, self.min_seconds, self.now = store, 2.0 * batch_seconds, now
         self.waiting: Finished = []
         self.bytes = 0
@@ -40,7 +40,7 @@ class WriteBuffer:
                 raise  # otherwise the first error of the run explains its end
 
     def add(self, batch: Batch, result: BatchResult) -> None:
-        """Take a finished batch; it is durable after the next flush."""
+        """Add a finished batch, which is durable after the next flush."""
         self.waiting.append((batch, result))
         self.bytes += result.scalars.nbytes + result.curves.nbytes
         self.flush_when_due()
@@ -53,7 +53,7 @@ class WriteBuffer:
             self.flush()
 
     def flush(self) -> None:
-        """Store the waiting batches. Raises UserError if the disk refuses; then they stay."""
+        """Store the waiting batches. If the disk refuses, keeps them and raises UserError."""
         self.stored = self.now()
         if self.waiting:
             self.store.add(self.waiting)
