@@ -1,6 +1,6 @@
-"""Disk, process and terminal, as every stage uses them.
+"""Services of the operating system: files, locks, processes, packages and terminal output.
 
-Imports nothing else of this program but the ground.
+This package imports only the package ``ground`` of this program.
 """
 
 from typing import TYPE_CHECKING

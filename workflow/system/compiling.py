@@ -1,16 +1,16 @@
-"""Message to the user before kernels are compiled, which takes long and happens once."""
+"""Message to the user before kernels are compiled, which takes long but happens only once."""
 
 import contextlib
 import sys
 from collections.abc import Iterator
 from typing import Any
 
-COMPILING_MIB = 300  # in addition to the other memory of a process; measured: 254
+COMPILING_MIB = 300  # memory needed to compile, beyond the other memory; measured: 254
 
 
 @contextlib.contextmanager
 def report_compilation(subject: str, duration: str, waiting_event: str) -> Iterator[None]:
-    """Print one line if numba compiles ``subject`` within this block, or waits for a process."""
+    """Print a line if numba compiles ``subject`` in this block or waits for another process."""
     from numba.core import event  # slow to import
 
     lines = {
@@ -22,7 +22,7 @@ def report_compilation(subject: str, duration: str, waiting_event: str) -> Itera
         def on_start(self, event: Any) -> None:
             if event.kind in lines:
                 print(lines.pop(event.kind), file=sys.stderr, flush=True)
-                if "numba:compile" not in lines:  # a wait does not matter any more
+                if "numba:compile" not in lines:  # after it no wait is reported
                     lines.clear()
 
         def on_end(self, event: Any) -> None:

@@ -1,4 +1,4 @@
-"""Retries of disk operations after errors that may pass, up to a time limit."""
+"""Retries of disk operations after temporary errors, up to a time limit."""
 
 import errno
 import sys
@@ -9,19 +9,19 @@ from typing import TypeVar
 from ..ground import UserError
 from .progress import duration
 
-# Of a file server that restarts, too many open files, or a full disk.
+# Errors of a restarting file server, of too many open files, or of a full disk.
 _TEMPORARY = "EIO ESTALE ETIMEDOUT EAGAIN EMFILE ENFILE ENOSPC EDQUOT"
 TEMPORARY_ERRORS = frozenset(getattr(errno, name) for name in _TEMPORARY.split())
 FIRST_PAUSE_SECONDS, MAX_PAUSE_SECONDS = 0.1, 10.0  # between two attempts; doubled each time
-FIRST_WARNING_SECONDS = 30.0  # after the first warning; doubled each time
-GRACE_SECONDS = 5.0  # of further attempts once the process is to stop
-POLL_SECONDS = 0.2  # between two checks whether the process is to stop
+FIRST_WARNING_SECONDS = 30.0  # time of the second warning; doubled for each further one
+GRACE_SECONDS = 5.0  # time limit of the attempts after a stop request
+POLL_SECONDS = 0.2  # between two checks for a stop request
 
 T = TypeVar("T")
 
 
 class DiskRetry:
-    """Retries a disk operation after an error that may pass, and warns at once."""
+    """Callable that retries a disk operation after temporary errors, and warns at the first."""
 
     def __init__(
         self,
@@ -29,14 +29,14 @@ class DiskRetry:
         stop: Callable[[], bool] = lambda: False,
         sleep: Callable[[float], None] = time.sleep,
     ) -> None:
-        """``seconds`` : time limit. ``stop`` : whether the process is to end soon."""
+        """Set the policy. seconds : time limit. stop : returns True after a stop request."""
         self.seconds, self.stop, self.sleep = seconds, stop, sleep
-        self.exhausted = False  # after giving up once, operations are tried a single time
+        self.exhausted = False  # after giving up; operations are then tried once, until one works
 
     def __call__(self, attempt: Callable[[], T]) -> T:
-        """Return the result of ``attempt``, which raises UserError when the disk refuses.
+        """Return the result of ``attempt``, which raises UserError if the disk refuses.
 
-        Raises that UserError if the error is permanent, and after the time limit.
+        Raises that UserError at once if it is permanent, otherwise after the time limit.
         """
         began, wait, next_warning = time.monotonic(), FIRST_PAUSE_SECONDS, 0.0
         limit = 0.0 if self.exhausted else self.seconds
@@ -63,16 +63,16 @@ class DiskRetry:
                 return result
 
     def _pause(self, seconds: float) -> None:
-        """Wait, but only briefly once the process is to stop."""
+        """Wait for ``seconds``, or for at most one second after a stop request."""
         end = time.monotonic() + seconds
         while (left := end - time.monotonic()) > 0.0 and not (self.stop() and left > 1.0):
             self.sleep(min(left, POLL_SECONDS))
 
 
 def is_temporary(error: UserError) -> bool:
-    """Return whether an error of the disk may pass.
+    """Return whether a disk error may be temporary.
 
-    HDF5 gives no reason why it could not write (RuntimeError).
+    A RuntimeError counts as temporary, since HDF5 raises it without a reason if it cannot write.
     """
     cause = error.__cause__
     return isinstance(cause, RuntimeError) or (

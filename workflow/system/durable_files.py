@@ -9,17 +9,17 @@ from pathlib import Path
 
 from ..ground import UserError, open_plain, read_plain
 
-# Errors of fsync on a folder if the file system does not support it.
+# Errors of fsync on a folder for which the file system does not support it.
 _UNSUPPORTED = "EINVAL ENOTSUP EOPNOTSUPP ENOSYS EBADF EACCES EPERM EISDIR ENOTTY"
 UNSUPPORTED_ERRORS = frozenset(getattr(errno, name) for name in _UNSUPPORTED.split())
-MAX_FILE_BYTES = 2**32  # a shard has some 2**24
+MAX_FILE_BYTES = 2**32  # largest file that is read; a shard has about 2**24 bytes
 
 
 @contextlib.contextmanager
 def refused(path: Path, failure: str) -> Iterator[None]:
-    """Turn an error of the disk into a UserError; HDF5 reports a full disk by RuntimeError.
+    """Turn disk errors into UserError, also the RuntimeError of HDF5 on a full disk.
 
-    failure : the failed operation on ``path``, as "cannot be written:".
+    failure : the failed operation on ``path``, such as "cannot be written:".
     """
     try:
         yield
@@ -30,10 +30,10 @@ def refused(path: Path, failure: str) -> Iterator[None]:
 
 @contextlib.contextmanager
 def replacing(path: Path) -> Iterator[Path]:
-    """Yield a hidden name beside ``path`` to write to; then flush it, rename it, flush the folder.
+    """Yield a temporary path beside ``path`` to write to; then flush and rename it, durably.
 
-    Readers see the old file until the new one is complete. If the disk refuses, the new file is
-    removed and UserError raised.
+    Readers see the old file until the new one is complete. If the disk refuses, the temporary file
+    is removed and UserError is raised.
     """
     aside = path.with_name(f".{path.name}.{os.getpid()}.tmp")
     with refused(path, "cannot be written:"):
@@ -55,16 +55,16 @@ def write_durably(path: Path, content: bytes) -> None:
 
 
 def append_durably(path: Path, content: bytes) -> None:
-    """Append lines to a file, which begin on a new line, and flush it.
+    """Append lines to a file, starting on a new line, and flush it.
 
-    A crash may leave part of ``content`` at the end. If the disk refuses, the file is cut back to
-    its former size, if the disk permits it, and UserError is raised.
+    A crash may leave part of ``content`` at the end. If the disk refuses, the file is truncated to
+    its former size if possible, and UserError is raised.
     """
     with refused(path, "cannot be written:"), open_plain(path, "ab") as file:
         size = file.seek(0, os.SEEK_END)
         try:
             remaining = memoryview(content if _ends_a_line(path, size) else b"\n" + content)
-            while remaining:  # a nearly full disk takes a part first
+            while remaining:  # a nearly full disk may write only a part
                 remaining = remaining[file.write(remaining) :]
             os.fsync(file.fileno())
             flush_folder(path.parent)
@@ -77,22 +77,22 @@ def append_durably(path: Path, content: bytes) -> None:
 def read_whole(path: Path) -> bytes:
     """Return the content of a file of at most MAX_FILE_BYTES.
 
-    Raises UserError if the disk refuses, and for a missing file, a larger one, or a device.
+    Raises UserError if the disk refuses, or if the file is missing, too large or not regular.
     """
     with refused(path, "cannot be read:"):
         return read_plain(path, MAX_FILE_BYTES)
 
 
 def digest_of(path: Path) -> str:
-    """Return the checksum (hexadecimal) of a file. Raises UserError as ``read_whole``."""
+    """Return the hexadecimal checksum of a file. Raises UserError if it cannot be read."""
     with refused(path, "cannot be read:"), open_plain(path) as file:
         return hashlib.file_digest(file, "sha256").hexdigest()[:32]
 
 
 def sizes_in(folder: Path) -> dict[str, int]:
-    """Return name -> bytes of the files in a folder; empty if the folder is missing.
+    """Return the files in a folder as name -> bytes; empty if the folder is missing.
 
-    Raises UserError if the disk refuses, so that no existing file is left out.
+    Raises UserError if the disk refuses, so that no existing file is omitted.
     """
     sizes = {}
     with refused(folder, "cannot be read:"):
@@ -101,13 +101,13 @@ def sizes_in(folder: Path) -> dict[str, int]:
         except FileNotFoundError:
             return {}
         for path in paths:
-            with contextlib.suppress(FileNotFoundError):  # removed meanwhile
+            with contextlib.suppress(FileNotFoundError):  # the file was removed meanwhile
                 sizes[path.name] = path.stat().st_size
     return sizes
 
 
 def check_place(path: Path) -> None:
-    """Raise UserError if a file could not be written later: try with a temporary file now."""
+    """Raise UserError if ``path`` cannot be written, by creating a temporary file beside it."""
     with refused(path, "cannot be written:"):
         if path.is_symlink() or (path.exists() and not path.is_file()):
             raise OSError(
@@ -121,13 +121,13 @@ def check_place(path: Path) -> None:
 
 
 def make_folder(folder: Path) -> None:
-    """Make a folder with its parents. Raises UserError if the disk refuses."""
+    """Create a folder and its parents if missing. Raises UserError if the disk refuses."""
     with refused(folder, "cannot be made:"):
         folder.mkdir(parents=True, exist_ok=True)
 
 
 def clear_leftovers(path: Path) -> None:
-    """Remove temporary files of dead writers of ``path`` (a pattern); for the lock's holder."""
+    """Remove temporary files of dead writers of ``path``, a pattern. The caller holds the lock."""
     for aside in path.parent.glob(f".{path.name}.*.tmp"):
         _remove(aside)
 
@@ -138,7 +138,7 @@ def _remove(path: Path) -> None:
 
 
 def flush_folder(folder: Path) -> bool:
-    """Make the names in a folder durable; return False if its file system cannot."""
+    """Flush the file names in a folder; return False if its file system does not support it."""
     descriptor = os.open(folder, os.O_RDONLY)
     try:
         os.fsync(descriptor)
@@ -152,7 +152,7 @@ def flush_folder(folder: Path) -> bool:
 
 
 def _ends_a_line(path: Path, size: int) -> bool:
-    """Return whether a file ends with a complete line; a crash may have cut the last one."""
+    """Return whether a file is empty or ends with a newline; a crash may cut the last line."""
     if not size:
         return True
     with path.open("rb") as file:

@@ -1,4 +1,4 @@
-"""Lock of a results folder for one process, released by the operating system at its end."""
+"""Lock of a folder for one process, which the operating system releases when the process ends."""
 
 import contextlib
 import fcntl
@@ -16,15 +16,15 @@ from ..ground import UserError, open_plain
 from .durable_files import flush_folder, refused
 
 LOCK = "lock"
-PROBE_SECONDS = 2.0  # to wait for a process that only looks at the lock
-MAX_SIGNATURE_BYTES = 4096
+PROBE_SECONDS = 2.0  # longest wait for a process that only probes the lock, in ``holder``
+MAX_SIGNATURE_BYTES = 4096  # bytes that are read of a lock file
 
 
 @contextlib.contextmanager
 def hold(folder: Path, *, without: bool = False) -> Iterator[None]:
-    """Hold the lock of a folder, made if need be. Raises UserError that names another holder.
+    """Hold the lock of a folder, which is created if missing. Raises UserError if it is in use.
 
-    without : continue on a file system without locks, instead of raising UserError.
+    without : whether to continue without a lock if the file system does not support locks.
     """
     with refused(folder, "cannot be used for results:"):
         folder.mkdir(parents=True, exist_ok=True)
@@ -43,13 +43,13 @@ def hold(folder: Path, *, without: bool = False) -> Iterator[None]:
 
 
 def holder(folder: Path) -> str | None:
-    """Return the holder of the lock of a folder, in words, or None."""
+    """Return a description of the process that holds the lock of a folder, or None."""
     with contextlib.suppress(OSError), open_plain(folder / LOCK) as file:
         try:
             fcntl.flock(file, fcntl.LOCK_SH | fcntl.LOCK_NB)
         except BlockingIOError:
             return _description(folder)
-        except OSError:  # no locks: does the signing process still run on this machine?
+        except OSError:  # no support for locks: check whether the signing process still runs here
             signed = _signature(folder)
             here = signed.get("host") == socket.gethostname()
             alive = here and Path(f"/proc/{signed['pid']}").exists()
@@ -58,7 +58,7 @@ def holder(folder: Path) -> str | None:
 
 
 def _acquire(file: IO[bytes], folder: Path, without: bool) -> None:
-    """Acquire the lock; wait for processes that hold it briefly in ``holder``."""
+    """Acquire the lock; wait up to PROBE_SECONDS for processes that only probe it."""
     end = time.monotonic() + PROBE_SECONDS
     while True:
         try:
@@ -78,16 +78,16 @@ def _acquire(file: IO[bytes], folder: Path, without: bool) -> None:
 
 
 def _sign(file: IO[bytes]) -> None:
-    """Write the holder into the lock file; if the disk is full, the lock holds all the same."""
+    """Write pid, host and time into the lock file; ignore a full disk, as the lock still holds."""
     with contextlib.suppress(OSError):
         since = datetime.now().astimezone().isoformat(" ", "seconds")
         file.truncate(0)
         text = json.dumps({"pid": os.getpid(), "host": socket.gethostname(), "since": since})
-        os.write(file.fileno(), text.encode())  # no buffer, which would fail again when closed
+        os.write(file.fileno(), text.encode())  # unbuffered; a buffer would fail again on close
 
 
 def _signature(folder: Path) -> dict[str, Any]:
-    """Return pid, host and since of the holder; empty if the file is damaged."""
+    """Return the fields pid, host and since of the lock file; empty if it is damaged."""
     with contextlib.suppress(OSError, ValueError, KeyError, TypeError, RecursionError):
         with open_plain(folder / LOCK) as file:
             fields = json.loads(file.read(MAX_SIGNATURE_BYTES))

@@ -1,8 +1,8 @@
-"""Sandbox for netCDF files of unknown origin: another process reads them first, and may crash.
+"""Sandbox for netCDF files of unknown origin, which are first read in a separate process.
 
-The HDF5 library trusts the lengths in a file. Forged ones can make it loop, request all memory or
-crash, without an exception. A file that the other process has read completely, within limits of
-CPU time and memory, can be read here as well.
+The HDF5 library trusts the lengths stored in a file. Forged lengths can make it loop, allocate all
+memory or crash without an exception. If the separate process reads a file completely within limits
+of CPU time and memory, this process can read it too.
 """
 
 import contextlib
@@ -20,7 +20,7 @@ from .durable_files import read_whole, refused
 from .packages import PROGRAM_ROOT
 
 MIN_READ_SECONDS, READ_BYTES_PER_SECOND = 1.0, 1e7  # CPU time for a file and for each variable
-MAX_READ_SECONDS = 1e4  # as the number of bytes may be forged
+MAX_READ_SECONDS = 1e4  # largest CPU time in proportion to a size, which may be forged
 FATAL_SIGNALS: dict[int, str] = {
     signal.SIGPROF: "reading it does not end",
     **dict.fromkeys((signal.SIGSEGV, signal.SIGABRT, signal.SIGBUS), "reading it ends the process"),
@@ -29,9 +29,9 @@ READY = "ready"
 
 
 def unreadable(paths: list[Path]) -> dict[Path, str]:
-    """Return path -> reason of the netCDF files that cannot be read completely.
+    """Return the netCDF files that cannot be read completely, as path -> reason.
 
-    Raises UserError if no process can be started, or if one is killed from outside, for instance
+    Raises UserError if no process can be started, or if it is killed from outside, for instance
     for lack of memory.
     """
     reasons: dict[Path, str] = {}
@@ -43,7 +43,7 @@ def unreadable(paths: list[Path]) -> dict[Path, str]:
                 cwd=PROGRAM_ROOT,
                 input=b"\0".join(os.fsencode(path.absolute()) for path in remaining),
                 capture_output=True,
-                start_new_session=True,  # Ctrl-C is meant for this process
+                start_new_session=True,  # so that Ctrl-C reaches only this process
             )
             ready, *answers = process.stdout.decode().split("\n")[:-1] or [""]
             cause = FATAL_SIGNALS.get(-process.returncode)
@@ -60,7 +60,7 @@ def unreadable(paths: list[Path]) -> dict[Path, str]:
 
 
 def _read_error(content: bytes) -> str:
-    """Read a netCDF file completely; return the reason if that fails, else ""."""
+    """Read a netCDF file completely; return the reason if this fails, otherwise ""."""
     import netCDF4
 
     try:
@@ -77,13 +77,13 @@ def _read_error(content: bytes) -> str:
                     variable[...]
     except MemoryError:
         return "it claims more data than fits into memory"
-    except Exception as error:  # a forged file can fail in any way
+    except Exception as error:  # a forged file can cause any exception
         return " ".join(f"{error}".split()) or type(error).__name__
     return ""
 
 
 def _main() -> None:
-    """Print one line for every file named on standard input: the reason, or an empty line."""
+    """Print a line for each file named on standard input: why it is unreadable, or nothing."""
     import netCDF4  # noqa: F401 - before memory is limited
 
     with contextlib.suppress(OSError, ValueError):
@@ -94,7 +94,7 @@ def _main() -> None:
     _answer(READY)
     for name in sys.stdin.buffer.read().split(b"\0"):
         reason = ""
-        with contextlib.suppress(UserError):  # of the disk: the caller reports it when it reads
+        with contextlib.suppress(UserError):  # the caller meets and reports the same disk error
             content = read_whole(Path(os.fsdecode(name)))
             _limit_cpu_time(len(content))
             reason = _read_error(content)
@@ -102,7 +102,7 @@ def _main() -> None:
 
 
 def _limit_cpu_time(size: int) -> None:
-    """End this process by SIGPROF unless it calls this again in the time for ``size`` bytes."""
+    """End this process by SIGPROF after the CPU time for ``size`` bytes; a new call restarts it."""
     seconds = MIN_READ_SECONDS + min(size / READ_BYTES_PER_SECOND, MAX_READ_SECONDS)
     signal.setitimer(signal.ITIMER_PROF, seconds)
 

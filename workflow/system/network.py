@@ -10,13 +10,13 @@ MAX_NAME_LENGTH = 15
 
 
 def interface_named(name: str) -> str | None:
-    """Return the name if an interface has it and an address, None for "". Raises UserError."""
+    """Return ``name``, or None for "". Raises UserError if no such interface has an address."""
     if not name:
         return None
     try:
         with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as any_socket:
             fcntl.ioctl(any_socket, SIOCGIFADDR, name.encode()[:MAX_NAME_LENGTH].ljust(256, b"\0"))
-    except OSError:  # no such interface, or none with an address
+    except OSError:
         known = ", ".join(interface for _, interface in socket.if_nameindex())
         raise UserError(
             f"cluster.interface = {name!r}: is not a network interface with an address; choose the "

@@ -1,6 +1,6 @@
-"""Versions of the packages in this process, and its processor.
+"""Package versions and processor of this process.
 
-A worker must have the versions of the driver before it starts to work.
+Workers must have the same versions as the driver, which ``require`` checks.
 """
 
 import contextlib
@@ -14,25 +14,25 @@ from typing import NamedTuple
 
 from ..ground import UserError
 
-PROGRAM_ROOT = Path(__file__).resolve().parents[2]  # the folder of kernels, workflow and studies
+PROGRAM_ROOT = Path(__file__).resolve().parents[2]  # contains kernels, workflow and studies
 SOURCE_FOLDERS = ("kernels", "workflow")
 PACKAGES = ("numpy", "numba", "scipy", "dask", "distributed", "xarray", "netCDF4")
-NUMERICAL_PACKAGES = ("numpy", "numba", "llvmlite")  # may change the last bits of records
+NUMERICAL_PACKAGES = ("numpy", "numba", "llvmlite")  # they may affect the last bits of records
 WORKER_PACKAGES = (*NUMERICAL_PACKAGES, "scipy", "dask", "distributed")
 
 Versions = dict[str, str]  # package -> version
 
 
 class Maker(NamedTuple):
-    """Versions and processor that computed records; the last bits may depend on them."""
+    """Versions and processor that computed records. The last bits may depend on them."""
 
-    versions: str  # of python, the C library and the numerical packages
+    versions: str  # versions of Python, the C library and the numerical packages, as text
     processor: str
 
 
 @cache
 def version_of(package: str) -> str:
-    """Return the version of an installed package."""
+    """Return the version of a package, or "not installed"."""
     try:
         return version(package)
     except PackageNotFoundError:
@@ -43,13 +43,13 @@ VERSION = version_of("elastomer-friction")
 
 
 def package_versions() -> str:
-    """Return the versions of all packages, in words."""
+    """Return the versions of PACKAGES as text."""
     return ", ".join(f"{name} {version_of(name)}" for name in PACKAGES)
 
 
 @cache
 def our_sources() -> str:
-    """Return a short hash over all source files of this program."""
+    """Return a short hash of all Python files in SOURCE_FOLDERS."""
     digest = hashlib.sha256()
     for source in sorted(
         path for name in SOURCE_FOLDERS for path in (PROGRAM_ROOT / name).rglob("*.py")
@@ -59,7 +59,7 @@ def our_sources() -> str:
 
 
 def import_dask() -> None:
-    """Import dask, which then reads its settings. Raises UserError if they are malformed."""
+    """Import dask, which reads its settings. Raises UserError if these are malformed."""
     try:
         import dask  # noqa: F401
     except ValueError as error:  # its message has several lines
@@ -67,7 +67,7 @@ def import_dask() -> None:
 
 
 def processor() -> str:
-    """Return the name of the processor; the last bits of results depend on its kind."""
+    """Return the model name of the processor."""
     with contextlib.suppress(OSError):
         for line in Path("/proc/cpuinfo").read_text(encoding="utf-8").splitlines():
             if line.startswith("model name"):
@@ -86,13 +86,13 @@ def this_maker() -> Maker:
 
 @cache
 def own_versions() -> Versions:
-    """Return the versions in this process; the last is a hash of this program's sources."""
+    """Return the versions in this process, with a hash of this program's sources."""
     versions = {name: version_of(name) for name in WORKER_PACKAGES}
     return versions | {"python": platform.python_version(), "our sources": our_sources()}
 
 
 def require(expected: Versions) -> None:
-    """Raise UserError with a table if this process, a worker, differs from the driver."""
+    """Raise UserError with a table if this worker's versions differ from the driver's."""
     versions = own_versions()
     different = [name for name in expected if versions.get(name) != expected[name]]
     if different:

@@ -1,4 +1,4 @@
-"""Properties of this process: requests to stop, peak memory, threads and memory of libraries."""
+"""Properties of this process: stop requests, peak memory, threads and allocator settings."""
 
 import contextlib
 import ctypes
@@ -12,12 +12,12 @@ from types import FrameType
 
 
 class Interrupt:
-    """Request of the user or the batch system to stop this process."""
+    """Signal handlers that record a stop request; a second request raises KeyboardInterrupt."""
 
-    BOUNCE_SECONDS = 1.0  # one key press or `timeout` may signal process and group
+    BOUNCE_SECONDS = 1.0  # signals within this time count as one request
 
     def __init__(self) -> None:
-        self.requested = 0.0
+        self.requested = 0.0  # time of the stop request, s; 0: none
 
     def __enter__(self) -> "Interrupt":
         ignored = signal.getsignal(signal.SIGHUP) == signal.SIG_IGN  # by nohup
@@ -31,7 +31,7 @@ class Interrupt:
             signal.signal(number, handler)
 
     def __call__(self) -> bool:
-        """Return whether the process is to stop."""
+        """Return whether a stop was requested."""
         return self.requested > 0.0
 
     def _handle(self, number: int, frame: FrameType | None) -> None:
@@ -44,8 +44,8 @@ class Interrupt:
 
 
 def peak_bytes() -> int:
-    """Return the peak resident memory of this process so far."""
-    # getrusage includes the time before the process was given this program.
+    """Return the peak resident memory of this process so far, in bytes."""
+    # Preferred to getrusage, which includes the memory of the process before exec.
     with contextlib.suppress(OSError):
         for line in Path("/proc/self/status").read_text(encoding="ascii").splitlines():
             if line.startswith("VmHWM:"):
@@ -54,20 +54,20 @@ def peak_bytes() -> int:
     return resource.getrusage(resource.RUSAGE_SELF).ru_maxrss * unit
 
 
-# Libraries must not start threads: workers share the cores, and sums keep their order.
+# Libraries must not start threads, so that workers share the cores and sums keep their order.
 THREADS = {f"{library}_NUM_THREADS": "1" for library in ("OMP", "MKL", "OPENBLAS", "NUMBA")}
-# Options of mallopt of the GNU C library, with their values in bytes.
+# Options of mallopt (GNU C library): (number of the option, value in bytes).
 TRIM_THRESHOLD = -1, 2**28
 MMAP_THRESHOLD = -3, 2**25
 
 
 @cache
 def keep_memory() -> bool:
-    """Keep the memory of freed arrays in this process; return whether the C library can.
+    """Keep the memory of freed arrays in this process; return whether the C library supports it.
 
-    Kernels allocate the same large arrays repeatedly. Without this setting page faults add a tenth
-    to the time of the kernels, and two fifths in workers, as dask lets them return free memory
-    above 64 KiB.
+    Kernels allocate the same large arrays repeatedly. Without this setting, page faults add 10 % to
+    the time of the kernels, and 40 % in workers, where dask lets the allocator return free memory
+    above 64 KiB to the system.
     """
     mallopt = getattr(ctypes.CDLL(None), "mallopt", None)
     return mallopt is not None and all(

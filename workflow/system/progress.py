@@ -1,4 +1,4 @@
-"""Progress of long work on stderr: a bar with the remaining time, or lines in a log."""
+"""Progress of long work on stderr: a bar on a terminal, otherwise lines for a log."""
 
 import sys
 import time
@@ -8,15 +8,15 @@ from rich.progress import BarColumn, Progress, TextColumn, TimeRemainingColumn
 
 from ..ground import counted
 
-MAX_LINE_SECONDS = 30.0  # between two lines of a log
-MAX_LINE_SHARE = 0.05
+MAX_LINE_SECONDS = 30.0  # longest time between two lines of a log
+MAX_LINE_SHARE = 0.05  # largest progress between two lines, as a share of the work
 
 
 class Reporter:
-    """Progress of work of known predicted time."""
+    """Progress of work with a predicted time."""
 
     def __init__(self, title: str, total: float) -> None:
-        """``total`` : predicted core-seconds of all work."""
+        """Start at no progress. total : predicted core-seconds of all work."""
         self.title, self.total, self.done = title, max(total, 1e-9), 0.0
         self.workers = ""
         self.began = self.last_time = time.monotonic()
@@ -42,9 +42,9 @@ class Reporter:
             self.bar.stop()
 
     def advance(self, seconds: float, remaining: float | None = None) -> None:
-        """Count ``seconds`` of work as done.
+        """Add ``seconds`` of finished work.
 
-        remaining : seconds that are left, where a new estimate replaces the first one.
+        remaining : new estimate of the remaining seconds; None keeps the total.
         """
         self.done += seconds
         if remaining is not None:
@@ -52,7 +52,7 @@ class Reporter:
         self._show()
 
     def beat(self, workers: int, failed: int) -> None:
-        """Record the number of workers; print a line from time to time even without progress."""
+        """Record the numbers of workers and failures; may print a line even without progress."""
         self.workers = f", {counted(workers, 'worker')}" + (f", {failed} failed" if failed else "")
         self._show()
 
@@ -69,7 +69,7 @@ class Reporter:
 
 
 def duration(seconds: float) -> str:
-    """Return a time in words of one unit: 12 s, 3.4 min, 5.6 h, 7.8 d."""
+    """Return a time as text in one unit, such as 12 s, 3.4 min, 5.6 h or 7.8 d."""
     for size, unit in ((86400.0, "d"), (3600.0, "h"), (60.0, "min")):
         if seconds >= 2.0 * size:
             return f"{seconds / size:.1f} {unit}"
@@ -77,7 +77,7 @@ def duration(seconds: float) -> str:
 
 
 def core_time(low: float, high: float) -> str:
-    """Return an interval of CPU seconds in words: about 35 to 50 core-minutes."""
+    """Return an interval of CPU seconds as text, such as "about 35 to 50 core-minutes"."""
     sizes = ((86400.0, "days"), (3600.0, "hours"), (60.0, "minutes"), (1.0, "seconds"))
     size, unit = next((s for s in sizes if low * high >= (2.0 * s[0]) ** 2), sizes[-1])
     first, last = (f"{float(f'{seconds / size:.2g}'):g}" for seconds in (low, high))

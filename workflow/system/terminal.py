@@ -1,4 +1,4 @@
-"""Output of a process: a lost terminal or a missing character never ends a run."""
+"""Output streams that do not end a run if the terminal is lost or lacks a character."""
 
 import contextlib
 import errno
@@ -12,11 +12,11 @@ from typing import Any, TextIO
 class _TolerantStream(io.TextIOWrapper):
     """A text stream that drops output that it cannot write.
 
-    A signal may arrive while a line is written, and print one itself (RuntimeError).
+    RuntimeError is raised if a signal handler prints while a line is being written.
     """
 
     def write(self, text: str, /) -> int:
-        """Write as much as possible."""
+        """Write the text, or drop it if this fails."""
         try:
             return super().write(text)
         except (OSError, RuntimeError, ValueError) as error:
@@ -24,14 +24,14 @@ class _TolerantStream(io.TextIOWrapper):
         return len(text)
 
     def flush(self) -> None:
-        """Flush as much as possible."""
+        """Flush the buffer, or discard it if this fails."""
         try:
             super().flush()
         except (OSError, RuntimeError, ValueError) as error:
             self._discard(error)
 
     def _discard(self, error: Exception) -> None:
-        """Discard the buffer of a pipe without a reader."""
+        """Redirect a pipe that has lost its reader to the null device; ignore other errors."""
         if isinstance(error, OSError) and error.errno == errno.EPIPE:
             with contextlib.suppress(OSError):
                 null = os.open(os.devnull, os.O_RDWR)
@@ -40,16 +40,16 @@ class _TolerantStream(io.TextIOWrapper):
 
 
 def program() -> str:
-    """Return the command that started the program: its console command or the module."""
+    """Return the command that started the program: the console script or python -m."""
     command = Path(sys.argv[0]).name
     return command if command == "elastomer-friction" else "python -m workflow"
 
 
 def make_streams_tolerant() -> None:
-    """Keep errors of stdout and stderr from ending this process; called at its start.
+    """Make stdout and stderr ignore write errors; call this when the process starts.
 
-    Closed streams are opened on the null device, so that no file gets their numbers. Characters
-    missing in the terminal are shown as numbers.
+    Closed streams are opened on the null device, so that no file gets their descriptors. Characters
+    that the encoding lacks are written as backslash escapes.
     """
     while (descriptor := os.open(os.devnull, os.O_RDWR)) <= 2:
         pass

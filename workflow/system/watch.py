@@ -1,4 +1,4 @@
-"""Watch over a run every second: requests to stop, and missing workers."""
+"""Supervision of a run once a second: stop requests, missing workers and missing answers."""
 
 import contextlib
 import math
@@ -12,18 +12,18 @@ from ..ground import UserError
 from .progress import duration
 
 BEAT_SECONDS = 1.0  # between two checks
-MAX_BEAT_SECONDS = 5.0  # that count as waiting: this process may itself have been stopped
-QUIET_SECONDS = 4.0  # to wait after a stop for a scheduler that does not answer
+MAX_BEAT_SECONDS = 5.0  # longest time counted per check, as this process may have been suspended
+QUIET_SECONDS = 4.0  # without an answer, after which the scheduler counts as silent
 NO_WORKER, NO_ANSWER = "worker", "answer of the scheduler"  # what a run may lack
 TRACEBACK = "Traceback (most recent call last):"
-# Time without workers or answers before the first line; doubled each time.
+# Time without workers or answers before the first line is printed; doubled for each further line.
 FIRST_LINE_SECONDS = {NO_WORKER: 10.0, NO_ANSWER: 30.0}
 
 Listener = Callable[[int, int], None]  # called with (worker threads, items in flight)
 
 
 def say(line: str) -> None:
-    """Print a line for the user."""
+    """Print a line for the user to stderr."""
     print(line, file=sys.stderr)
 
 
@@ -31,27 +31,27 @@ def say(line: str) -> None:
 class Watch:
     """State of a stream of work: stop requests, listeners and what it waits for."""
 
-    stop: Callable[[], bool] = lambda: False  # whether to start no more work
-    patience: float = math.inf  # s to wait without workers, or for answers
+    stop: Callable[[], bool] = lambda: False  # returns True after a stop request
+    patience: float = math.inf  # longest wait for workers or answers, s
     listeners: list[Listener] = field(default_factory=list)
-    logs: str = ""  # folder of the logs of jobs
-    old_logs: set[Path] = field(default_factory=set)  # of runs before this one
-    lacking: str = ""
-    waited: float = 0.0  # s since something began to lack
-    next_line: float = 0.0
-    last_look: float = 0.0
+    logs: str = ""  # folder of the job logs
+    old_logs: set[Path] = field(default_factory=set)  # logs of earlier runs
+    lacking: str = ""  # what the work waits for; "": nothing
+    waited: float = 0.0  # time waited so far, s
+    next_line: float = 0.0  # waited time at which the next line is printed, s
+    last_look: float = 0.0  # time of the last look, s
 
     def __call__(self) -> bool:
-        """Return whether to start no more work."""
+        """Return whether a stop was requested, so that no more work may start."""
         return self.stop()
 
     def follow(self, folder: str) -> None:
-        """Read errors of jobs from their logs in a folder from now on."""
+        """Report errors of jobs from their logs in ``folder``, ignoring the logs already there."""
         self.logs, self.old_logs = folder, set(Path(folder).glob("*"))
 
     @contextlib.contextmanager
     def telling(self, listener: Listener) -> Iterator[None]:
-        """Call ``listener`` at every look within this block."""
+        """Call ``listener`` at each ``look`` within this block."""
         self.listeners.append(listener)
         try:
             yield
@@ -59,9 +59,9 @@ class Watch:
             self.listeners.remove(listener)
 
     def look(self, threads: int, in_flight: int, lack: str = "") -> None:
-        """Record the number of worker threads, and what work waits for: workers, or ``lack``.
+        """Call the listeners; add up the time in which work waits for workers, or for ``lack``.
 
-        Raises UserError when patience ends.
+        Raises UserError if the wait exceeds ``patience``.
         """
         for listener in self.listeners:
             listener(threads, in_flight)
@@ -88,9 +88,9 @@ class Watch:
             self.next_line = 2.0 * max(self.waited, self.next_line)
 
     def _last_error(self) -> str:
-        """Return the error in the newest log of this run with a traceback, or "".
+        """Return the error in the newest log of this run that has a traceback, or "".
 
-        An unreadable or removed log is ignored.
+        Returns "" also if a log cannot be read or is removed meanwhile.
         """
         with contextlib.suppress(OSError):
             logs = {path for path in Path(self.logs).glob("*") if path.is_file()} - self.old_logs
@@ -101,7 +101,7 @@ class Watch:
 
 
 def _error_in(log: str) -> str:
-    """Return the line after the frames of the last traceback of a log, or ""."""
+    """Return the error message after the last traceback in a log, or ""."""
     _, marker, rest = log.rpartition(TRACEBACK)
     after = (line for line in rest.splitlines()[1:] if marker and not line.startswith(" "))
     return next(after, "").strip()
