@@ -1,6 +1,6 @@
-"""The command line: elastomer-friction plan|run|status|figure|table STUDY, and others.
+"""The command line: elastomer-friction plan|run|status|figure|table STUDY, and other commands.
 
-Knows all rooms; no room knows it.
+It imports all other packages of the workflow; none of them imports it.
 """
 
 from typing import TYPE_CHECKING

@@ -17,16 +17,16 @@ PRONY_FORMATS = ("study", "abaqus", "ansys")  # printed by `prony`
 
 
 def main(arguments: list[str] | None = None) -> int:
-    """Run one command; return the exit status."""
+    """Run one command and return its exit status."""
     words = sys.argv[1:] if arguments is None else arguments
     interruption = "aborted before the start"
     try:
-        if "_ARGCOMPLETE" in os.environ:  # completion for a shell
+        if "_ARGCOMPLETE" in os.environ:  # set by a shell that requests completions
             import argcomplete
 
             argcomplete.autocomplete(command_parser())
         options = command_parser(words).parse_args(words)
-        from .commands import ACTIONS  # slow to import, and not needed by --help
+        from .commands import ACTIONS  # slow to import and not needed by --help
         from .run_options import resume_line
 
         interruption = resume_line("aborted") if options.command == "run" else "interrupted"
@@ -41,7 +41,7 @@ def main(arguments: list[str] | None = None) -> int:
 
 
 class OneLineParser(argparse.ArgumentParser):
-    """A parser that reports wrong options as a UserError of one line."""
+    """A parser that raises a one-line UserError for invalid options."""
 
     def error(self, message: str) -> NoReturn:
         """Raise UserError."""
@@ -49,9 +49,9 @@ class OneLineParser(argparse.ArgumentParser):
 
 
 def command_parser(words: Sequence[str] | None = None) -> argparse.ArgumentParser:
-    """Return the parser, with the options of all commands or only of those in ``words``.
+    """Return the parser with the options of all commands, or only of the commands in ``words``.
 
-    The options of some commands depend on rooms that are slow to import.
+    The options of some commands depend on packages that are slow to import.
     """
     parser = OneLineParser(prog=program(), description=__doc__)
     version = f"elastomer-friction {version_of('elastomer-friction')}"
@@ -65,14 +65,14 @@ def command_parser(words: Sequence[str] | None = None) -> argparse.ArgumentParse
 
 
 def _studies(**_: Any) -> list[str]:
-    """Return the names of studies for the completion of a shell."""
+    """Return the names of all studies, for shell completion."""
     from ..study import known_studies
 
     return sorted(known_studies())
 
 
 def _no_options(command: argparse.ArgumentParser) -> None:
-    """Add nothing."""
+    """Add no options."""
 
 
 def _study_options(command: argparse.ArgumentParser) -> None:
@@ -180,7 +180,7 @@ def _prony_options(command: argparse.ArgumentParser) -> None:
     add = command.add_argument
     add("file", help="text file with frequency, G' and G'' or tan delta, or E; or time and G or E")
     add("--columns", help="their columns, from 0, as 0,1,2 (default: by name or order)")
-    # Without this argparse would take a value such as -20,0,20 for an option.
+    # Otherwise argparse would interpret a value such as -20,0,20 as an option.
     command._negative_number_matcher = re.compile(r"-[\d.][\d.,eE+-]*$")
     add("--temperatures", help="of the sweeps in order, as -20,0,20 in °C (default: from the file)")
     add("--reference", type=float, help="reference temperature of the master curve, in °C (middle)")
@@ -225,7 +225,7 @@ def _law_options(command: argparse.ArgumentParser) -> None:
     add("--kind", choices=("states", "rate-state", "lugre"), help="kind of law (states)")
     text = "a result of motions for the stated error, instead of cross-validation (repeatable)"
     add("--held-out", action="append", metavar="FILE", help=text)
-    # `law_command` checks the form: it names the replacement of a removed one.
+    # No ``choices``: `law_command` checks the format and names the replacement of a removed one.
     forms = f"{{{','.join(LAW_FORMATS)}}}"
     add("--write", metavar=forms, help="format of the written law (default: describe it)")
     add("--out", help="output file (default: standard output)")

@@ -1,4 +1,4 @@
-"""Actions of all commands; `command_line.py` defines their options."""
+"""Functions that execute the commands; `command_line.py` defines their options."""
 
 import argparse
 import contextlib
@@ -35,8 +35,8 @@ ANIMATED_QUANTITIES = ["trace", "snapshots"]
 STUDY_TEMPLATE = Path(__file__).with_name("study.toml")
 NO_TITLE = "(its study.toml cannot be read)"
 
-# By kind of study: functions of the study and its result file for `plan` and `status`, which return
-# lines and data for --json, and for `run`, which returns the exit status.
+# Functions for each kind of study and each command. Those for `plan` and `status` take a study and
+# its result file, and return lines and data for --json. Those for `run` return the exit status.
 STUDY_ACTIONS: dict[str, dict[str, Callable[..., Any]]] = {
     "grid": {
         "plan": outline_grid,
@@ -102,7 +102,7 @@ def _table(options: argparse.Namespace) -> int:
 
 
 def _checked(options: argparse.Namespace) -> tuple[AnyStudy, Path]:
-    """Return the study and its result, which is checked."""
+    """Return the study and its result file. Raises UserError if the result does not match it."""
     study, result = _study(options)
     check_result(study, result, strict=bool(options.scale or options.set or options.accuracy))
     return study, result
@@ -124,7 +124,7 @@ def _explore(options: argparse.Namespace) -> int:
 
 
 def _animate(options: argparse.Namespace) -> int:
-    """Compute the first line of a scene in this process and draw it."""
+    """Compute the first line of a scene in this process and animate it."""
     study = read_scene(options.study, options.scale, options.set, ANIMATED_QUANTITIES)
     path = Path(options.out or f"results/{study.name}.gif")
     report.check_animation(path)
@@ -151,7 +151,7 @@ def _schema(_: argparse.Namespace) -> int:
 
 
 def _new(options: argparse.Namespace) -> int:
-    """Write a study.toml as a starting point."""
+    """Create a study from the template."""
     name = options.name
     if not re.fullmatch(r"[A-Za-z][\w-]*", name, re.ASCII):
         raise UserError(f"new {name!r}: must be letters, digits, - and _, with a letter first")
@@ -169,7 +169,7 @@ def _new(options: argparse.Namespace) -> int:
 
 
 def _verify(options: argparse.Namespace) -> int:
-    """Check a store; return exit status 3 if a fault is found."""
+    """Verify a store; return exit status 3 if a fault is found."""
     folder = options.what
     if not Path(folder).is_dir():
         folder = store_folder(result_file(Path(options.out), read_study(options.what)))
@@ -186,7 +186,7 @@ def _merge(options: argparse.Namespace) -> int:
 
 
 def _store_in(name: str) -> Path:
-    """Return the store in a folder of results, or the folder itself. Raises UserError."""
+    """Return the store in a folder, or the folder itself if it is a store; else raise UserError."""
     for folder in (Path(name) / "store", Path(name)):
         if holds_a_store(folder):
             return folder

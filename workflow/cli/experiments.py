@@ -1,10 +1,10 @@
-"""The commands ``prony`` and ``fit``: material and law from measurements."""
+"""The commands ``prony`` and ``fit``: fits of a material and of the kinetic law to measurements."""
 
 import argparse
 import math
 from pathlib import Path
 
-from .. import laboratory, report  # slow to import: other commands do without
+from .. import laboratory, report  # slow to import, which other commands avoid
 from ..ground import UserError
 from ..study import INCOMPRESSIBLE, Moduli, read_moduli
 from ..system import make_folder, write_durably
@@ -12,7 +12,7 @@ from .exit_status import DONE
 
 
 def run_prony(options: argparse.Namespace) -> int:
-    """Fit, print a table [material], write the branches if requested; return the exit status."""
+    """Fit moduli, print a table [material], write the branches if requested; return the status."""
     if options.branches is not None and options.branches < 1:
         raise UserError(f"--branches {options.branches}: must be at least 1")
     if not -1.0 < options.poisson <= INCOMPRESSIBLE:
@@ -27,29 +27,29 @@ def run_prony(options: argparse.Namespace) -> int:
     measured, keys = _at_one_temperature(options, measured)
     fit = laboratory.fit_material(options.file, measured, options.branches)
     described = laboratory.describe_material(measured, fit, options.branches)
-    said = [f"# {line}" for line in (*measured.description, *described)]
+    comments = [f"# {line}" for line in (*measured.description, *described)]
     rows = [f"{modulus:.6g}, {time:.6g}" for modulus, time in fit.branches]
     modulus = f"shear_modulus = {fit.shear_modulus:.6g}"
     table = ["[material]", modulus, *keys]
     listed = ["branches = [", *(f"    [{row}]," for row in rows), "]"]
     if out:
-        lines = [*said, f"# {modulus}", "modulus [Pa], time [s]", *rows, ""]
+        lines = [*comments, f"# {modulus}", "modulus [Pa], time [s]", *rows, ""]
         write_durably(out, "\n".join(lines).encode())
         beside = (out.parent / "study.toml").is_file()
         listed = [f'branches_file = "{out.name if beside else out.resolve().as_posix()}"']
     printed = laboratory.FORMS[options.write](fit) or [*table, *listed]
-    print(*said, *printed, sep="\n")
+    print(*comments, *printed, sep="\n")
     return DONE
 
 
 def _at_one_temperature(
     options: argparse.Namespace, measured: Moduli
 ) -> tuple[Moduli, tuple[str, ...]]:
-    """Return the moduli, shifted to one temperature if they have several, and a description."""
-    asked = laboratory.Shifting(options.reference, options.law, options.vertical)
+    """Return the moduli, shifted to one temperature if needed, and further lines of [material]."""
+    requested = laboratory.Shifting(options.reference, options.law, options.vertical)
     if measured.temperatures is not None:
-        return laboratory.master_curve(options.file, measured, asked)
-    if asked != laboratory.Shifting():
+        return laboratory.master_curve(options.file, measured, requested)
+    if requested != laboratory.Shifting():
         raise UserError(
             f"prony {options.file}: --reference, --law and --vertical shift sweeps at several "
             "temperatures; it holds one: give --temperatures, or a column of them"
@@ -58,26 +58,26 @@ def _at_one_temperature(
 
 
 def columns_of(words: str, counts: tuple[int, ...] = (3,)) -> tuple[int, ...]:
-    """Return a number of columns given as 0,1,2. Raises UserError."""
-    each = words.split(",")
-    if len(each) not in counts or not all(word.strip().isdecimal() for word in each):
+    """Parse column numbers given as 0,1,2; raise UserError unless their number is in ``counts``."""
+    fields = words.split(",")
+    if len(fields) not in counts or not all(word.strip().isdecimal() for word in fields):
         raise UserError(f"--columns {words}: must be three numbers from 0, as 0,1,2")
-    return tuple(map(int, each))
+    return tuple(map(int, fields))
 
 
 def _temperatures(words: str) -> tuple[float, ...]:
-    """Return temperatures in °C given as -20,0,20. Raises UserError."""
+    """Parse temperatures in °C given as -20,0,20. Raises UserError for other text."""
     try:
-        found = tuple(map(float, words.split(",")))
+        temperatures = tuple(map(float, words.split(",")))
     except ValueError:
-        found = (math.nan,)
-    if not all(map(math.isfinite, found)):
+        temperatures = (math.nan,)
+    if not all(map(math.isfinite, temperatures)):
         raise UserError(f"--temperatures {words}: must be numbers in °C, as -20,0,20")
-    return found
+    return temperatures
 
 
 def run_fit(options: argparse.Namespace) -> int:
-    """Read, fit, print and draw; return the exit status."""
+    """Fit the kinetic law to measured records, print and draw the fit; return the exit status."""
     known = laboratory.Known(options.relaxation_time, options.hurst, options.q_max)
     positive = {"--window": options.window, "--q-max": known.q_max}
     positive["--stiffness"] = options.stiffness

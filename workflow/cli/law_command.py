@@ -1,4 +1,4 @@
-"""The command ``law``: fit or read a reduced law, describe it with its errors, and export it."""
+"""The command ``law``: fit or read a reduced law, then describe or export it."""
 
 import argparse
 from pathlib import Path
@@ -43,13 +43,13 @@ def run_law(options: argparse.Namespace) -> int:
 
 
 def _description(reduced_law: "Law | LoadLaw") -> list[str]:
-    """Return the description of a law, with its error on every motion."""
+    """Return the description of a law, with its rms error for each motion."""
     errors = [f"  {rms:.3g} rms  {motion}" for motion, rms in reduced_law.validity.motions]
     return [*reduced_law.told(), *errors]
 
 
 def _read(options: argparse.Namespace) -> tuple[Path, "Law | LoadLaw"]:
-    """Return the path and the law of a JSON file."""
+    """Return the path of a JSON file and its law, taken at the point ``--at`` if given."""
     for name in FIT_OPTIONS:
         if getattr(options, name) is not None:
             option = name.replace("_", "-")
@@ -64,7 +64,7 @@ def _read(options: argparse.Namespace) -> tuple[Path, "Law | LoadLaw"]:
 
 
 def _fitted(options: argparse.Namespace) -> tuple[Path, "Law | LoadLaw"]:
-    """Return the path of a result file and the law that is fitted to it."""
+    """Return the path of a result file and the law fitted to it."""
     path = Path(options.study)
     if path.suffix != ".nc":
         study = read_study(options.study, options.scale, options.set)
@@ -82,7 +82,7 @@ def _fitted(options: argparse.Namespace) -> tuple[Path, "Law | LoadLaw"]:
 
 
 def _dataset(path: Path, group: str | None) -> Any:
-    """Return the dataset of a result file, or of one of its comparisons."""
+    """Return the dataset of a result file, or of the comparison ``group`` in it."""
     tree = open_tree(path)
     if group is not None and group not in tree.children:
         groups = ", ".join(tree.children) or "none"
@@ -91,7 +91,7 @@ def _dataset(path: Path, group: str | None) -> Any:
 
 
 def _axis_value(text: str) -> tuple[str, float]:
-    """Return axis and value of AXIS=VALUE. Raises UserError."""
+    """Parse AXIS=VALUE. Raises UserError for other text."""
     axis, _, value = text.partition("=")
     try:
         return axis, float(value)

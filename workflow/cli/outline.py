@@ -1,4 +1,4 @@
-"""The table that `plan` prints: what a study would compute and cost."""
+"""The output of `plan`: the work, cost and predicted errors of a study."""
 
 import math
 from collections.abc import Iterator
@@ -13,21 +13,21 @@ from ..study import HALF_SPACE, QUANTITIES, Measured, Study, unavailable_reason
 from ..system import COMPILING_MIB, core_time
 from .run_options import announced_plan
 
-Outline = tuple[list[str], dict[str, Any]]  # lines to print, and the same as data
+Outline = tuple[list[str], dict[str, Any]]  # lines to print, and data for --json
 
 
 def outline_grid(study: Study, result: Path, sample_seconds: float | None = None) -> Outline:
     """Return the work and cost of a study of a grid.
 
-    sample_seconds : time to spend on timing random batches; None computes nothing.
+    sample_seconds : time to spend on timing random batches, s; None: time no batches.
     """
     plan = announced_plan(study)
     predicted, cost = _predicted(plan.predicted_seconds())
     absent = absent_effects(study)
     facts = {
-        # JSON has no NaN, which stands where an axis has no value
-        "axes": {
-            axis: [None if math.isnan(v) else v for v in own] for axis, own in study.grid.items()
+        "axes": {  # None replaces NaN, which marks an axis without a value and which JSON lacks
+            axis: [None if math.isnan(v) else v for v in values]
+            for axis, values in study.grid.items()
         },
         "quantities": study.scene.quantities,
         "read": _files_read(study),
@@ -65,7 +65,7 @@ def outline_grid(study: Study, result: Path, sample_seconds: float | None = None
 
 
 def outline_measured(study: Measured, result: Path, sample_seconds: float | None = None) -> Outline:
-    """Return the measurements of a study and their predicted time; measures nothing."""
+    """Return the measurements of a study and their predicted time, without measuring."""
     if sample_seconds is not None:
         raise UserError(f"--sample: {study.name} is not made of batches to sample; leave it out")
     lines, seconds = study.script.outline(study.settings)
@@ -81,7 +81,7 @@ def _predicted(seconds: float) -> tuple[str, dict[str, Any]]:
 
 
 def _sampled(plan: Plan, seconds: float | None, facts: dict[str, Any]) -> list[str]:
-    """Return the line of the sampled cost, and add it to the facts."""
+    """Return the line of the sampled cost, and add the cost to ``facts``."""
     if seconds is None:
         return []
     from ..run import sample_cost  # slow to import, and not needed by other plans
@@ -93,14 +93,14 @@ def _sampled(plan: Plan, seconds: float | None, facts: dict[str, Any]) -> list[s
 
 
 def _range(values: np.ndarray, digits: int = 4) -> str:
-    if np.isnan(values).any():  # an axis of measured lines
+    if np.isnan(values).any():  # an axis whose value measured lines determine
         return "of the lines"
     low, high = f"{values.min():.{digits}g}", f"{values.max():.{digits}g}"
     return low if low == high else f"{low} ... {high}"
 
 
 def _realizations(plan: Plan) -> Iterator[str]:
-    """Yield the number of realizations, and the requested accuracy of each variant."""
+    """Yield a line on the number of realizations, and one per variant with an accuracy goal."""
     study, block_size = plan.study, plan.study.realizations_per_block
     total = plan.records * block_size
     if not any(variant.goals for variant in plan.variants):
@@ -119,7 +119,7 @@ def _realizations(plan: Plan) -> Iterator[str]:
 
 
 def steps_line(variant: Variant) -> str:
-    """Return the line of the steps per spacing, and of the marches, of a variant."""
+    """Return the line on the steps per spacing and the steps of the marches of a variant."""
     steps = np.array([task.steps_per_spacing for task in variant.tasks])
     march = np.array([task.march_steps for task in variant.tasks])
     if variant.recording.requested:
@@ -129,7 +129,7 @@ def steps_line(variant: Variant) -> str:
 
 
 def _errors(plan: Plan) -> Iterator[str]:
-    """Yield the predicted errors: the median over the problems and the largest."""
+    """Yield a line per estimate with the median and the largest predicted errors."""
     errors = predicted_errors(plan)
     if not errors:
         yield "errors      unknown before the run: see NAME_error and NAME_bias of the result"
@@ -146,7 +146,7 @@ def _percent(errors: np.ndarray) -> str:
 
 
 def _model_error(plan: Plan) -> list[str]:
-    """Return the effect of the body on mu_1."""
+    """Return a line on the ratio of mu_1 to that on a half-space; none without steady friction."""
     if "steady" not in plan.study.scene.quantities:
         return []
     first = plan.variants[0]
@@ -161,7 +161,7 @@ def _model_error(plan: Plan) -> list[str]:
 
 
 def _files_read(study: Study) -> list[dict[str, Any]]:
-    """Return descriptions of the files, and the numbers of measured lines in m."""
+    """Return descriptions of the files read; for profiles with their statistics, lengths in m."""
     files: list[dict[str, Any]] = [
         {"what": kind, "told": text} for kind, text in study.descriptions
     ]
@@ -175,9 +175,9 @@ def _files_read(study: Study) -> list[dict[str, Any]]:
 
 
 def absent_effects(study: Study) -> dict[str, str]:
-    """Return the effects that are not simulated: name -> reason."""
+    """Return the effects that are not simulated, as name -> reason."""
     scene, surface, materials = study.scene, study.surface, study.materials
-    bodies = {own.body for own in study.surfaces.values()}
+    bodies = {entry.body for entry in study.surfaces.values()}
     shifted = study.material.shift_law or "temperature" in study.grid
     force, control = scene.control == "force", f'scene.control is "{scene.control}"'
     branches = any(material.branches for material in materials.values())

@@ -1,4 +1,4 @@
-"""The command ``run``: its output and exit status."""
+"""The command ``run``: checks of its options, output and exit status."""
 
 import argparse
 import math
@@ -13,13 +13,13 @@ from ..study import Measured, Study
 from ..system import program
 from .exit_status import DONE, FAILED, RESUMABLE
 
-SECONDS_PER_POINT = 1.5e-5  # of planning, for each point of each variant
-ANNOUNCED_SECONDS = 1.0  # of planning, from which it is announced
-OF_A_CLUSTER = ("scheduler", "workers", "batch_seconds")
+SECONDS_PER_POINT = 1.5e-5  # planning time per point and variant
+ANNOUNCED_SECONDS = 1.0  # planning time above which a message is printed
+OF_A_CLUSTER = ("scheduler", "workers", "batch_seconds")  # options refused by measured studies
 
 
 def run_measured_study(options: argparse.Namespace, study: Measured, result: Path) -> int:
-    """Run a measured study; return the exit status."""
+    """Run a measured study and return the exit status."""
     _check(options)
     for option in OF_A_CLUSTER:
         if getattr(options, option) is not None:
@@ -37,16 +37,16 @@ def run_measured_study(options: argparse.Namespace, study: Measured, result: Pat
 
 
 def run_grid(options: argparse.Namespace, study: Study, result: Path) -> int:
-    """Run a study of a grid; return the exit status."""
+    """Run a study of a grid and return the exit status."""
     _check(options)
-    # Before dask is imported, for worker processes too: its warnings on shutdown are noise.
+    # Set before dask is imported, also for worker processes, to hide its warnings on shutdown.
     os.environ.setdefault("DASK_LOGGING__DISTRIBUTED", "error")
     from ..run import RunOptions, run_plan
 
     plan = announced_plan(study)
     where = options.scheduler or options.batch_system or study.cluster.where
-    same = {name: own for name, own in vars(options).items() if name in RunOptions._fields}
-    how = RunOptions(study.cluster._replace(where=where), **same)
+    shared = {name: value for name, value in vars(options).items() if name in RunOptions._fields}
+    how = RunOptions(study.cluster._replace(where=where), **shared)
     summary = run_plan(plan, result, how)
     print("\n".join(summary.lines(plan)))
     if summary.failures:
