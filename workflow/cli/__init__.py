@@ -1,6 +1,6 @@
 """The command line: elastomer-friction plan|run|status|figure|table STUDY, and other commands.
 
-It imports all other packages of the workflow; none of them imports it.
+It may import all other packages of the workflow; none of them may import it.
 """
 
 from typing import TYPE_CHECKING

@@ -1,6 +1,6 @@
 """Presentation of results: figures, tables, claims of the paper, and the report.
 
-This room reads result files only; it does not depend on a run.
+This package only reads result files; it does not depend on a run.
 """
 
 from typing import TYPE_CHECKING

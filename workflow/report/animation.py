@@ -24,11 +24,11 @@ TRACE_VARIABLES = ("trace_mu", "trace_time")
 WRITERS: dict[str, Any] = {".gif": PillowWriter, ".mp4": FFMpegWriter}
 FRAMES_PER_SECOND = 20
 DOTS_PER_INCH = 100
-MAX_FRAMES = 200  # of more snapshots every k-th is drawn
-MAX_ELEMENTS = 400  # in view, centred on the deepest contact
+MAX_FRAMES = 200  # of more snapshots, only every k-th is drawn
+MAX_ELEMENTS = 400  # number of elements in view, centred on the deepest contact
 RUBBER_COLOUR, RIGID_COLOUR, CONTACT_COLOUR = "#9ecae1", "0.75", COLOURS[4]
-MICROMETRES = 1e6  # per m
-Drawing = Callable[[int], Any]  # of a frame
+MICROMETRES = 1e6  # µm per m
+Drawing = Callable[[int], Any]  # draws the frame of this number
 
 
 def animate(scene: xr.Dataset, path: Path) -> Path:
@@ -65,7 +65,7 @@ def animate(scene: xr.Dataset, path: Path) -> Path:
 
 
 def check_animation(path: Path) -> None:
-    """Raise UserError if files of the type of ``path`` cannot be drawn here."""
+    """Raise UserError if an animation cannot be written with the file type of ``path``."""
     if path.suffix not in WRITERS:
         raise UserError(f"{path}: must end in {' or '.join(WRITERS)}")
     if not WRITERS[path.suffix].isAvailable():
@@ -73,7 +73,7 @@ def check_animation(path: Path) -> None:
 
 
 def _prepared(scene: xr.Dataset, shown: Callable[..., Drawing]) -> tuple[Figure, Drawing]:
-    """Return a figure of the contact above the friction, and a function that draws a frame."""
+    """Return a figure with the contact above the friction, and a function that draws a frame."""
     figure, (above, below) = plt.subplots(
         2, 1, figsize=(5.6, 4.2), dpi=DOTS_PER_INCH, gridspec_kw={"height_ratios": [2.0, 1.0]}
     )
@@ -93,9 +93,9 @@ def _prepared(scene: xr.Dataset, shown: Callable[..., Drawing]) -> tuple[Figure,
 
 
 def _freeze_axes(figure: Figure) -> None:
-    """Replace the axes of a figure and their labels by a picture on top of its frames.
+    """Replace the axes and labels of a figure by an image that lies above the frames.
 
-    Drawing them takes most of the time of a frame.
+    Drawing axes and labels takes most of the time of a frame.
     """
     figure.canvas.draw()
     figure.set_layout_engine("none")
@@ -145,7 +145,7 @@ def _creeping(ax: Axes, scene: xr.Dataset) -> Drawing:
             drawn.remove()
         now = view.isel(event=frame)
         rigid, soft = now.snapshot_height.values, now.snapshot_displacement.values
-        # A free element lies below the line by more than rounding.
+        # Free elements lie below the line by more than rounding errors.
         contact = np.where(rigid <= soft + 1e-9 * (top - floor), soft, np.nan)
         ax.fill_between(x, rigid, top, color=RIGID_COLOUR, lw=0)
         ax.fill_between(x, soft, floor, color=RUBBER_COLOUR, lw=0)
@@ -156,7 +156,7 @@ def _creeping(ax: Axes, scene: xr.Dataset) -> Drawing:
 
 
 def _view(scene: xr.Dataset) -> xr.Dataset:
-    """Return the part of the snapshots in view, in µm, centred on their deepest point."""
+    """Return the part of the snapshots in view, in µm, centred on the deepest point."""
     deepest = int(scene.snapshot_height.min("event").argmin("x"))
     count = min(MAX_ELEMENTS, scene.sizes["x"])
     chosen = (np.arange(count) + deepest - count // 2) % scene.sizes["x"]

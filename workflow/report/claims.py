@@ -1,9 +1,9 @@
 """Claims of the paper, judged from the numbers in the result files.
 
-The claims of a study are in its ``studies/NAME/claims.py``: CLAIMS lists functions of the opened
-datasets ("fig7", and "fig7/paper_step" for its comparison) that return a Claim, or raise NotGiven
-if the study, a variable or a usable point is missing. This module collects them and turns a
-deviation, its error and a tolerance into a verdict.
+The claims of a study are in ``studies/NAME/claims.py``: CLAIMS lists functions of the opened
+datasets ("fig7", and "fig7/paper_step" for a comparison). Each returns a Claim, or raises NotGiven
+if the study, a variable or a usable point is missing. This module collects the claims and derives
+verdicts from a deviation, its error and a tolerance.
 Source: Li et al. (2014), doi:10.1038/srep05795.
 """
 
@@ -18,11 +18,11 @@ import xarray as xr
 from ..study import known_studies, load_script
 from .unresolved import Resolved
 
-Results = Mapping[str, xr.Dataset]  # "fig7", and "fig7/paper_step" for its comparison
+Results = Mapping[str, xr.Dataset]  # by name: "fig7", or "fig7/paper_step" for a comparison
 
 EQUAL_DEVIATION = 0.01  # relative deviation that still counts as equal
 TOLERANCE = 0.25  # relative deviation up to which a claim holds approximately
-FACTOR = 2.0  # typical ratio up to which a power law over decades holds
+FACTOR = 2.0  # typical factor of deviation up to which a power law holds
 HOLDS, NOT_FOUND = "holds", "not found"
 ONLY_COARSE = "only with one implicit Euler step per Δx"  # the paper does not state its step
 
@@ -41,11 +41,11 @@ Judge = Callable[[Results], Claim]
 
 
 class NotGiven(Exception):
-    """Raised if results lack the data that a claim is judged from."""
+    """Raised if results lack data needed to judge a claim."""
 
 
 def needed(condition: object) -> None:
-    """Raise NotGiven unless a condition of a claim is true."""
+    """Raise NotGiven unless ``condition`` is true."""
     if not condition:
         raise NotGiven
 
@@ -64,9 +64,9 @@ def percent(share: float, digits: int = 0) -> str:
 
 
 def judge(deviation: float, error: float = 0.0, tolerance: float = TOLERANCE) -> str:
-    """Return the verdict on a relative deviation with a relative standard error.
+    """Return the verdict on a relative deviation, given its relative standard error.
 
-    Two standard errors are allowed for chance; they must not exceed the tolerance themselves.
+    A deviation within two standard errors counts as chance; these must not exceed the tolerance.
     """
     if not (math.isfinite(deviation) and math.isfinite(error)) or 2.0 * error > tolerance:
         return "cannot be judged: the error is too large"
@@ -78,12 +78,12 @@ def judge(deviation: float, error: float = 0.0, tolerance: float = TOLERANCE) ->
 
 
 def reworded(verdict: str, words: str) -> str:
-    """Return ``words`` for an approximate verdict, and other verdicts unchanged."""
+    """Return ``words`` instead of an approximate verdict; return other verdicts unchanged."""
     return words if verdict.startswith(f"{HOLDS} within") else verdict
 
 
 def judge_factor(ratio: np.ndarray) -> str:
-    """Return the verdict on positive ratios result / law, from their scatter about 1."""
+    """Return the verdict on a law. ratio : positive ratios of result to law."""
     factor = typical_factor(ratio)
     if factor <= 1.0 + EQUAL_DEVIATION:
         return HOLDS
@@ -91,21 +91,21 @@ def judge_factor(ratio: np.ndarray) -> str:
 
 
 def typical_factor(ratio: np.ndarray) -> float:
-    """Return exp of the rms logarithm, the typical factor between the ratios and 1."""
+    """Return the typical factor between ratios and 1, as exp of the rms logarithm."""
     return float(np.exp(np.sqrt(np.mean(np.log(ratio) ** 2))))
 
 
 def spread(values: np.ndarray) -> str:
-    """Return "median (16th ... 84th percentile)"."""
+    """Return the median and the 16th and 84th percentiles as text."""
     low, middle, high = np.percentile(values, [16, 50, 84])
     return f"{middle:.2f} ({low:.2f} … {high:.2f} for two thirds of the points)"
 
 
 def mean_error(error: xr.DataArray) -> float:
-    """Return the standard error of a mean over points, from the errors of the points.
+    """Return an upper bound on the standard error of a mean over points, from their errors.
 
-    Points with the same (H, dx) share their random lines: their errors are added as if fully
-    correlated, an upper bound. Errors of independent lines are added in quadrature.
+    Points with the same (H, dx) share their random lines, so that their errors are added as if
+    fully correlated. Errors of independent lines are added in quadrature.
     """
     finite = error.where(np.isfinite(error))
     shared = [dim for dim in error.dims if dim not in ("hurst", "spacing")]
@@ -114,20 +114,20 @@ def mean_error(error: xr.DataArray) -> float:
 
 
 def per_point(dataset: xr.Dataset) -> str:
-    """Return the median relative standard error of a fitted rate, as text."""
+    """Return the median relative standard error of the relaxation rate, as text."""
     relative = dataset.relaxation_rate_error / dataset.relaxation_rate
     return f"{percent(float(relative.median()), 1)} of b a point"
 
 
 def known_claims() -> list[Judge]:
-    """Return the claims of all studies, ordered by the names of their folders."""
+    """Return the claims of all studies, sorted by the paths of the studies."""
     folders = sorted(path.parent for path in known_studies().values())
     scripts = [folder / "claims.py" for folder in folders]
     return [claim for s in scripts if s.is_file() for claim in load_script(s).CLAIMS]
 
 
 def evaluate(claims: list[Judge], results: Results) -> list[Claim]:
-    """Return the claims that these results can judge, without unresolved points."""
+    """Return the claims that can be judged from these results without unresolved points."""
     evaluated = []
     for judged in claims:
         resolved = Resolved(results)

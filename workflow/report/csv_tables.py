@@ -12,17 +12,17 @@ from ..system import write_durably
 
 VARIANT_COLUMN = "variant"
 STUDY_VARIANT = "study"  # value of VARIANT_COLUMN for the study itself, not a comparison
-COLUMN_TABLE = "columns"  # table with the units and meanings of all columns
+COLUMN_TABLE = "columns"  # label of the table with the units and meanings of all columns
 
-Tables = dict[str, pd.DataFrame]  # the key "" is NAME.csv, the others are NAME-LABEL.csv
+Tables = dict[str, pd.DataFrame]  # by label: "" for NAME.csv, others for NAME-LABEL.csv
 
 
 def write_table(study: AnyStudy, result: Path) -> list[Path]:
     """Write the tables of a result to its folder, in SI units, and return their paths.
 
-    For a grid, NAME.csv holds the estimates of each point, NAME-exponents.csv the exponents of each
-    Hurst exponent, if any, and NAME-columns.csv the unit and meaning of every column. For a
-    measured study, NAME.csv is the table that measure.py makes. Raises UserError if the result is
+    For a grid, NAME.csv holds the estimates at each point, NAME-exponents.csv the fitted exponents
+    for each Hurst exponent, if any, and NAME-columns.csv the unit and meaning of every column. For
+    a measured study, NAME.csv is the table made by its script. Raises UserError if the result is
     missing, if the study has no table, or if the disk refuses a file.
     """
     if isinstance(study, Measured) and not hasattr(study.script, "table"):
@@ -53,7 +53,7 @@ def write_tables(study: AnyStudy, groups: Groups, result: Path) -> list[Path]:
 
 
 def _rows(groups: Groups, axes: tuple[str, ...]) -> pd.DataFrame:
-    """Return the variables that depend on exactly these axes, a row per value and variant."""
+    """Return the variables whose dimensions are exactly ``axes``: a row per point and variant."""
     frames = {}
     for label, data in groups.items():
         names = [name for name in data.data_vars if set(data[name].dims) == set(axes)]
@@ -63,7 +63,7 @@ def _rows(groups: Groups, axes: tuple[str, ...]) -> pd.DataFrame:
 
 
 def _meanings(groups: Groups, tables: Tables) -> pd.DataFrame:
-    """Return the unit and meaning of every column of the tables."""
+    """Return a table with the unit and meaning of every column of ``tables``."""
     meanings = {
         VARIANT_COLUMN: ("", f"{STUDY_VARIANT}: the study itself; else the name of a comparison")
     }

@@ -1,8 +1,8 @@
 """Explorer of a result: one HTML page that needs no server and no network.
 
 The page holds the numbers of the result as JSON and draws them itself. The reader chooses the
-estimate and the abscissa; every other axis with more than one value has a slider. It uses no plot
-library, as those that can be inlined add 1 to 5 MB and are not operable by keyboard.
+estimate and the abscissa; every other axis with more than one value has a slider. The page does not
+use a plot library, since inlined libraries add 1 to 5 MB and cannot be operated by keyboard.
 """
 
 import json
@@ -22,17 +22,17 @@ from .my_rubber import scaled_friction
 from .template import filled_template
 from .unresolved import POINT_STATUS
 
-PAGE_DIGITS = 6  # significant digits of a number; standard errors are larger
-MAX_NUMBERS = 2_000_000  # of a variant, about 16 MB; the largest variables are left out
-COMPANIONS = ("error", "bias")  # NAME_error and NAME_bias belong to NAME
-FIRST_ESTIMATES = ("relaxation_rate", "mu_1", "trace_mu", "mu")  # shown at first, if present
+PAGE_DIGITS = 6  # significant digits of a number; rounding is below the standard errors
+MAX_NUMBERS = 2_000_000  # per dataset, about 16 MB; the largest variables are omitted
+COMPANIONS = ("error", "bias")  # suffixes of variables that accompany an estimate NAME
+FIRST_ESTIMATES = ("relaxation_rate", "mu_1", "trace_mu", "mu")  # the first present one is shown
 
 
 def write_explorer(result: Path, out: Path | None = None) -> Path:
-    """Write the page of a result file and return its path; the default for NAME.nc is NAME.html.
+    """Write the page of a result file and return its path, by default NAME.html for NAME.nc.
 
     Raises UserError if the file is not a result, if nothing in it varies, if the page would
-    overwrite it, or if the disk refuses the page.
+    overwrite the result, or if the disk refuses the page.
     """
     path = out or result.with_suffix(".html")
     if path.exists() and path.samefile(result):
@@ -44,7 +44,7 @@ def write_explorer(result: Path, out: Path | None = None) -> Path:
 
 
 def explorer_page(tree: xr.DataTree, name: str) -> str:
-    """Return the page of an opened result. Raises UserError if nothing in it varies."""
+    """Return the HTML page of an opened result. Raises UserError if nothing in it varies."""
     groups = {node.path.strip("/"): node.to_dataset() for node in tree.subtree}
     data = groups[""]
     contents = {group: _page_content(dataset) for group, dataset in groups.items()}
@@ -72,7 +72,7 @@ def explorer_page(tree: xr.DataTree, name: str) -> str:
 
 
 def _page_content(dataset: xr.Dataset) -> dict[str, dict[str, Any]]:
-    """Return the content of a dataset for the page: estimates, errors, flags and abscissae."""
+    """Return the estimates, errors, flags and abscissae of a dataset as data for the page."""
     content: dict[str, dict[str, Any]] = {}
     numbers = 0
     for key, variable in sorted(dataset.variables.items(), key=lambda item: item[1].size):
@@ -102,7 +102,7 @@ def _role(name: str, dataset: xr.Dataset) -> str:
 
 
 def _described(variable: xr.DataArray) -> dict[str, Any]:
-    """Return the name, meaning, unit and numbers of a variable; a missing number is None."""
+    """Return the name, symbol, meaning, unit and numbers of a variable; NaN becomes None."""
     attrs = variable.attrs
     name = str(variable.name)
     description: dict[str, Any] = {
@@ -120,7 +120,7 @@ def _described(variable: xr.DataArray) -> dict[str, Any]:
 
 
 def _numbers(values: np.ndarray) -> list[float | int | None]:
-    """Return numbers in C order; numbers that are not finite become None."""
+    """Return numbers in C order, with non-finite numbers replaced by None."""
     if values.dtype.kind in "iu":
         return [int(value) for value in values.flat]
     return [float(f"{v:.{PAGE_DIGITS}g}") if np.isfinite(v) else None for v in values.flat]

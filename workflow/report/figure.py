@@ -1,7 +1,7 @@
 """Figures of a study, drawn by a script from the opened result.
 
-The script is the one given, or figure.py in the study's folder; the fallback for a grid is the
-default figure.
+The default script is figure.py in the study's folder. If it is missing, a grid gets the default
+figure.
 """
 
 import contextlib
@@ -23,14 +23,14 @@ from ..system import write_durably
 from . import usual_figure
 from .panels import STYLE, HoverPoint, hover_points, plain_ticks
 
-# It warns about dates in some fonts, which do not concern the reader of a figure.
+# Silenced because it warns about dates in some fonts, which do not matter here.
 logging.getLogger("fontTools").setLevel(logging.ERROR)
 
-Drawn = Figure | dict[str, Figure]  # of several figures the first has the key ""
+Drawn = Figure | dict[str, Figure]  # several figures by name; the name of the first is ""
 
 
 class Picture(NamedTuple):
-    """A drawn figure: its files, caption and hover points."""
+    """A figure that was drawn: its files, caption and hover points."""
 
     png: Path
     pdf: Path
@@ -41,9 +41,8 @@ class Picture(NamedTuple):
 def draw_figure(study: AnyStudy, result: Path, script: Path | None = None) -> list[Picture]:
     """Draw the study's figures as PNG and PDF in the folder of its result.
 
-    script : used instead of the study's figure.py. Raises UserError if the result is missing, if
-    a study that is not a grid has no script, if the script cannot use the result, or if the disk
-    refuses the files.
+    script : replaces the study's figure.py. Raises UserError if the result or the script is
+    missing, if the script cannot use the result, or if the disk refuses the files.
     """
     with contextlib.ExitStack() as stack:
         return draw_groups(study, open_result(study, result, stack), result, script)
@@ -63,8 +62,8 @@ def draw_groups(
 def write_figure(draw: Callable[[], Drawn], path: Path, caption: str = "") -> list[Picture]:
     """Draw in the style of the project, and write PNG and PDF to the folder of ``path``.
 
-    The figure with the key "" has the stem of ``path``; figure NAME has the suffix -NAME. The
-    metadata of each file holds ``caption`` and the sentences that the figure adds.
+    The file of figure NAME is the stem of ``path`` with the suffix -NAME, or the stem alone for "".
+    The metadata of each file holds ``caption`` and the sentences set by ``write_below``.
     """
     pictures, files = [], {}
     with mpl.rc_context(cast(Any, STYLE)):
@@ -77,7 +76,7 @@ def write_figure(draw: Callable[[], Drawn], path: Path, caption: str = "") -> li
                 png, pdf = (path.with_name(f"{stem}.{kind}") for kind in ("png", "pdf"))
                 words = f"{caption} {figure.get_label()}".strip()
                 files[png] = _rendered(figure, "png", {"Description": words})
-                # No creation date: the same result gives the same file.
+                # Without a creation date, the same result gives the same file.
                 files[pdf] = _rendered(figure, "pdf", {"Subject": words, "CreationDate": None})
                 pictures.append(Picture(png, pdf, hover_points(figure), words))
         finally:
@@ -88,7 +87,7 @@ def write_figure(draw: Callable[[], Drawn], path: Path, caption: str = "") -> li
 
 
 def print_pictures(pictures: list[Picture]) -> None:
-    """Print the files of figures, and their captions to standard error."""
+    """Print the paths of figures to stdout, and their captions to stderr."""
     for picture in pictures:
         print(picture.png, picture.pdf, sep="\n")
         if picture.caption:
@@ -103,7 +102,7 @@ def _rendered(figure: Figure, kind: str, stamp: dict[str, str | None]) -> bytes:
 
 
 def _script(study: AnyStudy, given: Path | None) -> Any:
-    """Return the module that draws. Raises UserError if it is missing."""
+    """Return the module that draws. Raises UserError if it or its function draw is missing."""
     script = given or study.folder / "figure.py"
     if not script.is_file():
         if given is None and study.kind == "grid":

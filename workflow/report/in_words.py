@@ -28,12 +28,12 @@ SYMBOLS = {
     "relaxation_rate": "b",
     "alpha": "α",
 }
-PLAIN = 0.1, 1e3  # between these a number has no prefix
+PLAIN = 0.1, 1e3  # range in which a number is written without an SI prefix
 SUPERSCRIPTS = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 
 
 def unit_in_words(variable: xr.DataArray) -> str:
-    """Return the unit of a variable in common notation, such as m/s; "" for a pure number."""
+    """Return the unit of a variable in common notation, such as m/s; "" if dimensionless."""
     unit = str(variable.attrs.get("units", "1"))
     if unit in ("1", "degree_Celsius"):
         return "" if unit == "1" else "°C"
@@ -42,7 +42,7 @@ def unit_in_words(variable: xr.DataArray) -> str:
 
 
 def with_unit(value: float, unit: str = "", digits: int = 3) -> str:
-    """Return a number for a reader: 10 µm, 1 MPa, 0.05 m/s, 2·10⁻⁵, never 1e-05."""
+    """Return a number as readable text, such as 10 µm, 1 MPa, 0.05 m/s or 2·10⁻⁵."""
     rounded = float(f"{value:.{digits}g}")
     plain = rounded == 0.0 or PLAIN[0] <= abs(rounded) < PLAIN[1] or not np.isfinite(rounded)
     if unit[:1].isalpha() and not plain:
@@ -60,17 +60,17 @@ def value_label(name: str, value: float, unit: str = "", digits: int = 3) -> str
 
 
 def mathematical(text: str) -> str:
-    """Return a text with its indexed symbols typeset."""
+    """Return a text with indexed symbols, such as F_N, typeset for matplotlib."""
     return re.sub(r"\b(\w)_(\w)\b", r"$\1_\2$", text)
 
 
 def axes_in(data: xr.Dataset) -> list[str]:
-    """Return the axes of the grid that are dimensions of a result, in order."""
+    """Return the axes of the grid that are dimensions of a result, in the order of ALL_AXES."""
     return [axis for axis in ALL_AXES if axis in data.dims]
 
 
 def model_in_words(data: xr.Dataset) -> str:
-    """Return the ratio of the bodies' friction as a sentence, or "" if it is not known."""
+    """Return a sentence on the ratio of mu_1 to that on a half-space, or "" if it is unknown."""
     if "model_ratio" not in data:
         return ""
     known = data.model_ratio.values[np.isfinite(data.model_ratio.values)]

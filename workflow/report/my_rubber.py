@@ -1,9 +1,9 @@
-"""Data for the explorer to scale a result to another rubber.
+"""Data with which the explorer scales a result to another rubber.
 
 Steady friction over the rms slope depends only on H, the number of elements, F = F_N/(E* L h),
 x = v tau q_max and the proportions of the branches (docs/model.md, "Dimensionless form"). One
-result therefore covers every modulus, tau, h and q_max within its range of loads and velocities,
-and every temperature, which multiplies all times by one factor.
+result therefore covers every modulus, tau, h and q_max within its range of F and x. It also covers
+every temperature, since a temperature multiplies all relaxation times by one factor.
 """
 
 import json
@@ -24,17 +24,17 @@ from ..study import (
 )
 
 SCALING_VARIABLES = ("mu_1", "rms_slope", "tau", "q_max", "shear_modulus", "length", "speed_ratio")
-UNIVERSAL_WLF = Wlf(8.86, 101.6, 0.0)  # about T_s, some 50 K above the glass transition
-SLIDER_DEGREES = range(-40, 101)  # relative to the temperature of the result
-MAX_MOTION_SAMPLES = 500_000  # of a rubber, about 16 MB
-MAX_SMALL_SLOPE = 0.3  # rms slope; the model neglects its square
+UNIVERSAL_WLF = Wlf(8.86, 101.6, 0.0)  # reference T_s, some 50 K above the glass transition
+SLIDER_DEGREES = range(-40, 101)  # K, relative to the temperature of the result
+MAX_MOTION_SAMPLES = 500_000  # per rubber, about 16 MB
+MAX_SMALL_SLOPE = 0.3  # largest small rms slope; the model neglects the square of slopes
 ONE_TIME_NOTE = "eqs. 12 to 16 are those of one relaxation time"
 
 
 def scaled_friction(groups: Mapping[str, xr.Dataset]) -> dict[str, Any] | None:
-    """Return the dimensionless rubbers of a result, with the reasons why groups are left out.
+    """Return the dimensionless rubbers of a result, and the reasons for groups without one.
 
-    groups : the study "" and its comparisons. Returns None if no group has steady friction.
+    groups : the study, named "", and its comparisons. Returns None if no group has steady friction.
     """
     tables = json.loads(groups[""].attrs["study"])
     material, compared = tables.get("material", {}), tables.get("compare", {})
@@ -56,7 +56,7 @@ def scaled_friction(groups: Mapping[str, xr.Dataset]) -> dict[str, Any] | None:
 
 
 def _why_not(data: xr.Dataset, body: str | None) -> str:
-    """Return why the friction of a group cannot be scaled to other rubbers, or ""."""
+    """Return the reason that prevents scaling a group to other rubbers, or ""."""
     missing = [name for name in SCALING_VARIABLES if name not in data.variables]
     if missing:
         return f"the result has no {missing[0]}"
@@ -73,11 +73,11 @@ def _why_not(data: xr.Dataset, body: str | None) -> str:
 
 
 def _rubber(name: str, data: xr.Dataset, material: Mapping[str, Any]) -> dict[str, Any] | None:
-    """Return the values, curves and temperatures of one group, or None if friction is unknown.
+    """Return the values, curves and temperatures of one group, or None if no curve is known.
 
-    ``curves`` has an entry for each load and H; entries with the same L q_max and the same set of x
-    share a ``family``. ``own`` holds the values of the steepest lines with a small slope, or of
-    the flattest lines if no slope is small.
+    ``curves`` has an entry for each known point on the axes other than velocity. Entries with the
+    same number of elements, L q_max and range of x share a ``family``. ``own`` holds the values of
+    the steepest lines with a small slope, or of the flattest lines if no slope is small.
     """
     data = data.isel(velocity_step=0).sortby("velocity")
     contact = 2.0 / (1.0 - material.get("poisson", INCOMPRESSIBLE))  # E*/G
@@ -107,13 +107,13 @@ def _rubber(name: str, data: xr.Dataset, material: Mapping[str, Any]) -> dict[st
 
 
 def _slope_rank(at: xr.Dataset) -> float:
-    """Return a rank by the rms slope: the largest small slope ranks first, else the smallest."""
+    """Return a rank, highest for the largest small slope, or for the smallest if none is small."""
     slope = float(np.ravel(at.rms_slope)[0])
     return slope if slope <= MAX_SMALL_SLOPE else -slope
 
 
 def _tau(material: Mapping[str, Any]) -> float:
-    """Return tau (s) at the reference of the shifts."""
+    """Return tau, s, at the reference temperature of the shifts."""
     branches = sum(g * t for g, t in material["branches"]) / material["shear_modulus"]
     return float(material.get("relaxation_time", 0.0) + branches)
 
@@ -121,10 +121,10 @@ def _tau(material: Mapping[str, Any]) -> float:
 def _temperatures(
     data: xr.Dataset, first: xr.Dataset, material: Mapping[str, Any]
 ) -> dict[str, Any]:
-    """Return temperatures, the shift factors of tau, and the index of the result's temperature.
+    """Return the stops of the temperature slider, with their shift factors of tau.
 
-    They are whole degrees about that temperature, by the shift of the material or, without one, by
-    the universal WLF constants. A result with a file of shifts holds its own temperatures only.
+    The stops are whole degrees about the temperature of the result, shifted by the material's law
+    or else by the universal WLF constants. With a file of shifts they are the result's temperatures.
     """
     law = shift_law_of(material)
     if law is not None:
@@ -144,23 +144,23 @@ def _temperatures(
 def _stops(
     words: str, unit: str, degrees: np.ndarray, factors: np.ndarray, reference: float
 ) -> dict[str, Any]:
-    """Return the stops of a slider. reference : temperature of the result, with the factor 1."""
+    """Return slider stops. reference : temperature of the result, at which the factor is 1."""
     named = {"words": words, "unit": unit, "own": int(np.argmin(np.abs(degrees - reference)))}
     return named | {"degrees": degrees.tolist(), "factors": factors.tolist()}
 
 
 def _places(data: xr.Dataset) -> Iterator[xr.Dataset]:
-    """Yield the dataset at each point of the grid, with all velocities."""
+    """Yield the dataset at all velocities for each point on the other axes."""
     axes = [axis for axis in data.mu_1.dims if axis != "velocity"]
     for index in np.ndindex(*(data.sizes[axis] for axis in axes)):
         yield data.isel(dict(zip(axes, index, strict=True)))
 
 
 def _curve(at: xr.Dataset, contact: float, several: bool) -> dict[str, Any] | None:
-    """Return dimensionless steady friction over x, or None if a value is unknown.
+    """Return dimensionless steady friction over x, or None if a value is not finite and positive.
 
-    contact : E*/G. several : whether there are several relaxation times; no closed law gives their
-    friction over time, so that the computed motions are returned too.
+    contact : E*/G. several : whether the material has several relaxation times. The kinetic law
+    does not cover these, so that the computed motions are returned too.
     """
     slope = float(np.ravel(at.rms_slope)[0])
     friction = at.mu_1.values / slope
@@ -188,9 +188,9 @@ def _curve(at: xr.Dataset, contact: float, several: bool) -> dict[str, Any] | No
 
 
 def _motions(at: xr.Dataset, slope: float) -> list[list[list[float]] | None] | None:
-    """Return the computed (time/tau, friction/slope) for each velocity, or None.
+    """Return the computed (time/tau, friction/slope) for each velocity, or None if unknown.
 
-    They follow the velocity step, or the programme if the result has one.
+    The motion is the velocity step if its friction is in the result, otherwise the programme.
     """
     for time, mu, unit in (("time", "mu", 1.0), ("trace_time", "trace_mu", float(at.tau))):
         if mu not in at or at[mu].ndim != 2 or set(at[mu].dims) != set(at[time].dims):
@@ -206,7 +206,7 @@ def _motions(at: xr.Dataset, slope: float) -> list[list[list[float]] | None] | N
 
 
 def _share(at: xr.Dataset, name: str, friction: Any) -> list[float | None]:
-    """Return an error relative to friction at each velocity; an unknown error is None."""
+    """Return an error over ``friction`` at each velocity, with None for unknown errors."""
     if name not in at:
         return [None] * at.sizes["velocity"]
     return [float(share) if np.isfinite(share) else None for share in at[name].values / friction]

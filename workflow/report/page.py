@@ -1,6 +1,6 @@
-"""Report of a folder of results: reads them, judges the claims and fills an HTML page.
+"""Report on a folder of results: one HTML page with the judged claims and a section per study.
 
-Each study has a section with its figures, files, parameters and origin. Formulas in plain text are
+A section has the figures, files, parameters and origin of a study. Formulas in plain text are
 typeset as HTML.
 """
 
@@ -31,22 +31,22 @@ from .template import filled_template
 NO_BREAK = "\u00a0"
 UNCONDITIONAL = re.compile(r"holds( within (a factor )?[\d.]+( %)?)?")
 SMOKE = "smoke"
-MAX_LISTED_VALUES = 6  # of an axis; longer axes show their ends only
+MAX_LISTED_VALUES = 6  # of an axis; for a longer axis only the first and last value are shown
 ORIGIN = {"Program": "source", "Code": "code", "Versions": "versions", "Model": "references"}
-CONSTANTS = ("shear_modulus", "tau", "length")  # coordinates of a result other than the axes
+CONSTANTS = ("shear_modulus", "tau", "length")  # listed coordinates that are not axes
 
 
 def study_names() -> list[str]:
-    """Return the names of all studies, figures first."""
+    """Return the names of all studies; names that begin with "fig" come first."""
     return sorted(known_studies(), key=lambda name: (not name.startswith("fig"), name))
 
 
 def write_report(folder: Path, names: list[str], scale: str | None = None) -> Path:
     """Write ``report.html``, or ``report-SCALE.html``, into a folder of results; return its path.
 
-    names : studies of the report; the default is all studies that have the scale. scale : of the
-    results, files NAME-SCALE.nc; the default scale has files NAME.nc. Figures and tables are
-    written to the same folder. Raises UserError if no study has a result, or if a named study
+    names : studies of the report; empty: all studies that have the scale. scale : scale of the
+    results, read from NAME-SCALE.nc; None: the default scale, read from NAME.nc. Figures and tables
+    are written to the same folder. Raises UserError if no study has a result, or if a named study
     lacks the scale.
     """
     named = bool(names)
@@ -76,7 +76,7 @@ def write_report(folder: Path, names: list[str], scale: str | None = None) -> Pa
 
 
 def _sections_and_claims(folder: Path, studies: list[AnyStudy]) -> dict[str, object]:
-    """Return the sections, the judged claims and the versions of the code of some results."""
+    """Return the sections, judged claims, number of unjudged claims and versions of the code."""
     with contextlib.ExitStack() as stack:
         groups = {s.name: open_result(s, result_file(folder, s), stack) for s in studies}
         datasets = {
@@ -88,7 +88,7 @@ def _sections_and_claims(folder: Path, studies: list[AnyStudy]) -> dict[str, obj
         try:
             sections = [section(s, groups[s.name], folder) for s in studies]
             claims = evaluate(judges, datasets)
-        except (OSError, RuntimeError) as error:  # netCDF reads lazily
+        except (OSError, RuntimeError) as error:  # raised late, since netCDF reads lazily
             raise UserError(f"{folder}: a result cannot be read: {error}") from error
         codes = sorted({str(study_groups[ROOT].attrs["code"]) for study_groups in groups.values()})
     unjudged = len(judges) - len(claims)
@@ -96,20 +96,20 @@ def _sections_and_claims(folder: Path, studies: list[AnyStudy]) -> dict[str, obj
 
 
 def how_to_run(name: str, scale: str | None) -> str:
-    """Return the command that computes a study: make in a checkout, else the program."""
+    """Return the command that computes a study: ``make`` in a checkout, else the program."""
     if Path("Makefile").is_file() and Path("studies").is_dir():
         return f"make study-{name}{f' SCALE={scale}' if scale else ''}"
     return f"{program()} run {name}{f' --scale {scale}' if scale else ''}"
 
 
 def verdict_class(verdict: str) -> str:
-    """Return the style class of a verdict; a conditional or partial "holds" counts as "only"."""
+    """Return the CSS class of a verdict; it is "only" for a conditional or partial "holds"."""
     first = verdict.split()[0]
     return "only" if first == "holds" and not UNCONDITIONAL.fullmatch(verdict) else first
 
 
 def formula(text: str) -> Markup:
-    """Return plain text as HTML: typeset x_N, x^(1−H), 1e-06; no line break in "H = 0.3"."""
+    """Return plain text as HTML with x_N, x^(1−H) and 1e-06 typeset; "H = 0.3" does not break."""
     text = re.sub(r"(\d)e([+-]\d+)", lambda power: f"{power[1]}·10^({int(power[2])})", text)
     text = re.sub(r" [=<>±∝] | %", lambda sign: sign[0].replace(" ", NO_BREAK), text)
     text = re.sub(r"(?<!\w)-(?=\d)", "−", text)
@@ -118,9 +118,9 @@ def formula(text: str) -> Markup:
 
 
 def section(study: AnyStudy, groups: Groups, folder: Path) -> dict[str, object]:
-    """Return the section of one study; ``troubles`` explain a missing figure or table.
+    """Return the fields of a study's section; ``troubles`` explain a missing figure or table.
 
-    Figures and tables are written to the folder of the result.
+    Figures, tables and the explorer are written to the folder of the result.
     """
     data, result = groups[ROOT], result_file(folder, study)
     troubles = [f"{result.name} {note}"] if (note := change_note(result)) else []
@@ -135,7 +135,7 @@ def section(study: AnyStudy, groups: Groups, folder: Path) -> dict[str, object]:
     except UserError as error:
         troubles.append(f"No table: {error}")
     explorer = ""
-    with contextlib.suppress(UserError):  # a result without variation has no explorer
+    with contextlib.suppress(UserError):  # raised if nothing in the result varies
         explorer = write_explorer(result).name
     changed = differing_settings(study, data.attrs)
     scale = _scale(study, data.attrs)
@@ -157,14 +157,14 @@ def section(study: AnyStudy, groups: Groups, folder: Path) -> dict[str, object]:
 
 
 def _realizations(data: xr.Dataset) -> str:
-    """Return the numbers of realizations of the points as text, "" without any."""
+    """Return the range of the numbers of realizations as text, or "" if there are none."""
     counts = np.unique(data.realizations) if "realizations" in data else np.zeros(1)
     ends = " to ".join(dict.fromkeys(f"{int(count)}" for count in (counts[0], counts[-1])))
     return f", {ends} realizations" if counts[-1] else ""
 
 
 def _scale(study: AnyStudy, attributes: dict[str, object]) -> str:
-    """Return the scale of a result, found from its settings rather than its file name."""
+    """Return the scale of a result as text, from its settings rather than its file name."""
     for scale in dict.fromkeys([study.scale, "", *known_scales(study.name)]):
         if not differing_settings(read_study(study.name, scale or None), attributes):
             return f"{scale or 'default'} scale"
@@ -174,16 +174,16 @@ def _scale(study: AnyStudy, attributes: dict[str, object]) -> str:
 def _image(picture: Picture) -> dict[str, object]:
     """Return a figure as data URI, with its size in inches, hover points and caption."""
     content = picture.png.read_bytes()
-    width, height = struct.unpack(">II", content[16:24])  # PNG: the first chunk
+    width, height = struct.unpack(">II", content[16:24])  # pixels, from the first chunk of the PNG
     uri = "data:image/png;base64," + base64.b64encode(content).decode()
     inches = {"width": width / STYLE["savefig.dpi"], "height": height / STYLE["savefig.dpi"]}
     return {"uri": uri, **inches, "points": picture.points, "caption": picture.caption}
 
 
 def _parameters(study: AnyStudy, data: xr.Dataset) -> list[tuple[str, str, str]]:
-    """Return (meaning, values, unit) of the axes with values, the material and the line.
+    """Return (meaning, values, unit) of the axes with known values, and of CONSTANTS.
 
-    For a measured study, return its settings.
+    For a measured study, return its settings in this form.
     """
     settings = json.loads(data.attrs["study"])
     if "measure" in settings:
@@ -202,7 +202,7 @@ def _axis(axis: xr.DataArray) -> tuple[str, str, str]:
 
 
 def _variant(group: str, data: xr.Dataset) -> tuple[str, str, str, str]:
-    """Return name, scheme, steps per spacing and the outcome of the fits of one group."""
+    """Return the name, scheme, steps per spacing and fit outcomes of one group."""
     fits = "no fits requested"
     if "fit_status" in data:
         meanings = STATUS_MEANINGS.replace("no_relaxation", "nothing_to_relax").split()

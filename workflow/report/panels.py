@@ -1,4 +1,4 @@
-"""Common elements of all figures: style, colours, error bars, hollow markers, captions."""
+"""Common elements of all figures: style, colours, error bars, hollow markers and captions."""
 
 from typing import Any, NamedTuple
 from weakref import WeakKeyDictionary
@@ -35,21 +35,21 @@ STYLE: dict[str, Any] = {
     "pdf.fonttype": 42,
 }
 
-PLAIN_TICK_RANGE = 1e-3, 2e3  # an axis of two decades within it has plain numbers
+PLAIN_TICK_RANGE = 1e-3, 2e3  # range in which an axis of one to two decades has plain numbers
 MAX_HOVER_POINTS = 40  # per curve in the report
 
-# Okabe and Ito: distinguishable with all kinds of colour vision.
+# Palette of Okabe and Ito, distinguishable with all kinds of colour vision.
 COLOURS = ("#0072B2", "#E69F00", "#009E73", "#CC79A7", "#D55E00", "#56B4E9", "#000000")
 
-# Hollow markers are larger than filled ones and white inside, so that print shows them too.
+# Hollow markers are larger than filled ones and white inside, so that they are visible in print.
 RING: dict[str, Any] = {"mfc": "white", "mew": 0.9, "ms": 3.4, "gid": "hollow"}
 
 
 def foot_line(figure: Figure, dataset: xr.Dataset, note: str = "", bars: str = "bars") -> None:
     """Add the size and seed of the study to the caption of a figure.
 
-    note : sentences that follow. bars : name of the marks that show standard errors. If the figure
-    shows unresolved points, a legend names them and the caption explains them.
+    note : further sentences. bars : name of the marks that show standard errors. If the figure
+    has hollow markers for unresolved points, a legend and the caption explain them.
     """
     points, lines = int(dataset.realizations.size), int(dataset.realizations.max())
     meaning = f"{bars.capitalize()} show one jackknife standard error"
@@ -71,7 +71,7 @@ def foot_line(figure: Figure, dataset: xr.Dataset, note: str = "", bars: str = "
 
 
 def write_below(figure: Figure, *notes: str) -> None:
-    """Set the sentences of the caption that depend on the result."""
+    """Set the sentences that depend on the result and follow the fixed caption."""
     figure.set_label(" ".join(filter(None, notes)))
 
 
@@ -86,8 +86,8 @@ def error_bars(
 ) -> None:
     """Draw an estimate with its standard errors over another variable of a result.
 
-    Points with unresolved contacts are hollow. ``log`` : use the bars of ``log_bars``. ``bias`` :
-    added to the standard errors. ``style`` : passed to matplotlib's errorbar.
+    Points with unresolved contacts are hollow. log : whether to use ``log_bars``. bias : added to
+    the standard errors in the bars. style : passed to matplotlib's errorbar.
     """
     value, error = points[name].values, (points[f"{name}_error"] + bias).values
     bars = log_bars(value, error) if log else error
@@ -107,7 +107,7 @@ def error_bars(
 def error_band(ax: Axes, curve: xr.Dataset, name: str, error: str, **style: Any) -> None:
     """Draw a curve over ``time`` with a band of its standard errors.
 
-    name, error : variables along "sample". ``style`` : passed to matplotlib's plot.
+    name, error : names of variables along "sample". style : passed to matplotlib's plot.
     """
     value, spread = curve[name].values, curve[error].values
     band(ax, curve.time.values, value, spread, **style)
@@ -116,20 +116,20 @@ def error_band(ax: Axes, curve: xr.Dataset, name: str, error: str, **style: Any)
 
 
 def band(ax: Axes, over: Any, value: Any, error: Any, *form: str, **style: Any) -> None:
-    """Draw a curve with a band of its errors. form, style : passed to matplotlib's plot."""
+    """Draw a curve with a band of errors. form, style : passed to matplotlib's plot."""
     (line,) = ax.plot(over, value, *form, **style)
     ax.fill_between(over, value - error, value + error, color=line.get_color(), alpha=0.25, lw=0)
 
 
 def legend_in_room(ax: Axes, share: float, **style: Any) -> None:
-    """Place a legend above all curves by extending the axis upwards by a share of its range."""
+    """Place a legend above all curves by extending the y axis upwards by a share of its range."""
     low, high = ax.get_ylim()
     ax.set_ylim(low, high + share * (high - low))
     ax.legend(**({"loc": "upper left"} | style))
 
 
 def plain_ticks(figure: Figure) -> None:
-    """Label logarithmic axes of at most two decades by 1, 2, 5, as powers of ten are too few."""
+    """Label logarithmic axes of at most two decades by 1, 2, 5 instead of powers of ten alone."""
     for axis in (axis for ax in figure.axes for axis in (ax.xaxis, ax.yaxis)):
         low, high = sorted(axis.get_view_interval())
         if axis.get_scale() != "log" or not isinstance(axis.get_major_locator(), LogLocator):
@@ -144,7 +144,7 @@ def plain_ticks(figure: Figure) -> None:
 
 
 def log_bars(value: np.ndarray, error: np.ndarray) -> list[np.ndarray]:
-    """Return lengths of error bars that are symmetric in the logarithm, so that none reaches zero.
+    """Return lengths of error bars that are symmetric in the logarithm and never reach zero.
 
     A bar extends by at most a factor of ten each way.
     """
@@ -155,8 +155,8 @@ def log_bars(value: np.ndarray, error: np.ndarray) -> list[np.ndarray]:
 class HoverPoint(NamedTuple):
     """A point of a drawn figure with its hover text."""
 
-    x: float  # share of the figure's width, from the left
-    y: float  # share of its height, from above
+    x: float  # distance from the left edge over the figure's width
+    y: float  # distance from the top edge over the figure's height
     text: str
 
 
@@ -168,10 +168,10 @@ def record_hover_points(
 ) -> None:
     """Record the hover texts of the finite points of an estimate drawn over another variable.
 
-    error : as drawn, with the shape of the estimate.
+    error : standard errors, with the shape of the estimate.
     """
     estimate = points[name]
-    # An exponent that depends on H alone, for example, has no velocity to name.
+    # Axes on which the estimate does not depend are omitted, such as the velocity of an exponent.
     places = [a for a in ALL_AXES if a in points.coords and {*points[a].dims} <= {*estimate.dims}]
     values = {
         key: np.ravel(points[key].broadcast_like(estimate).transpose(*estimate.dims).values)
@@ -190,7 +190,7 @@ def record_hover_points(
 
 
 def hover_points(figure: Figure) -> list[HoverPoint]:
-    """Return the hover points within their axes; the figure must have been laid out."""
+    """Return the hover points within the limits of their axes, after the figure is laid out."""
     points = []
     for ax in figure.axes:
         for x, y, text in _hover_texts.get(ax, []):

@@ -1,4 +1,4 @@
-"""HTML pages from the templates of this room."""
+"""HTML pages from the templates of this package."""
 
 from collections.abc import Callable
 
@@ -6,7 +6,7 @@ from jinja2 import Environment, PackageLoader, StrictUndefined
 
 
 def filled_template(template: str, *filters: Callable[[str], str], **context: object) -> str:
-    """Return a filled template. Texts are escaped; filters are registered under their names."""
+    """Return a filled template. Texts are escaped; filters are named after their functions."""
     environment = Environment(
         autoescape=True,
         undefined=StrictUndefined,

@@ -12,9 +12,9 @@ POINT_STATUS, TRACE_STATUS = "resolution_status", "trace_resolution_status"
 
 
 def not_resolved(points: xr.Dataset, name: str = POINT_STATUS) -> np.ndarray:
-    """Return a mask of coarse or unresolved contacts; all False if the result has no status.
+    """Return a mask of points whose contacts are not resolved; all False without a status.
 
-    name : variable of the status, of points or of their traces.
+    name : variable with the status of points or of their traces.
     """
     if name not in points:
         return np.zeros(points.realizations.shape if "realizations" in points else (), bool)
@@ -23,7 +23,7 @@ def not_resolved(points: xr.Dataset, name: str = POINT_STATUS) -> np.ndarray:
 
 
 def why_hollow(points: xr.Dataset) -> str:
-    """Return why points are not resolved, as text: narrow contacts, or a large error."""
+    """Return the reason for hollow markers as text: narrow contacts, a large bias, or both."""
     if "samples_per_contact" not in points:
         return NARROW_CONTACTS
     wide = points.samples_per_contact.values[not_resolved(points)] >= RESOLVED_SAMPLES
@@ -33,9 +33,9 @@ def why_hollow(points: xr.Dataset) -> str:
 
 
 def without_unresolved(dataset: xr.Dataset) -> tuple[xr.Dataset, int]:
-    """Return a dataset without its unresolved points, and their number.
+    """Return a dataset with its unresolved points masked, and their number.
 
-    Their estimates become NaN and their flags -1, as for failed points.
+    Estimates of masked points are NaN and their flags -1, as for failed points.
     """
     if POINT_STATUS not in dataset or not (dataset[POINT_STATUS] == UNRESOLVED).any():
         return dataset, 0
@@ -49,13 +49,13 @@ def without_unresolved(dataset: xr.Dataset) -> tuple[xr.Dataset, int]:
 
 
 class Resolved(UserDict[str, xr.Dataset]):
-    """Results without their unresolved points; ``left_out`` counts those of the accessed groups."""
+    """Results with unresolved points masked; ``left_out`` counts these in the accessed groups."""
 
     def __init__(self, results: Mapping[str, xr.Dataset]) -> None:
         super().__init__(results)
         self.left_out: dict[str, int] = {}
 
     def __getitem__(self, key: str) -> xr.Dataset:
-        """Return a dataset without its unresolved points."""
+        """Return a dataset with its unresolved points masked, and count them."""
         dataset, self.left_out[key] = without_unresolved(super().__getitem__(key))
         return dataset

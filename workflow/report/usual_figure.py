@@ -1,8 +1,8 @@
 """Default figure of a study: friction over time and the main estimates.
 
-The first panel shows curves of up to six points, spread over the grid. The others show mu_1, the
-jump and b over the longest axis, with a colour for each value of the second longest and a row for
-each combination of the other axes.
+The first panel shows friction over time at up to six points spread over the grid. The other panels
+show the main estimates, such as mu_1, over the longest axis, with a colour for each value of the
+second longest axis and a row for each combination of the other axes.
 """
 
 import textwrap
@@ -30,11 +30,11 @@ CAPTION = (
 )
 MAX_CURVES = MAX_COLOURS = 6
 MAX_ROWS = 4
-# Those that are present, otherwise the first estimates.
+# The default figure shows those that are present, or else the first estimates of the result.
 PREFERRED_ESTIMATES = ("mu_1", "jump", "relaxation_rate", "healing")
-LOG_AXIS_RATIO = 10.0  # of the largest to the smallest value, above which an axis is logarithmic
-LINE_STYLES = ("-", "--", ":", "-.")  # of the study and its comparisons
-AXIS_PRIORITY = ("velocity", "hurst", "normal_force")  # among axes of equal length
+LOG_AXIS_RATIO = 10.0  # ratio of largest to smallest value from which an axis is logarithmic
+LINE_STYLES = ("-", "--", ":", "-.")  # of the study and its comparisons, in order
+AXIS_PRIORITY = ("velocity", "hurst", "normal_force")  # order of axes of equal length
 ESTIMATE_LABELS = {
     "mu_1": "steady friction $\\mu_1$",
     "jump": "jump $\\Delta\\mu_0$",
@@ -44,7 +44,7 @@ CURVES = (("time", "mu", "$(t - t_0)/\\tau$"), ("trace_time", "trace_mu", "time 
 
 
 def draw(groups: Groups) -> Figure:
-    """Return the figure of any result of a grid."""
+    """Draw the default figure of the result of a grid."""
     data = groups[""]
     varied = sorted((a for a in axes_in(data) if data.sizes[a] > 1), key=lambda a: _rank(data, a))
     curve = next((names for names in CURVES if names[1] in data), None)
@@ -71,7 +71,7 @@ def draw(groups: Groups) -> Figure:
     if varied and curve:
         _name_curves(axes[:, 0])
     if shown and estimates[0, 0].get_legend_handles_labels()[0]:
-        estimates[0, 0].legend(fontsize=6)  # the same in all panels of estimates
+        estimates[0, 0].legend(fontsize=6)  # one legend serves all panels of estimates
     unresolved = f"Dotted curves ({dotted}) are not resolved: {NARROW_CONTACTS} or {LARGE_BIAS}."
     model = model_in_words(data).replace("mu_1", "µ₁")
     notes = [
@@ -86,7 +86,7 @@ def draw(groups: Groups) -> Figure:
 
 
 def _name_curves(axes: np.ndarray) -> None:
-    """Add a legend to the first panel of curves, and to those whose curves differ from it."""
+    """Add a legend to the first panel of curves, and to panels whose labels differ from it."""
     first, *others = axes
     labels = first.get_legend_handles_labels()[1]
     legend_in_room(first, 0.08 * len(labels), fontsize=5.5)
@@ -106,12 +106,12 @@ def _spread(size: int, count: int) -> list[int]:
 
 
 def _drawn(size: int, most: int, noun: str) -> str:
-    """Return a note that only some items are drawn, or "" if all are."""
+    """Return a note that only ``most`` items are drawn, or "" if there are no more."""
     return f"Of {size} {noun} {most} are drawn." if size > most else ""
 
 
 def _estimates_to_draw(data: xr.Dataset) -> list[str]:
-    """Return the estimates to draw, among those with a finite value."""
+    """Return the names of the estimates to draw, among those with a finite value."""
     known = [
         str(name)
         for name, values in data.data_vars.items()
@@ -124,7 +124,7 @@ def _estimates_to_draw(data: xr.Dataset) -> list[str]:
 
 
 def _called(data: xr.Dataset, axis: str) -> str:
-    """Return the name of an axis, or "normal_pressure" if it replaces the normal force."""
+    """Return ``axis``, or "normal_pressure" if that coordinate replaces the normal force."""
     given = "normal_pressure" in data.coords and axis == "normal_force"
     return "normal_pressure" if given else axis
 
@@ -144,7 +144,7 @@ def _label(variable: xr.DataArray) -> str:
 
 
 def _single_point_text(data: xr.Dataset) -> str:
-    """Return the estimates of a single point, in words."""
+    """Return a sentence with the estimates of a result that has a single point."""
     words = []
     for name in _estimates_to_draw(data):
         value = value_label(name, float(data[name].squeeze()), unit_in_words(data[name]))
@@ -156,7 +156,7 @@ def _single_point_text(data: xr.Dataset) -> str:
 def _curves(ax: Axes, data: xr.Dataset, curve: tuple[str, str, str], varied: list[str]) -> int:
     """Draw friction over time with error bands at points spread over the grid.
 
-    Return the number of unresolved traces, which are dotted.
+    Unresolved traces are dotted; return their number.
     """
     time, mu, label = curve
     long = [dim for dim in data[mu].dims if dim in ("sample", "event")]
@@ -182,7 +182,7 @@ def _curves(ax: Axes, data: xr.Dataset, curve: tuple[str, str, str], varied: lis
 
 
 def _estimate(ax: Axes, groups: Groups, name: str, axes: Sequence[str]) -> None:
-    """Draw an estimate over the longest axis, for several values of the second longest."""
+    """Draw an estimate over the first of ``axes``, for several values of the second."""
     data, (along, across) = groups[""], axes
     over = _called(data, along)
     for line_style, (group, dataset) in zip(LINE_STYLES, groups.items(), strict=False):
