@@ -50,8 +50,8 @@ def animate(scene: xr.Dataset, path: Path) -> Path:
     with mpl.rc_context(cast(Any, STYLE)), tempfile.TemporaryDirectory() as folder:
         drawn = Path(folder) / path.name
         try:
-            draw = _pressures if shown == MAP_FRAMES else _creeping
-            figure, draw_frame = _prepared(scene, draw)
+            prepare = _pressure_map if shown == MAP_FRAMES else _line_contact
+            figure, draw_frame = _prepared(scene, prepare)
             draw_frame(0)
             _freeze_axes(figure)
             with writer.saving(figure, str(drawn), dpi=DOTS_PER_INCH):
@@ -72,12 +72,12 @@ def check_animation(path: Path) -> None:
         raise UserError(f"{path}: an .mp4 file needs the program ffmpeg; install it or use .gif")
 
 
-def _prepared(scene: xr.Dataset, shown: Callable[..., Drawing]) -> tuple[Figure, Drawing]:
+def _prepared(scene: xr.Dataset, prepare_contact: Callable[..., Drawing]) -> tuple[Figure, Drawing]:
     """Return a figure with the contact above the friction, and a function that draws a frame."""
     figure, (above, below) = plt.subplots(
         2, 1, figsize=(5.6, 4.2), dpi=DOTS_PER_INCH, gridspec_kw={"height_ratios": [2.0, 1.0]}
     )
-    contact = shown(above, scene)
+    contact = prepare_contact(above, scene)
     time, mu = scene.trace_time.values, scene.trace_mu.values
     below.plot(time, mu, color="0.8")
     (line,) = below.plot([], [], color=COLOURS[0])
@@ -115,21 +115,21 @@ def _freeze_axes(figure: Figure) -> None:
     figure.figimage(axes, origin="upper", zorder=10.0)
 
 
-def _pressures(ax: Axes, scene: xr.Dataset) -> Drawing:
+def _pressure_map(ax: Axes, scene: xr.Dataset) -> Drawing:
     """Prepare the pressure map of a half-space; return a function that draws a frame."""
     pressure = scene.snapshot_pressure / 1e6
-    most = float(pressure.quantile(0.999)) or 1.0
+    highest = float(pressure.quantile(0.999)) or 1.0
     sides = [MICROMETRES * float(scene[axis][-1] + scene[axis][1]) for axis in ("x", "y")]
     extent = (0.0, sides[0], 0.0, sides[1])
     image = ax.imshow(
-        pressure[0], origin="lower", extent=extent, cmap="magma_r", vmin=0.0, vmax=most
+        pressure[0], origin="lower", extent=extent, cmap="magma_r", vmin=0.0, vmax=highest
     )
     ax.set(xlabel="along the half-space, µm", ylabel="across, µm")
     ax.figure.colorbar(image, ax=ax, label="pressure, MPa")
     return lambda frame: image.set_data(pressure[frame])
 
 
-def _creeping(ax: Axes, scene: xr.Dataset) -> Drawing:
+def _line_contact(ax: Axes, scene: xr.Dataset) -> Drawing:
     """Prepare the rigid line and the foundation; return a function that draws a frame."""
     view = _view(scene)
     x, low = view.x.values, float(view.snapshot_displacement.min())

@@ -42,20 +42,20 @@ def scaled_friction(groups: Mapping[str, xr.Dataset]) -> dict[str, Any] | None:
     for name, data in groups.items():
         if "mu_1" not in data:
             continue
-        called = name or "the study"
-        why = _why_not(data, data.attrs.get("body", groups[""].attrs.get("body")))
-        if not why:
-            rubber = _rubber(called, data, changed_material(material, compared.get(name, {})))
+        label = name or "the study"
+        obstacle = _obstacle(data, data.attrs.get("body", groups[""].attrs.get("body")))
+        if not obstacle:
+            rubber = _rubber(label, data, changed_material(material, compared.get(name, {})))
             if rubber is not None:
                 rubbers.append(rubber)
                 continue
-            why = "steady friction is known nowhere at all velocities"
-        without.append(f"No rubber is scaled from {called}: {why}.")
+            obstacle = "steady friction is known nowhere at all velocities"
+        without.append(f"No rubber is scaled from {label}: {obstacle}.")
     content = {"rubbers": rubbers, "without": without, "steepest": MAX_SMALL_SLOPE}
     return content if rubbers or without else None
 
 
-def _why_not(data: xr.Dataset, body: str | None) -> str:
+def _obstacle(data: xr.Dataset, body: str | None) -> str:
     """Return the reason that prevents scaling a group to other rubbers, or ""."""
     missing = [name for name in SCALING_VARIABLES if name not in data.variables]
     if missing:
@@ -82,7 +82,7 @@ def _rubber(name: str, data: xr.Dataset, material: Mapping[str, Any]) -> dict[st
     data = data.isel(velocity_step=0).sortby("velocity")
     contact = 2.0 / (1.0 - material.get("poisson", INCOMPRESSIBLE))  # E*/G
     several = bool(material.get("branches") or "branches_file" in material)
-    known = [(at, c) for at in _places(data) if (c := _curve(at, contact, several)) is not None]
+    known = [(at, c) for at in _points(data) if (c := _curve(at, contact, several)) is not None]
     if not known:
         return None
     first, chosen = max(known, key=lambda pair: _slope_rank(pair[0]))
@@ -124,7 +124,7 @@ def _temperatures(
     """Return the stops of the temperature slider, with their shift factors of tau.
 
     The stops are whole degrees about the temperature of the result, shifted by the material's law
-    or else by the universal WLF constants. With a file of shifts they are the result's temperatures.
+    or else by the universal WLF constants. With a file of shifts, only its temperatures are used.
     """
     law = shift_law_of(material)
     if law is not None:
@@ -149,7 +149,7 @@ def _stops(
     return named | {"degrees": degrees.tolist(), "factors": factors.tolist()}
 
 
-def _places(data: xr.Dataset) -> Iterator[xr.Dataset]:
+def _points(data: xr.Dataset) -> Iterator[xr.Dataset]:
     """Yield the dataset at all velocities for each point on the other axes."""
     axes = [axis for axis in data.mu_1.dims if axis != "velocity"]
     for index in np.ndindex(*(data.sizes[axis] for axis in axes)):
@@ -181,8 +181,8 @@ def _curve(at: xr.Dataset, contact: float, several: bool) -> dict[str, Any] | No
         "size": size,
         "x": x.tolist(),
         "friction": friction.tolist(),
-        "error": _share(at, "mu_1_error", at.mu_1.values),
-        "bias": _share(at, "mu_1_bias", 1.0),
+        "error": _relative_error(at, "mu_1_error", at.mu_1.values),
+        "bias": _relative_error(at, "mu_1_bias", 1.0),
         "motions": _motions(at, slope) if several else None,
     }
 
@@ -205,7 +205,7 @@ def _motions(at: xr.Dataset, slope: float) -> list[list[list[float]] | None] | N
     return None
 
 
-def _share(at: xr.Dataset, name: str, friction: Any) -> list[float | None]:
+def _relative_error(at: xr.Dataset, name: str, friction: Any) -> list[float | None]:
     """Return an error over ``friction`` at each velocity, with None for unknown errors."""
     if name not in at:
         return [None] * at.sizes["velocity"]

@@ -145,7 +145,7 @@ def section(study: AnyStudy, groups: Groups, folder: Path) -> dict[str, object]:
         "smoke": scale.startswith(SMOKE),
         "extent": f"{scale}{_realizations(data)}",
         "images": [_image(picture) for picture in pictures],
-        "files": [file.name for file in (result, *(each.pdf for each in pictures), *tables)],
+        "files": [file.name for file in (result, *(picture.pdf for picture in pictures), *tables)],
         "explorer": explorer,
         "troubles": troubles,
         "parameters": _parameters(study, data),

@@ -75,8 +75,8 @@ def draw(groups: Groups) -> Figure:
     unresolved = f"Dotted curves ({dotted}) are not resolved: {NARROW_CONTACTS} or {LARGE_BIAS}."
     model = model_in_words(data).replace("mu_1", "µ₁")
     notes = [
-        _drawn(len(varied) > 1 and data.sizes[varied[1]], MAX_COLOURS, "values of the second"),
-        _drawn(len(places), MAX_ROWS, "places on the other axes"),
+        _limit_note(len(varied) > 1 and data.sizes[varied[1]], MAX_COLOURS, "values of the second"),
+        _limit_note(len(places), MAX_ROWS, "places on the other axes"),
         unresolved if dotted else "",
         f"{model}." if model else "",
         "" if shown else _single_point_text(data),
@@ -105,7 +105,7 @@ def _spread(size: int, count: int) -> list[int]:
     return np.unique(np.linspace(0, size - 1, min(size, count)).round().astype(int)).tolist()
 
 
-def _drawn(size: int, most: int, noun: str) -> str:
+def _limit_note(size: int, most: int, noun: str) -> str:
     """Return a note that only ``most`` items are drawn, or "" if there are no more."""
     return f"Of {size} {noun} {most} are drawn." if size > most else ""
 
@@ -123,7 +123,7 @@ def _estimates_to_draw(data: xr.Dataset) -> list[str]:
     return preferred or known[: len(PREFERRED_ESTIMATES)]
 
 
-def _called(data: xr.Dataset, axis: str) -> str:
+def _axis_name(data: xr.Dataset, axis: str) -> str:
     """Return ``axis``, or "normal_pressure" if that coordinate replaces the normal force."""
     given = "normal_pressure" in data.coords and axis == "normal_force"
     return "normal_pressure" if given else axis
@@ -131,7 +131,7 @@ def _called(data: xr.Dataset, axis: str) -> str:
 
 def _axis_label(data: xr.Dataset, axis: str) -> str:
     """Return the coordinate of a point as text, such as "T = 60 °C"."""
-    name = _called(data, axis)
+    name = _axis_name(data, axis)
     return mathematical(value_label(name, float(data[name]), unit_in_words(data[name])))
 
 
@@ -161,11 +161,11 @@ def _curves(ax: Axes, data: xr.Dataset, curve: tuple[str, str, str], varied: lis
     time, mu, label = curve
     long = [dim for dim in data[mu].dims if dim in ("sample", "event")]
     points = data.stack(point=[dim for dim in data[mu].dims if dim not in long])
-    there = np.flatnonzero(points[mu].notnull().any(long))
+    known = np.flatnonzero(points[mu].notnull().any(long))
     error = {"mu": "deviation_error"}.get(mu, f"{mu}_error")
     dotted = 0
-    for k, colour in zip(_spread(there.size, MAX_CURVES), COLOURS, strict=False):
-        one = points.isel(point=there[k]).dropna(long[0], subset=[mu])
+    for k, colour in zip(_spread(known.size, MAX_CURVES), COLOURS, strict=False):
+        one = points.isel(point=known[k]).dropna(long[0], subset=[mu])
         unit = float(one.mu_1) if mu == "mu" and "mu_1" in one else 1.0
         spread = one[error].values if error in one else 0.0
         words = ", ".join(_axis_label(one, axis) for axis in varied)
@@ -173,8 +173,8 @@ def _curves(ax: Axes, data: xr.Dataset, curve: tuple[str, str, str], varied: lis
         style: dict[str, Any] = {"color": colour, "label": words, "ls": ":" if coarse else "-"}
         band(ax, one[time], one[mu].values / unit, spread / unit, **style)
         dotted += coarse
-    ends = points[time].max(long).values[there]
-    if there.size and mu == "mu" and ends.max() > LOG_AXIS_RATIO * ends.min():
+    ends = points[time].max(long).values[known]
+    if known.size and mu == "mu" and ends.max() > LOG_AXIS_RATIO * ends.min():
         ax.set_xscale("log")
     over = " over that before" if mu == "mu" and "mu_1" in points else ""
     ax.set(xlabel=label, ylabel=f"friction{over}")
@@ -184,7 +184,7 @@ def _curves(ax: Axes, data: xr.Dataset, curve: tuple[str, str, str], varied: lis
 def _estimate(ax: Axes, groups: Groups, name: str, axes: Sequence[str]) -> None:
     """Draw an estimate over the first of ``axes``, for several values of the second."""
     data, (along, across) = groups[""], axes
-    over = _called(data, along)
+    over = _axis_name(data, along)
     for line_style, (group, dataset) in zip(LINE_STYLES, groups.items(), strict=False):
         if name not in dataset or dataset.sizes[along] != data.sizes[along]:
             continue
