@@ -102,7 +102,7 @@ def _table(options: argparse.Namespace) -> int:
 
 
 def _checked(options: argparse.Namespace) -> tuple[AnyStudy, Path]:
-    """Return the study and its result file. Raises UserError if the result does not match it."""
+    """Return the study and its result file. Raises UserError if they do not match."""
     study, result = _study(options)
     check_result(study, result, strict=bool(options.scale or options.set or options.accuracy))
     return study, result

@@ -161,7 +161,7 @@ def _model_error(plan: Plan) -> list[str]:
 
 
 def _files_read(study: Study) -> list[dict[str, Any]]:
-    """Return descriptions of the files read; for profiles with their statistics, lengths in m."""
+    """Return descriptions of the files read, with the sizes of measured profiles (lengths in m)."""
     files: list[dict[str, Any]] = [
         {"what": kind, "told": text} for kind, text in study.descriptions
     ]

@@ -62,7 +62,7 @@ class Blame:
         return address.rpartition(":")[0] if self.by_host else address
 
     def succeeded(self, address: str, failed: Iterable[str]) -> None:
-        """Record that a worker computed an item that had failed at ``failed``; exclude the sick."""
+        """Record that a worker computed an item that failed at ``failed``; exclude sick workers."""
         place = self.place(address)
         self.failures.pop(place, None)
         for other in {self.place(other) for other in failed if other} - {place, *self.excluded}:

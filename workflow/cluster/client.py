@@ -81,14 +81,14 @@ def open_client(
 def _local_cluster(loop: IOLoop, workers: int | None, dashboard: bool) -> Iterator[SpecCluster]:
     """Yield a cluster of local processes, which require the certificate of this run to connect."""
     count = workers or CPU_COUNT
-    # Workers import code from this folder, so that only this user may write to it.
+    # Workers import code from this folder, which must therefore belong to this user alone.
     with tempfile.TemporaryDirectory(prefix="elastomer-friction-") as folder:
         security = new_security(folder)
-        ends = {"host": LOOPBACK, "protocol": ENCRYPTED, "security": security}
-        one = {"nthreads": 1, "memory_limit": MEMORY_LIMIT // count, "local_directory": folder}
-        nanny_options = ends | one | {"silence_logs": logging.CRITICAL}
+        shared = {"host": LOOPBACK, "protocol": ENCRYPTED, "security": security}
+        worker = {"nthreads": 1, "memory_limit": MEMORY_LIMIT // count, "local_directory": folder}
+        nanny_options = shared | worker | {"silence_logs": logging.CRITICAL}
         parts: dict[str, Any] = {
-            "scheduler": {"cls": Scheduler, "options": ends | scheduler_options(dashboard)},
+            "scheduler": {"cls": Scheduler, "options": shared | scheduler_options(dashboard)},
             "workers": {
                 number: {"cls": Nanny, "options": nanny_options} for number in range(count)
             },

@@ -46,9 +46,9 @@ def stream(
     study. An item that raises is retried on another worker; it waits if a suitable worker may soon
     connect. An item that failed on two workers, or twice on the only worker, is passed to
     ``retry``, which returns its replacements. So is an item whose workers died several times; its
-    replacements run last and one at a time, so that a lethal item is identified. Once ``watch()``
-    returns True, no item starts and running items are awaited for at most STOP_SECONDS.
-    Raises UserError if the scheduler is lost, or when the patience of ``watch`` ends.
+    replacements run last and one at a time, to identify the item that kills workers. Once
+    ``watch()`` returns True, no item starts, and running items are awaited for at most
+    STOP_SECONDS. Raises UserError if the scheduler is lost, or when the patience of ``watch`` ends.
 
     pool : a Pool, or its stand-in in tests. blame : state of the workers from earlier streams.
     """

@@ -17,8 +17,8 @@ from ..study import BATCH_SYSTEMS, Cluster, walltime_seconds
 from ..system import PROGRAM_ROOT, THREADS, interface_named, refused
 from .security import ENCRYPTED, new_security, no_pages, scheduler_options
 
-# Workers import code from their local folder, so that only this user may write to it. They import
-# nothing from the folder in which the job was submitted.
+# Workers import code from their local folder, which must therefore belong to this user alone. They
+# import nothing from the folder in which the job was submitted.
 PRIVATE_FOLDER_LINES = (
     "export PYTHONSAFEPATH=1",
     f"export PYTHONPATH={shlex.quote(str(PROGRAM_ROOT))}${{PYTHONPATH:+:$PYTHONPATH}}",

@@ -22,7 +22,7 @@ Results = Mapping[str, xr.Dataset]  # by name: "fig7", or "fig7/paper_step" for 
 
 EQUAL_DEVIATION = 0.01  # relative deviation that still counts as equal
 TOLERANCE = 0.25  # relative deviation up to which a claim holds approximately
-FACTOR = 2.0  # typical factor of deviation up to which a power law holds
+FACTOR = 2.0  # largest typical factor between result and law for which a power law holds
 HOLDS, NOT_FOUND = "holds", "not found"
 ONLY_COARSE = "only with one implicit Euler step per Δx"  # the paper does not state its step
 
@@ -66,7 +66,7 @@ def percent(share: float, digits: int = 0) -> str:
 def judge(deviation: float, error: float = 0.0, tolerance: float = TOLERANCE) -> str:
     """Return the verdict on a relative deviation, given its relative standard error.
 
-    A deviation within two standard errors counts as chance; these must not exceed the tolerance.
+    Up to two standard errors count as chance. If these exceed the tolerance, there is no verdict.
     """
     if not (math.isfinite(deviation) and math.isfinite(error)) or 2.0 * error > tolerance:
         return "cannot be judged: the error is too large"

@@ -24,7 +24,7 @@ from .unresolved import POINT_STATUS
 
 PAGE_DIGITS = 6  # significant digits of a number; rounding is below the standard errors
 MAX_NUMBERS = 2_000_000  # per dataset, about 16 MB; the largest variables are omitted
-COMPANIONS = ("error", "bias")  # suffixes of variables that accompany an estimate NAME
+COMPANIONS = ("error", "bias")  # NAME_error and NAME_bias accompany the estimate NAME
 FIRST_ESTIMATES = ("relaxation_rate", "mu_1", "trace_mu", "mu")  # the first present one is shown
 
 
@@ -77,10 +77,10 @@ def _page_content(dataset: xr.Dataset) -> dict[str, dict[str, Any]]:
     numbers = 0
     for key, variable in sorted(dataset.variables.items(), key=lambda item: item[1].size):
         name = str(key)
-        long = [dim for dim in variable.dims if dim not in ALL_AXES]
+        curve_dims = [dim for dim in variable.dims if dim not in ALL_AXES]
         varied = any(dataset.sizes[dim] > 1 for dim in variable.dims)
         numeric = variable.dtype.kind in "fiu"
-        if not numeric or not varied or len(long) > 1 or name in ALL_AXES:
+        if not numeric or not varied or len(curve_dims) > 1 or name in ALL_AXES:
             continue
         numbers += variable.size
         if numbers > MAX_NUMBERS:

@@ -1,7 +1,7 @@
 """Figures of a study, drawn by a script from the opened result.
 
-The default script is figure.py in the study's folder. If it is missing, a grid gets the default
-figure.
+The default script is figure.py in the study's folder. Without a script, a study of a grid gets the
+figure of ``usual_figure``.
 """
 
 import contextlib

@@ -107,7 +107,7 @@ def _rubber(name: str, data: xr.Dataset, material: Mapping[str, Any]) -> dict[st
 
 
 def _slope_rank(at: xr.Dataset) -> float:
-    """Return a rank, highest for the largest small slope, or for the smallest if none is small."""
+    """Return a rank, highest for the largest small slope, else for the smallest slope."""
     slope = float(np.ravel(at.rms_slope)[0])
     return slope if slope <= MAX_SMALL_SLOPE else -slope
 
@@ -124,7 +124,7 @@ def _temperatures(
     """Return the stops of the temperature slider, with their shift factors of tau.
 
     The stops are whole degrees about the temperature of the result, shifted by the material's law
-    or else by the universal WLF constants. With a file of shifts, only its temperatures are used.
+    or else by the universal WLF constants. With a file of shifts, they are those of the result.
     """
     law = shift_law_of(material)
     if law is not None:

@@ -157,7 +157,7 @@ def section(study: AnyStudy, groups: Groups, folder: Path) -> dict[str, object]:
 
 
 def _realizations(data: xr.Dataset) -> str:
-    """Return the range of the numbers of realizations as text, or "" if there are none."""
+    """Return the range of the numbers of realizations as text, or "" without realizations."""
     counts = np.unique(data.realizations) if "realizations" in data else np.zeros(1)
     ends = " to ".join(dict.fromkeys(f"{int(count)}" for count in (counts[0], counts[-1])))
     return f", {ends} realizations" if counts[-1] else ""

@@ -159,21 +159,21 @@ def _curves(ax: Axes, data: xr.Dataset, curve: tuple[str, str, str], varied: lis
     Unresolved traces are dotted; return their number.
     """
     time, mu, label = curve
-    long = [dim for dim in data[mu].dims if dim in ("sample", "event")]
-    points = data.stack(point=[dim for dim in data[mu].dims if dim not in long])
-    known = np.flatnonzero(points[mu].notnull().any(long))
+    curve_dims = [dim for dim in data[mu].dims if dim in ("sample", "event")]
+    points = data.stack(point=[dim for dim in data[mu].dims if dim not in curve_dims])
+    known = np.flatnonzero(points[mu].notnull().any(curve_dims))
     error = {"mu": "deviation_error"}.get(mu, f"{mu}_error")
     dotted = 0
     for k, colour in zip(_spread(known.size, MAX_CURVES), COLOURS, strict=False):
-        one = points.isel(point=known[k]).dropna(long[0], subset=[mu])
-        unit = float(one.mu_1) if mu == "mu" and "mu_1" in one else 1.0
-        spread = one[error].values if error in one else 0.0
-        words = ", ".join(_axis_label(one, axis) for axis in varied)
-        coarse = mu == "trace_mu" and bool(not_resolved(one, TRACE_STATUS))
+        point = points.isel(point=known[k]).dropna(curve_dims[0], subset=[mu])
+        unit = float(point.mu_1) if mu == "mu" and "mu_1" in point else 1.0
+        spread = point[error].values if error in point else 0.0
+        words = ", ".join(_axis_label(point, axis) for axis in varied)
+        coarse = mu == "trace_mu" and bool(not_resolved(point, TRACE_STATUS))
         style: dict[str, Any] = {"color": colour, "label": words, "ls": ":" if coarse else "-"}
-        band(ax, one[time], one[mu].values / unit, spread / unit, **style)
+        band(ax, point[time], point[mu].values / unit, spread / unit, **style)
         dotted += coarse
-    ends = points[time].max(long).values[known]
+    ends = points[time].max(curve_dims).values[known]
     if known.size and mu == "mu" and ends.max() > LOG_AXIS_RATIO * ends.min():
         ax.set_xscale("log")
     over = " over that before" if mu == "mu" and "mu_1" in points else ""

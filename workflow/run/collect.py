@@ -27,7 +27,7 @@ if TYPE_CHECKING:
 
 
 TASKS_PER_REDUCTION = 32
-NEED_MARGIN = 1.1  # safety factor on the growth; without it half of the points narrowly miss
+NEED_MARGIN = 1.1  # safety factor on the growth; without it half of the points miss the accuracy
 GROWTH_LIMITS = (1.25, 4.0)  # smallest and largest growth of the realizations in one round
 
 

@@ -23,15 +23,15 @@ from ..study import HALF_SPACE
 from ..system import report_compilation
 
 DRAW_SECONDS = 0.2  # predicted time of a draw, unless its smallest possible share takes longer
-TYPICAL_DRAWS = 40  # number of draws in a short time limit; draws are then shorter
-MIN_DRAWS = 8  # smallest number of draws with a standard error
+TYPICAL_DRAWS = 40  # draws are shortened so that about this many fit into a short time limit
+MIN_DRAWS = 8  # number of draws from which a standard error is given
 GOLDEN_RATIO = 0.5 * (math.sqrt(5.0) - 1.0)
 
 
 class CostSample(NamedTuple):
     """Estimated core time of a study."""
 
-    seconds: float  # of one core
+    seconds: float  # core time, s
     error: float | None  # standard error; None with fewer than MIN_DRAWS draws
     draws: int
 

@@ -57,8 +57,8 @@ def run_plan(plan: Plan, result: Path, how: RunOptions) -> Summary:
     """
     import_dask()
     began = time.monotonic()
-    says = report_compilation("the kernels needed", "10 to 60 s", cache.WAITING_EVENT)
-    with hold(store_folder(result), without=how.no_lock), says:
+    announcing = report_compilation("the kernels needed", "10 to 60 s", cache.WAITING_EVENT)
+    with hold(store_folder(result), without=how.no_lock), announcing:
         run = _Run(plan, result, how)
         if not run.is_done():
             run.load_kernels()

@@ -5,7 +5,7 @@ from collections import defaultdict
 from ..plan import Missing, Plan
 from ..simulate import Batch
 
-PRIOR_SECONDS = 1.0  # s of work at the rate 1 that are added to the measurements
+PRIOR_SECONDS = 1.0  # s, time of notional work at the rate 1 that is added to the measurements
 ROUNDING_SHARE = 1e-9  # share of the predicted work; a smaller remainder is a rounding error
 
 

@@ -32,7 +32,7 @@ class Status:
 
     study: str  # digest of the study, see study_digest
     total: int  # number of records, one per problem and block
-    done: int  # number of settled records
+    done: int  # number of finished records
     left: float  # remaining core-seconds as predicted by the plan
     failed: int = 0  # number of failed problems
     offset: int = 0  # bytes of the journal counted so far

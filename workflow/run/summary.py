@@ -35,7 +35,7 @@ class Summary:
     predicted: float = 0.0  # time of all missing records
     predicted_done: float = 0.0  # time of the finished batches
     used: float = 0.0  # measured time of the finished batches
-    start: float = 0.0  # s, wall time to compile kernels and start workers
+    start: float = 0.0  # s, wall time until the kernels are compiled and the workers started
     wall: float = 0.0  # s, wall time of the whole run
     workers: int = 1  # largest number of worker threads
     files: float = 0.0  # s, wall time of reading and writing in the driver

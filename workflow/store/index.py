@@ -1,10 +1,10 @@
 """The index of a store: the shard of each record, and the tasks that failed for good.
 
-The index is built by replaying the entries of the journal in order. A record is identified by (key
-of its task, block). Tasks that are stored together form a part. The journal lists the keys of a
-part once, and then refers to them by checksum; it lists makers, which computed records, in the same
-way. No entry refers to a position in the journal, so that repeated lines, for instance of two
-concatenated journals, change nothing.
+The index is built by replaying the journal in order. A record is identified by (key of its task,
+block). Tasks that are stored together form a part. The journal lists the keys of a part once, and
+then refers to them by checksum. It lists makers (versions and processors) in the same way. No entry
+refers to a position in the journal, so that repeated lines, for instance of two concatenated
+journals, change nothing.
 """
 
 import contextlib

@@ -43,7 +43,7 @@ def store_folder(result: Path) -> Path:
 
 
 def enter_result(result: Path) -> None:
-    """Record the digest of a result file durably in the store beside it; create it if missing.
+    """Record the digest of a result file durably in the store of its folder, created if missing.
 
     The entry is appended by a single write, so that a measurement does not need the folder's lock.
     """
@@ -54,7 +54,7 @@ def enter_result(result: Path) -> None:
 
 
 def is_as_written(result: Path) -> bool | None:
-    """Return whether a result is unchanged since a run wrote it, according to the store beside it.
+    """Return whether a result is unchanged since a run wrote it, by the store of its folder.
 
     Returns None if the store is missing, unreadable, or does not list the result.
     """
@@ -66,7 +66,7 @@ def is_as_written(result: Path) -> bool | None:
 
 
 class DamagedShard(Exception):
-    """Raised if a shard lacks records that the journal lists, once this is repaired: try again."""
+    """Raised after a mismatch of a shard and the journal was repaired; the caller may try again."""
 
 
 class Store:

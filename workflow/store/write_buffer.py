@@ -53,7 +53,7 @@ class WriteBuffer:
             self.flush()
 
     def flush(self) -> None:
-        """Store the waiting batches. If the disk refuses, keeps them and raises UserError."""
+        """Store the waiting batches; if the disk refuses, keep them and raise UserError."""
         self.stored = self.now()
         if self.waiting:
             self.store.add(self.waiting)

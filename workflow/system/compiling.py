@@ -22,7 +22,7 @@ def report_compilation(subject: str, duration: str, waiting_event: str) -> Itera
         def on_start(self, event: Any) -> None:
             if event.kind in lines:
                 print(lines.pop(event.kind), file=sys.stderr, flush=True)
-                if "numba:compile" not in lines:  # after it no wait is reported
+                if "numba:compile" not in lines:  # compiling: report no wait after this
                     lines.clear()
 
         def on_end(self, event: Any) -> None:

@@ -107,7 +107,7 @@ def sizes_in(folder: Path) -> dict[str, int]:
 
 
 def check_place(path: Path) -> None:
-    """Raise UserError if ``path`` cannot be written, by creating a temporary file beside it."""
+    """Raise UserError if ``path`` cannot be written; test this with a temporary file."""
     with refused(path, "cannot be written:"):
         if path.is_symlink() or (path.exists() and not path.is_file()):
             raise OSError(

@@ -20,7 +20,7 @@ from .durable_files import read_whole, refused
 from .packages import PROGRAM_ROOT
 
 MIN_READ_SECONDS, READ_BYTES_PER_SECOND = 1.0, 1e7  # CPU time for a file and for each variable
-MAX_READ_SECONDS = 1e4  # largest CPU time in proportion to a size, which may be forged
+MAX_READ_SECONDS = 1e4  # cap on the CPU time in proportion to the size, which may be forged
 FATAL_SIGNALS: dict[int, str] = {
     signal.SIGPROF: "reading it does not end",
     **dict.fromkeys((signal.SIGSEGV, signal.SIGABRT, signal.SIGBUS), "reading it ends the process"),
