@@ -1,1 +1,1 @@
-"""Faster versions of the model, equal to it in the results. No law is stated here."""
+"""Faster solution of the equations of ``model``, which is the reference of its tests."""

@@ -14,17 +14,17 @@ class Quantities(NamedTuple):
     steady: bool = True
     jump: bool = True
     relaxation: bool = True
-    indentation_rate: bool = True  # effect: d' in the force (eq. 3 as printed drops it)
+    indentation_rate: bool = True  # whether the force includes d' (eq. 3 as printed drops it)
     initial_rate: bool = False  # d mu/dt just after the velocity step
 
     @property
     def anything(self) -> bool:
-        """Return whether any requested quantity needs a steady state."""
+        """Return whether any quantity is requested; each of them needs a steady state."""
         return self.steady or self.jump or self.relaxation or self.initial_rate
 
 
 class Case(NamedTuple):
-    """One load, one speed v1 and the velocity jumps from it, on a given line."""
+    """One load, one speed v1 and the velocity jumps from v1, for any line."""
 
     load: float  # Fbar = F_N / (4 G L h)
     speed: float  # vbar = v1 tau / dx, signed
@@ -32,17 +32,17 @@ class Case(NamedTuple):
     kept_steps: tuple[np.ndarray, ...]  # per ratio: the steps at which the relaxation is recorded
     scheme: str
     spectrum: Spectrum = KELVIN
-    refine: bool = True  # follow contacts of steady sliding between the samples of the line
+    refine: bool = True  # whether contacts of steady sliding are followed between the samples
 
     @property
     def plain(self) -> bool:
-        """Return whether Kelvin elements slide in the positive direction throughout."""
+        """Return whether the elements are Kelvin elements and never slide backwards."""
         forwards = self.speed > 0.0 and all(ratio > 0.0 for ratio in self.ratios)
         return self.spectrum == KELVIN and forwards
 
 
 class Seconds(NamedTuple):
-    """CPU time of this thread in the phases of a case (clock.py). No result depends on it."""
+    """CPU time of the phases of a case (compile/clock.py), in s. No result depends on it."""
 
     steady: float
     jump: float
@@ -58,24 +58,24 @@ class Outcome(NamedTuple):
     mu_1: float
     indentation: float
     contact_fraction: float
-    samples_per_contact: float  # of the march; without one, of the friction
+    samples_per_contact: float  # in a march; without one, SteadySliding.effective_samples
     mu_2: np.ndarray  # shape (ratios,)
     jump: np.ndarray  # shape (ratios,)
-    curves: list[np.ndarray]  # per ratio: mu at the recorded steps, ending towards mu_2
+    curves: list[np.ndarray]  # per ratio: mu at the recorded steps, which tends to mu_2
     work: int  # element updates, the measure of cost
     seconds: Seconds
     initial_rate: np.ndarray  # shape (ratios,): d mu/dt at t0+, per tau; NaN unless requested
 
 
 class PhaseClocks:
-    """Clocks that distribute elapsed time over the phases of cases, in proportion to work."""
+    """CPU times of the phases of several cases, which share measured time in proportion to work."""
 
     def __init__(self, cases: int = 1) -> None:
         self.spent = [[0.0] * cases for _ in Seconds._fields]
         self.last = computing_seconds()
 
     def lap(self, steady: np.ndarray, jump: np.ndarray | float = 0.0) -> None:
-        """Distribute the time since the last reading by the work of steady states and of jumps."""
+        """Distribute the time since the last reading over steady states and jumps by their work."""
         now = computing_seconds()
         jumps = np.broadcast_to(jump, steady.shape)
         seconds_per_work = (now - self.last) / max(float(steady.sum() + jumps.sum()), 1.0)
@@ -91,5 +91,5 @@ class PhaseClocks:
         self.last = now
 
     def seconds(self, case: int = 0) -> Seconds:
-        """Return the time of a case."""
+        """Return the CPU times of a case."""
         return Seconds(*[phase[case] for phase in self.spent])

@@ -1,6 +1,6 @@
 """One realization: a line, its steady states, the velocity jumps and the relaxations.
 
-Only requested quantities are computed. Points share as much as possible: one line serves all loads
+Only requested quantities are computed. Cases share intermediate results: one line serves all loads
 and speeds, its thresholds at one speed serve all loads, and one steady state at v1 serves all
 velocity jumps.
 """
@@ -21,7 +21,7 @@ from .prepared import Prepared, SharedCases, prepare
 from .relaxation import SteadyEnds, plain_relaxations
 from .steady.stack import single_line
 
-MAX_PLAIN_UPDATES = 4000  # element steps: below it, the plain march is faster than making lists
+MAX_PLAIN_UPDATES = 4000  # element steps up to which the plain march beats the active-set march
 JUMP_WORK_SHARE = 0.3  # work of one jump relative to that of following contacts (measured)
 
 
@@ -31,7 +31,7 @@ def run_case(line: Line, case: Case, requested: Quantities) -> Outcome:
 
 
 def run_cases(line: Line, cases: Sequence[Case], requested: Quantities) -> list[Outcome]:
-    """Compute cases on one line. The outcome of one does not depend on the others, to the bit.
+    """Compute cases on one line. No outcome depends on the other cases, to the bit.
 
     Raises ValueError for a case that is not supported.
     """
@@ -41,11 +41,11 @@ def run_cases(line: Line, cases: Sequence[Case], requested: Quantities) -> list[
 def run_prepared(lines: Sequence[Line], prepared: Prepared) -> list[list[Outcome]]:
     """Compute prepared cases on lines with equally many samples; return one list per line.
 
-    Kelvin elements of one speed that slide in the positive direction are computed together, on all
-    the lines. The outcomes of one line do not depend on the others, to the bit.
-    The relaxation curve is mu_2 plus the deviation of the marched step average from its own
-    steady value, so that it ends at mu_2 exactly whatever the step. Raises ValueError for lines
-    that differ in their samples, or whose steps per spacing are not those of the prepared cases.
+    Plain cases that differ only in load and recorded steps are computed together, on all lines.
+    No outcome depends on the other lines, to the bit. The relaxation curve is mu_2 plus the
+    difference between the step averages of mu in the march and in steady sliding at v2. It thus
+    tends to mu_2 exactly, whatever the step. Raises ValueError if lines differ in the number of
+    samples or in band limit, or if their steps per spacing are not those of ``prepared``.
     """
     kinds = {(line.z.size, line.steps_per_spacing, line.band_limited) for line in lines}
     if len(kinds) != 1 or lines[0].steps_per_spacing != prepared.steps_per_spacing:
@@ -67,7 +67,7 @@ def run_prepared(lines: Sequence[Line], prepared: Prepared) -> list[list[Outcome
 def _run_shared(
     line_set: LineSet, shared: SharedCases, requested: Quantities
 ) -> list[list[Outcome]]:
-    """Compute SharedCases; return the outcomes of each case, on all the lines."""
+    """Compute SharedCases; return one list per case, with the outcome on each line."""
     lines, n = line_set.stack.z.shape
     loads, clocks = shared.loads * n, PhaseClocks(len(shared.cases))
     follow = shared.cases[0].refine and line_set.smooth
@@ -93,7 +93,7 @@ def _run_shared(
 
 
 def _work(sliding: SteadySliding) -> np.ndarray:
-    """Return the work per load, in samples, summed over all lines."""
+    """Return the work for each load, in element updates, summed over all lines."""
     return (sliding.updates + sliding.line_set.stack.z.shape[1]).sum(axis=0)
 
 
@@ -105,9 +105,9 @@ def _outcomes_under_load(
     requested: Quantities,
     clocks: PhaseClocks,
 ) -> list[Outcome]:
-    """Return the outcomes of case i on all the lines.
+    """Return the outcomes of case i on all lines.
 
-    one : steady sliding at v1. twos : at each v2, or empty where no v2 is requested.
+    one : steady sliding at v1. twos : steady sliding at each v2; empty if no v2 is requested.
     """
     case, (lines, _) = shared.cases[i], one.line_set.stack.z.shape
     work = one.updates[:, i].copy()
@@ -153,10 +153,10 @@ def relaxations_under_load(
     kept_steps: np.ndarray,
     requested: Quantities,
 ) -> tuple[np.ndarray, np.ndarray]:
-    """Return the deviation of mu from mu_2 under load i after jump k, and element updates.
+    """Return mu - mu_2 at the kept steps under load i after jump k, and the element updates.
 
-    Shapes (lines, kept) and (lines,). If the whole line touches at both speeds, d is the same at
-    both, every step begins and ends with u = z - d, and mu is mu_2 at once.
+    Their shapes are (lines, kept) and (lines,). If the whole line touches at both speeds, d does
+    not change, every step begins and ends with u = z - d, and mu equals mu_2 at once.
     """
     stack, law = one.line_set.stack, two.constants.law
     lines, n = stack.z.shape

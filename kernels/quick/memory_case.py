@@ -1,6 +1,6 @@
-"""One case of elements with internal variables, sliding in either direction: the general path.
+"""General computation of one case: any material, sliding in either direction.
 
-Kelvin elements that slide in the positive direction take a faster path (cases.py).
+Kelvin elements that only slide in the positive direction are computed faster (cases.py).
 """
 
 import numpy as np
@@ -20,8 +20,8 @@ from .case import JUMP, MARCHING, STEADY, Case, Outcome, PhaseClocks, Quantities
 def run_memory_case(line: Line, case: Case, requested: Quantities) -> Outcome:
     """Compute one case on one line; the case has been checked (prepared.py).
 
-    The relaxation curve is mu_2 plus the deviation of the march from its own steady value, as for
-    a Kelvin element. Without a dashpot the jump of mu is zero and its rate jumps instead.
+    The relaxation curve is mu_2 plus the difference between mu of the march and its step average
+    in steady sliding at v2. Without a dashpot mu does not jump, but d mu/dt does.
     """
     clock, form = PhaseClocks(), form_of(case.spectrum, case.scheme)
     one, mu_1, contact = _steady(line, case, case.speed)
@@ -56,7 +56,7 @@ def run_memory_case(line: Line, case: Case, requested: Quantities) -> Outcome:
 
 
 def _steady(line: Line, case: Case, speed: float) -> tuple[SteadyMemory, float, float]:
-    """Return the steady state at a speed, its mu and the share of samples in contact."""
+    """Return (steady state, mu, share of samples in contact) at a speed."""
     form = form_of(case.spectrum, case.scheme)
     load = case.load * line.z.size
     state = steady_memory(form, line.z, line.steps_per_spacing * speed, load)
@@ -74,7 +74,7 @@ def _retardation_form(case: Case) -> Retardation:
 def _relaxation(
     line: Line, case: Case, one: SteadyMemory, speed: float, kept_steps: np.ndarray
 ) -> np.ndarray:
-    """Return mu at the recorded steps after the speed has changed."""
+    """Return mu at the recorded steps after a jump from steady sliding ``one`` to ``speed``."""
     distance = int(kept_steps[-1]) / line.steps_per_spacing
     scene = SceneCase(
         spectrum=case.spectrum,

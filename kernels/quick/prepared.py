@@ -1,4 +1,4 @@
-"""Cases checked and sorted once, for all lines of a batch."""
+"""Cases, checked and grouped once for all lines of a batch."""
 
 from collections.abc import Sequence
 from typing import NamedTuple
@@ -10,17 +10,17 @@ from ..rheology.spectrum import min_step
 from .case import Case, Quantities
 from .contacts.steady_friction import SpeedConstants
 
-MIN_RATIO_STEP = 1e-9  # |r - 1|, unless zero; r is then known to 1e-7 of it, the jump to 1e-5
+MIN_RATIO_STEP = 1e-9  # least |r - 1| > 0: rounding of r is 1e-7 of it, and 1e-5 of the jump
 
 
 class SharedCases(NamedTuple):
     """Cases of Kelvin elements that differ only in their loads and recorded steps."""
 
-    rows: list[int]  # their places among all cases
+    rows: list[int]  # indices among all cases
     cases: list[Case]
     loads: np.ndarray  # Fbar, shape (cases,)
     constants: SpeedConstants  # at v1
-    following: tuple[SpeedConstants, ...]  # at each requested v2
+    following: tuple[SpeedConstants, ...]  # at each v2, if its steady state is needed
     no_rates: np.ndarray  # shape (ratios,): NaN, read only
 
 
@@ -31,13 +31,13 @@ class Prepared(NamedTuple):
     requested: Quantities
     cases: tuple[Case, ...]
     shared: tuple[SharedCases, ...]
-    separate: tuple[int, ...]  # places of the cases of elements with internal variables
+    separate: tuple[int, ...]  # indices of the other cases, computed one by one (memory_case.py)
 
 
 def prepare(cases: Sequence[Case], steps_per_spacing: int, requested: Quantities) -> Prepared:
-    """Check cases and group those of Kelvin elements that can be computed together.
+    """Check cases and group plain ones (Case.plain) that can be computed together.
 
-    Raises ValueError for an invalid case, or one beyond the resolution of doubles.
+    Raises ValueError for an invalid case, or one that double precision does not resolve.
     """
     separate: list[int] = []
     groups: dict[tuple, list[int]] = {}
@@ -55,7 +55,7 @@ def prepare(cases: Sequence[Case], steps_per_spacing: int, requested: Quantities
 def _share(
     rows: list[int], cases: Sequence[Case], steps: int, requested: Quantities
 ) -> SharedCases:
-    """Return the SharedCases of the cases in some rows."""
+    """Return the SharedCases of the cases with the indices ``rows``."""
     group = [cases[i] for i in rows]
     speed, ratios, scheme = group[0].speed, group[0].ratios, group[0].scheme
     after = tuple(ratio * speed for ratio in ratios)
@@ -74,7 +74,7 @@ def _check(case: Case, steps: int, requested: Quantities) -> None:
     for speed in speeds:
         check_range("speed", speed, SPEED_LIMITS)
     for ratio in case.ratios:
-        if 0.0 < abs(ratio - 1.0) < 0.99 * MIN_RATIO_STEP:  # or 1e-9 itself would be refused
+        if 0.0 < abs(ratio - 1.0) < 0.99 * MIN_RATIO_STEP:  # 0.99: admit a rounded 1e-9
             raise ValueError(f"ratio = 1 + {ratio - 1.0:g}: the step is lost in rounding")
     shortest = 1.0 / (steps * max(speeds))
     if shortest < min_step(case.spectrum):

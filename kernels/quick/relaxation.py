@@ -1,4 +1,4 @@
-"""Relaxations after velocity steps, by the plain march, on many lines in one call."""
+"""Relaxations after velocity jumps, by the plain march, on many lines in one call."""
 
 from typing import NamedTuple
 
@@ -13,16 +13,16 @@ from .steady.stack import spans_in
 
 
 class SteadyEnds(NamedTuple):
-    """Steady sliding on lines, as the initial or the final state of a march."""
+    """Steady sliding on lines at v1 or v2, the initial or the final state of a march."""
 
     decay: DecayFactors
-    thresholds: np.ndarray  # of contact, by whole spans (thresholds.py), shape (lines, spans)
+    thresholds: np.ndarray  # d above which whole spans touch (thresholds.py), shape (lines, spans)
     d: np.ndarray  # indentation over the deepest sample, in h, shape (lines,)
 
 
 @kernel
 def plain_relaxations(stack, law, one, two, control, kept_steps):
-    """Return (curves, updates): deviation from the steady friction at v2, and element updates.
+    """Return (curves, updates): mu minus its steady value at v2, and element updates.
 
     stack : the lines (steady/stack.py). law : at v2. one, two : SteadyEnds at v1 and at v2.
     control, kept_steps : see march. curves : in h/dx, shape (lines, kept). updates : (lines,).
@@ -37,16 +37,16 @@ def plain_relaxations(stack, law, one, two, control, kept_steps):
         sweep_spans(two.decay, z, spans, two.thresholds[k], two.d[k], None, after)
         weight = lagged_slope(stack.slope[k], law.lag)
         state = State(before, one.d[k])
-        # d stays between its steady values except for a transient. It never exceeds what one
-        # element needs: the deepest sample gives d_new <= E d_old + load / K, and K (1 - E) = 1.
+        # Apart from a transient, d stays between its steady values. It never exceeds the d at which
+        # the deepest sample carries all: d_new <= E d_old + load / K, where K (1 - E) = 1.
         cap, last = 1.02 * max(one.d[k], two.d[k]), 1.001 * max(one.d[k], control.load)
         mu, _, passes, inside = march(law, control, z, weight, state, kept_steps, cap)
         updates[k] = passes * n
         if not inside:
             mu, _, passes, _ = march(law, control, z, weight, state, kept_steps, last)
             updates[k] += passes * n
-        for j in range(n):  # loops: numba takes seconds to compile parts of array expressions
-            after[j] = z[j] - after[j]  # the threshold of contact
+        for j in range(n):  # loops: numba takes seconds to compile array expressions
+            after[j] = z[j] - after[j]  # contact thresholds
         steady = step_average(weight, after, two.d[k])
         for i in range(mu.size):
             curves[k, i] = mu[i] - steady

@@ -2,23 +2,23 @@
 
 A steady state has full or partial contact. In full contact the sums over the whole line give the
 indentation and friction in closed form (``loads``). In partial contact, sweeps by spans give the
-indentation (``steady/``), and friction follows in one of two ways.
+indentation (``steady/``), and friction follows by one of two methods.
 
-*From between the samples.* If the line is band-limited and has enough samples per spacing, it is a
-smooth function: a polynomial of degree seven between neighbouring samples (``smooth_line``).
-``events`` carries an element once round that function. The element lands where the line comes
-down to its free displacement, and leaves where its pressure vanishes. Between two such events the
-integrals of eqs. 4 and 5 are known in closed form. Most intervals have no event, which bounds of
-their heights and slopes show without any root search; spans of sixteen intervals are passed at
-once. ``between_samples`` applies Newton's method to the load balance with these turns, takes the
-last correction of d to first order, and solves for d' after each velocity jump. The result does
-not depend on the samples.
+*Between the samples.* A band-limited line with enough samples per spacing is interpolated by a
+polynomial of degree seven between neighbouring samples (``smooth_line``). ``events`` carries an
+element once round this smooth line. The element lands where the line reaches its free
+displacement, and leaves where its pressure vanishes. Between two such events the integrals of
+eqs. 4 and 5 are those of polynomials. Bounds of heights and slopes show that most intervals have
+no event, so no root is sought there; spans of sixteen intervals are passed at once.
+``between_samples`` solves the load balance by Newton's method, with one such turn per iteration.
+It includes the last correction of d to first order and solves for d' after each velocity jump.
+The result does not depend on the sampling.
 
-*From the samples.* Other lines, and states that rounding hides from the first way, use the
-quadrature of model/friction.py. ``touching_samples`` lists what touches, ``pressed_samples``
-arranges pressures so that sums over pressed spans need no visit to their samples, and ``pressure``
-sums eqs. 3 to 5.
+*At the samples.* Other lines, and states in which rounding prevents the first method, use the
+quadrature of model/friction.py. ``touching_samples`` lists the touching samples,
+``pressed_samples`` prepares sums over pressed spans, whose samples need not be visited, and
+``pressure`` sums eqs. 3 to 5.
 
 ``loads`` runs the sweeps for several lines in one call. ``steady_friction`` is the entry point: it
-selects the way and returns a ``SteadySliding``.
+selects the method and returns a ``SteadySliding``.
 """

@@ -1,9 +1,9 @@
 """Steady sliding in partial contact, and jumps from it, resolved between the samples of a line.
 
-At light load and high speed an element lags behind the line and only the front of the highest
-peaks touches, over less than a sample. The edges of wide contacts lie between samples too. The
-line is a smooth function known by its heights and slopes, so its contacts can be followed between
-the samples (events.py).
+At light load and high speed elements lag behind the line, and only the leading sides of the deepest
+asperities touch, over less than a sample. The edges of wide contacts lie between samples too. The
+line is a smooth function, determined by its heights and slopes at the samples, so its contacts can
+be followed between the samples (events.py).
 """
 
 from typing import NamedTuple
@@ -27,21 +27,21 @@ from .events import (
 )
 from .smooth_line import first_zero, pressure, products, slope_square, span_of
 
-MIN_SMOOTH_STEPS = 4  # samples per spacing, eight in the shortest wave: mu to 1e-6
-LINEAR_LOAD_ERROR = 5e-4  # of the load: the square of such an excess is negligible
-LINEAR_JUMP_ERROR = 5e-3  # the same of the pressures that a jump adds
+MIN_SMOOTH_STEPS = 4  # samples per spacing: eight in the shortest wave give mu to 1e-6
+LINEAR_LOAD_ERROR = 5e-4  # relative load error left to a first-order correction
+LINEAR_JUMP_ERROR = 5e-3  # the same after a jump, times min(1, |v2/v1 - 1|)
 MAX_NEWTON_TURNS = 40
-MIN_DEPTH = 1e-9  # of the rise of the line beside its deepest point: smaller depths are rounding
+MIN_DEPTH = 1e-9  # relative to the rise of the line beside its deepest point; less is rounding
 
 
 class FollowedColumns(NamedTuple):
-    """Columns of the table of slide_between, each of shape (loads,)."""
+    """Columns of the table that slide_between returns, each of shape (loads,)."""
 
     d: np.ndarray  # over the deepest sample, in h
     mu: np.ndarray  # in h/dx
     length: np.ndarray  # of contact, in dx
-    median_width: np.ndarray  # of patches, median over the load, in dx
-    events: np.ndarray  # patches visited in all turns; 0 where the solution was not found
+    median_width: np.ndarray  # load-weighted median width of patches, in dx
+    events: np.ndarray  # number of turns times patches; 0 where no solution was found
 
 
 class ContactIntegrals(NamedTuple):
@@ -66,8 +66,8 @@ def slide_between(line, speed, others, loads, guesses):
     """Return (table, jumps, rates) of steady sliding of a SmoothLine at a speed.
 
     others : speeds after a jump, vbar. loads : n Fbar. guesses : of d. table : one row per load,
-    with the FollowedColumns. jumps, rates : the change of mu at each jump and d' just after it,
-    shape (loads, others).
+    with the FollowedColumns. jumps : change of mu at each jump. rates : d' just after each jump.
+    Both have the shape (loads, others).
     """
     h, patches = line.spacing, allocate_patches(line.z.size)
     table, shape = np.zeros((loads.size, 5)), (loads.size, others.size)
@@ -93,10 +93,10 @@ def slide_between(line, speed, others, loads, guesses):
 
 @refcount_free_kernel
 def _balance_load(line, speed, load, guess, patches):
-    """Return (PatchedContact that carries the load, eq. 4, turns); 0 turns: not found.
+    """Return (PatchedContact that carries the load (eq. 4), turns); 0 turns : no solution.
 
-    load : integral of p in dx. The force is an increasing, convex function of d (model/steady.py).
-    Newton's method follows a first step that is exact where the force is a power of the depth.
+    load : integral of p over x in dx. The force is an increasing, convex function of d
+    (model/steady.py). The first step is halley_step; Newton's method follows.
     """
     j, _, deepest = line.deepest
     min_depth = MIN_DEPTH * (max(line.z[j], line.z[j + 1 if j + 1 < line.z.size else 0]) - deepest)
@@ -116,7 +116,7 @@ def _balance_load(line, speed, load, guess, patches):
 
 @refcount_free_kernel
 def _interval(first, i, n):
-    """Return the number of the i-th of n intervals that elements reach, from ``first`` on."""
+    """Return the index of the i-th of n intervals on the way of elements from ``first`` on."""
     return first - i if i <= first else first - i + n
 
 
@@ -146,11 +146,11 @@ def _integrals(line, contact, patches):
 
 @refcount_free_kernel
 def _after_jump(line, speeds, contact, integrals, shortfall, patches):
-    """Return (change of the integral of p z', d') as the first speed jumps to the second.
+    """Return (change of the integral of p z', d') at a jump of speed. speeds : (v1, v2), vbar.
 
-    What touches stays in touch, and p changes by d' + (v2 - v1) z' where it remains positive
-    (friction.py). If all of it remained pressed, eq. 4 would give d' at once; that is the guess.
-    shortfall : change of d that the contact still needs to carry its load; added to first order.
+    The contact does not change, and p changes by d' + (v2 - v1) z' where it remains positive
+    (model/friction.py). The initial guess of d' is exact if p remains positive everywhere.
+    shortfall : change of d that the contact needs to carry its load, included to first order.
     """
     speed, other = speeds
     step = other - speed
@@ -172,9 +172,9 @@ def _after_jump(line, speeds, contact, integrals, shortfall, patches):
 
 @refcount_free_kernel
 def _growth(line, speed, deep, shortfall, patches, count):
-    """Return (integral of p, integral of p z') over the growth of patches as d rises by shortfall.
+    """Return the integrals of p and p z' over the strips by which patches grow at their ends.
 
-    deep : d + d'.
+    shortfall : rise of d. deep : d + d'. count : number of patches.
     """
     z, slope, bend, h, _, _, (first, _, _) = line
     interval, values = patches
@@ -230,7 +230,7 @@ def _unpressed(line, speed, deep, patches, count):
 
 @kernel
 def _median_width(contact, speed, patches):
-    """Return the median over the load of the width of patches, in dx."""
+    """Return the load-weighted median width of patches, in dx."""
     count, last = contact.patches, contact.patches - 1
     width = patches.values[:count, WIDTH].copy()
     force = patches.values[:count, AREA] + speed * patches.values[:count, RISE]

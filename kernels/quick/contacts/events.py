@@ -1,12 +1,12 @@
 """Steady sliding of Kelvin elements on a smooth line, from event to event.
 
-Against the motion, an element lands where the line comes down to its free displacement. It leaves
-where its pressure d - z + vbar z' (eq. 3) vanishes. Between these events, forces and friction
-(eqs. 4 and 5) are integrals in closed form. The result is that of the continuous line, whatever
-its samples.
+An element passes the line against the motion. It lands where z - d falls to its free displacement,
+and leaves where its pressure d - z + vbar z' (eq. 3) vanishes. Between these events, force and
+friction (eqs. 4 and 5) are integrals of polynomials. The result is that of the continuous line,
+whatever its samples.
 
 The pressure is zero where an element leaves, and its displacement is continuous where it lands.
-The derivative of the force with respect to d is therefore the one at fixed positions of the events.
+To first order, moving these events with d therefore does not change the force.
 """
 
 import math
@@ -20,19 +20,19 @@ from ...rheology.law import MIN_MAGNITUDE
 from ..steady.spans import SPAN
 from .smooth_line import first_zero, integral, pressure, span_of
 
-MAX_EVENTS = 4  # in an interval: more are rounding
-MIN_EDGE_PRESSURE = 1e-9  # in h: lower bound of pressures that divide the motion of an end
+MAX_EVENTS = 4  # per interval; more would be due to rounding
+MIN_EDGE_PRESSURE = 1e-9  # in h: lower bound of the pressures by which GROWTH is divided
 LEADING_END, TRAILING_END = 0, 1  # of a patch: where elements land and where they leave
-AREA, WIDTH, RISE, GROWTH = 2, 3, 4, 5  # GROWTH + LEADING_END and GROWTH + TRAILING_END
+AREA, WIDTH, RISE, GROWTH = 2, 3, 4, 5  # columns of Patches.values; GROWTH + end for each end
 
 
 class Patches(NamedTuple):
     """The patches of a contact, in the order in which elements reach them."""
 
-    interval: np.ndarray  # shape (most, 2): of both ends, counted from the deepest point
+    interval: np.ndarray  # shape (most, 2): intervals of both ends, counted from the deepest point
     values: np.ndarray  # shape (most, 7): t of both ends in their intervals, AREA (integral of
-    # d - z), WIDTH in dx, RISE (z at the leading less z at the trailing end), and GROWTH of both
-    # ends: their outward motion, in dx, per change of d
+    # d - z), WIDTH in dx, RISE (z at the leading end minus z at the trailing end), and GROWTH of
+    # both ends: their outward motion, in dx, per change of d
 
 
 class PatchedContact(NamedTuple):
@@ -43,25 +43,25 @@ class PatchedContact(NamedTuple):
     rate: float  # its derivative with respect to d
     work: float  # integral of (d - z) z' over the contact
     edge_rate: float  # change of the integral of p z' at leading edges per change of d
-    patches: int  # the last one, which reaches the deepest point, continues as the first
+    patches: int  # their number; the last one continues as the first, across the deepest point
 
 
 @kernel
 def allocate_patches(n):
-    """Return Patches with room for all that n intervals can have."""
+    """Return Patches with room for as many patches as n intervals can have."""
     most = n * MAX_EVENTS // 2 + 2  # pages that are never written take no memory
     return Patches(np.empty((most, 2), np.int64), np.empty((most, 7)))
 
 
 @refcount_free_kernel
 def turn_line(line, speed, d, patches):
-    """Return the PatchedContact at the indentation d; fill in the patches.
+    """Carry an element once round the line at the indentation d; return the PatchedContact.
 
-    The turn begins and ends in contact at the deepest point, over which d lies. Only intervals
-    whose bounds of heights and slopes leave room for an event are searched for events.
+    Fill ``patches``. The turn begins and ends in contact, at the deepest point, which lies below d.
+    Only intervals whose bounds of heights and slopes admit an event are searched for events.
     """
     z, slope, bend, h, _, _, (deepest_interval, deepest_t, deepest) = line
-    # i counts intervals from the deepest one, j is the number of interval i, t the place in it.
+    # i : intervals passed since the deepest one. j : index of the present one. t : position in it.
     n, decay, i, j, t, count = z.size, h / speed, 0, deepest_interval, deepest_t, 0
     decays = math.exp(-decay), math.exp(-decay * SPAN)
     force = rate = work = edge_rate = 0.0
@@ -105,7 +105,7 @@ def turn_line(line, speed, d, patches):
                 growth = speed * loss / max(speed * rise - landing, MIN_EDGE_PRESSURE)
                 begin_patch(patches, count, i, t, growth)
         i, j, t = i + 1, j - 1 if j > 0 else n - 1, 0.0
-    if not in_contact:  # by rounding it left just before the deepest point, which is in contact
+    if not in_contact:  # by rounding, the element left just before the deepest point
         begin_patch(patches, count, n, deepest_t, 0.0)
         landing = deepest - d
     end_patch(patches, count, n, deepest_t, 0.0, area, width, landing - (deepest - d))
@@ -114,7 +114,7 @@ def turn_line(line, speed, d, patches):
 
 @inlined_kernel
 def _skip_touching(line, speed, d, i, j, area, width):
-    """Return (i, j, area, width) after spans and intervals that certainly touch everywhere."""
+    """Return (i, j, area, width) after spans and intervals in which the element stays pressed."""
     n, h, intervals, spans = line.z.size, line.spacing, line.intervals, line.spans
     while i < n:
         b = span_of(j, n - i)
@@ -131,9 +131,9 @@ def _skip_touching(line, speed, d, i, j, area, width):
 
 @inlined_kernel
 def _skip_free(line, d, decays, i, j, u):
-    """Return (i, j, u) after spans and intervals that certainly touch nowhere.
+    """Return (i, j, u) after spans and intervals in which the element stays free.
 
-    decays : of a free displacement, over an interval and over a span.
+    decays : factors on a free displacement, over an interval and over a span.
     """
     n, intervals, spans = line.z.size, line.intervals, line.spans
     interval_decay, span_decay = decays

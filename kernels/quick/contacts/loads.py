@@ -1,9 +1,9 @@
 """Steady sliding of lines at one speed under many loads: indentations, friction, jumps.
 
-Full contact needs no search. If no element is free, -u = d - z everywhere, so that the load
-n Fbar = sum (d - z) gives d at any speed. This holds if that d lies above all thresholds t_j of
-spans.py; in the limit of fine samples, if F_N > max (z - v z'). The sums of eqs. 4 and 5 are then
-those of the whole line.
+Full contact needs no search. If every element touches, -u = d - z everywhere, and the load
+n Fbar = sum (d - z) gives d at any speed. Every element touches if this d lies above all thresholds
+t_j of spans.py; in the limit of fine samples, above max (z - vbar z'). The sums of eqs. 4 and 5 are
+then those of the whole line.
 """
 
 from typing import NamedTuple
@@ -52,16 +52,16 @@ LOAD_COLUMNS = 7
 
 
 class SpeedThresholds(NamedTuple):
-    """Speeds of steady sliding and after jumps, with the thresholds at them."""
+    """Speeds of steady sliding and after jumps, with their thresholds."""
 
     speed: float  # vbar
-    thresholds: Thresholds  # at that speed
+    thresholds: Thresholds  # at ``speed``
     others: np.ndarray  # after the jumps, vbar, shape (others,)
     pressure: np.ndarray  # shape (others, spans + 1): pressure_thresholds at the other speeds
 
 
 class LoadTable(NamedTuple):
-    """Results of one row per load; for several lines, with a leading axis."""
+    """Results for each load; those for several lines have a leading axis of lines."""
 
     table: np.ndarray  # shape (..., loads, LOAD_COLUMNS)
     jumps: np.ndarray  # shape (..., loads, others): change of mu at the jumps to other speeds
@@ -75,12 +75,12 @@ class FrictionOptions(NamedTuple):
     steps: float  # samples per spacing
     elastic_share: float  # share of the elastic part that is corrected
     band_limited: bool  # whether the line has no modes above q = pi/dx
-    followed: bool  # compute only d in partial contact, which is followed between samples later
+    followed: bool  # in partial contact compute d alone; contacts are followed between samples
 
 
 @kernel
 def slide_on_lines(law, stack, speed, others, loads, options):
-    """Return (thresholds of contact of the spans, DecayFactors, LoadTable) of a Stack of lines.
+    """Return (contact thresholds of the spans, DecayFactors, LoadTable) of a Stack of lines.
 
     law : for steps of one sample. speed, others : of sliding and after jumps, vbar. loads : n Fbar.
     The thresholds have the shape (lines, spans).
@@ -136,7 +136,7 @@ def slide_under_loads(decay, z, slope, spans, speeds, loads, options, results):
             line, speeds, listed, load, d, full, options, rooms, jumps[i], rates[i]
         )
         if options.band_limited and mu <= 0.0:
-            # Sliding on such a line dissipates: use the work of the forces as the line rises.
+            # The true mu is positive: compute it from the work of the forces as the line rises.
             mu = options.steps * mean_rise(z, d, decay, listed)
         table[i, MU_COLUMN] = mu
         table[i, CONTACT_COLUMN] = min(contact / n, 1.0)  # edges of two contacts can overlap
@@ -146,9 +146,9 @@ def slide_under_loads(decay, z, slope, spans, speeds, loads, options, results):
 
 @kernel
 def _sampled_friction(line, speeds, contacts, load, d, full, options, rooms, jumps, rates):
-    """Return (mu, samples under pressure, the fewest of these after any jump) at d.
+    """Return (mu, number of pressed samples, its minimum over the states after jumps) at d.
 
-    Fill in jumps and rates.
+    Fill ``jumps`` and ``rates``.
     """
     touching = list_touching(line.z, line.slope, contacts, rooms[0])
     pressed = press_contact(line, touching, d, rooms[1])
@@ -166,7 +166,7 @@ def _sampled_friction(line, speeds, contacts, load, d, full, options, rooms, jum
         least = min(least, count)
         jumps[k], rates[k] = mu_after - mu, deep_after - deep  # errors of the elastic part cancel
     if options.elastic_share > 0.0:
-        # mu is a mean of slopes, which bounds it where a contact is narrower than a sample.
+        # mu is a mean of slopes, so the steepest bounds it if a contact is narrower than a sample.
         limit = largest_slope(line.spans, touching)
         mu = min(max(mu + options.elastic_share / load * missing, -limit), limit)
     return mu, contact, least
@@ -174,7 +174,7 @@ def _sampled_friction(line, speeds, contacts, load, d, full, options, rooms, jum
 
 @refcount_free_kernel
 def _list_whole_line(z, d, contacts):
-    """Make one piece of the whole line."""
+    """Record the whole line as one piece of contact."""
     contacts.ends[0, LEADING], contacts.ends[0, TRAILING] = z.size - 1, 0
     contacts.ends[0, JOINED] = 1
     contacts.edges[0, LEADING_REACH] = contacts.edges[0, TRAILING_REACH] = 0.5
@@ -185,7 +185,7 @@ def _list_whole_line(z, d, contacts):
 
 @refcount_free_kernel
 def _friction(contact, full, line_threshold, load, guess):
-    """Return (mu, samples under pressure, d + d').
+    """Return (mu, number of pressed samples, d + d').
 
     line_threshold : largest pressure threshold of the line. guess : of d + d'.
     """

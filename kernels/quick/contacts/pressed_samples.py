@@ -1,8 +1,8 @@
 """Pressures of a contact at any indentation.
 
-A sample is pressed where d + d' lies above its threshold z - vbar z'. Most spans that touch
-everywhere are pressed everywhere too and are known by their sums. The samples of the other spans,
-as a first guess of d + d' selects them, are listed.
+A sample is pressed if d + d' lies above its threshold z - vbar z'. Most spans that touch everywhere
+are pressed everywhere too, and contribute stored sums. A guess of d + d' selects these spans; the
+samples of the others are listed.
 """
 
 from typing import NamedTuple
@@ -13,17 +13,17 @@ from ...compile.jit import kernel, refcount_free_kernel
 from ..steady.spans import FIRST_HEIGHT, FIRST_SLOPE, HEIGHT_SUM, SLOPE_SUM, SPAN, Spans
 from .touching_samples import TouchingSamples
 
-PARTIAL_SUMS = 16  # partial sums, each of four samples at a time
+PARTIAL_SUMS = 16  # number of partial sums, each advanced by four samples at a time
 
 
 class MovingLine(NamedTuple):
-    """A line, its spans, and a speed."""
+    """A line and its spans, moving at a speed."""
 
     z: np.ndarray  # in h, shape (n,)
     slope: np.ndarray  # in h/dx, shape (n,)
     spans: Spans
     speed: float  # vbar
-    thresholds: np.ndarray  # largest z - vbar z' of the spans (thresholds.py)
+    thresholds: np.ndarray  # largest z - vbar z' of each span (thresholds.py)
 
 
 class PressedContact(NamedTuple):
@@ -31,12 +31,12 @@ class PressedContact(NamedTuple):
 
     line: MovingLine
     touching: TouchingSamples
-    threshold: np.ndarray  # of the samples that touch one by one
+    threshold: np.ndarray  # of the single samples of ``touching``
     loose_threshold: np.ndarray  # of the samples of spans that the guess does not press everywhere
-    loose_slope: np.ndarray  # of those samples
-    spans: np.ndarray  # numbers of the spans that the guess presses everywhere
-    first_threshold: np.ndarray  # of the first sample of these spans
-    threshold_sum: np.ndarray  # over these spans, of thresholds less the first one
+    loose_slope: np.ndarray  # z' of those samples
+    spans: np.ndarray  # indices of the spans that the guess presses everywhere
+    first_threshold: np.ndarray  # of the first sample of each of these spans
+    threshold_sum: np.ndarray  # per such span: sum of its thresholds minus the first one
 
 
 @kernel
@@ -83,7 +83,7 @@ def press_contact(line, touching, guess, room):
 
 @refcount_free_kernel
 def span_sums(line, b, deep):
-    """Return (sum of p, sum of p z', number) over the samples of span b with p > 0.
+    """Return (sum of p, sum of p z', count) over the samples of span b with p > 0.
 
     deep : d + d'.
     """

@@ -1,9 +1,9 @@
 """Pressure and friction in the contacts of a steady state: eqs. 3 to 5 by quadrature.
 
 The quadrature of model/friction.py works for any state. This version is for a state whose touching
-samples are listed (touching_samples.py): a span that is pressed everywhere is known by its sums.
-Eq. 5 is summed there, here and, as the mean over a step, in march/stepping.py. Eq. 4 is solved by
-model/contact.py.
+samples are listed (touching_samples.py): a span that is pressed everywhere contributes its sums.
+Eq. 5 is also summed in model/friction.py and, as the mean over a step, in march/stepping.py. Eq. 4
+is solved by model/contact.py.
 Source: Li et al. (2014), doi:10.1038/srep05795.
 """
 
@@ -47,10 +47,10 @@ def _lowest_of_pressed(contact, load):
 
 @refcount_free_kernel
 def contact_friction(contact, deep):
-    """Return (mu, samples under pressure): eq. 5, in h/dx. deep : d + d'.
+    """Return (mu by eq. 5, in h/dx, number of pressed samples). deep : d + d'.
 
-    The sum is that of ``weighed`` (model/friction.py), with the sums of spans that are pressed
-    everywhere.
+    The sums are those of ``weighted_sums`` (model/friction.py); spans that are pressed everywhere
+    contribute stored sums.
     """
     touching, line = contact.touching, contact.line
     normal, tangential, count = pressure_sums(
@@ -74,9 +74,9 @@ def contact_friction(contact, deep):
 
 @kernel
 def _relative_work(p, sums, speed):
-    """Return the sum of p (z' - z'_0) over samples that are all pressed, 0 the first of them.
+    """Return the sum of p (z' - s0) over samples that are all pressed; s0 : slope of the first.
 
-    p : at the first sample. sums : SLOPE_SUM, WORK_SUM and SQUARE_SUM (spans.py).
+    p : pressure at the first sample. sums : SLOPE_SUM, WORK_SUM and SQUARE_SUM (spans.py).
     """
     slope, work, square = sums
     return p * slope - (work - speed * square)
@@ -84,7 +84,7 @@ def _relative_work(p, sums, speed):
 
 @refcount_free_kernel
 def whole_line_friction(z, slope, spans, speed, load):
-    """Return (mu, d + d') where the whole line touches and is pressed, from its sums.
+    """Return (mu, d + d') of a line that touches and is pressed everywhere, from its sums.
 
     The mean of the pressures p = (d + d') - z + vbar z' is load / n.
     """
@@ -97,9 +97,9 @@ def whole_line_friction(z, slope, spans, speed, load):
 
 @refcount_free_kernel
 def elastic_part(contact, contacts, deep, steps):
-    """Return the error of sum p z' for the friction of steady sliding (model/friction.py).
+    """Return the correction of sum p z' in steady sliding; see elastic_correction (model/friction).
 
-    Cell by cell the exact elastic part is a telescoping sum: only the edges of the contact remain.
+    Over the cells of a contact the exact elastic part telescopes: only its edges remain.
     A sample at an unresolved trailing edge is not corrected. steps : samples per spacing.
     """
     z, slope, speed = contact.line.z, contact.line.slope, contact.line.speed
@@ -124,7 +124,7 @@ def elastic_part(contact, contacts, deep, steps):
 
 @refcount_free_kernel
 def _elastic_sum(contact, deep):
-    """Return the sum of (z - d - d') z' over pressed, and of vbar z'^2 over other touching samples.
+    """Return the sum of (z - deep) z' over pressed and vbar z'^2 over other touching samples.
 
     deep : d + d'.
     """

@@ -18,8 +18,8 @@ from ...lines.polynomials import (
 from ..steady.spans import SPAN
 
 THIRD_NODE = math.sqrt(0.6)
-NO_ZERO = 2.0  # a t beyond every interval
-LAST_STEP = 1e-4  # of an interval: a step as small as this is the last one
+NO_ZERO = 2.0  # returned for t: beyond every interval
+LAST_STEP = 1e-4  # in t: a Halley step below it is the last one, a Newton step below its square
 MAX_HALVINGS = 60  # enough to reach rounding
 # Nodes and weights of Gauss-Legendre quadrature on [0, 1]: exact to the ninth degree, and to 1e-12
 # for products of two polynomials of a line with eight samples in its shortest wave.
@@ -29,7 +29,7 @@ GAUSS_POINTS = tuple(
 
 
 class IntervalBounds(NamedTuple):
-    """Bounds and integrals over intervals of a line, or over spans of SPAN of them."""
+    """Bounds and integrals for each interval of a line, or for each span of SPAN intervals."""
 
     low: np.ndarray  # lower bound of z
     high: np.ndarray  # upper bound of z
@@ -52,7 +52,7 @@ class SmoothLine(NamedTuple):
 
 @kernel
 def smooth_line(z, slope, spacing):
-    """Return the SmoothLine of samples. z (in h), slope (in h/dx) : shape (n,)."""
+    """Return the SmoothLine through samples. z (in h), slope (in h/dx) : shape (n,)."""
     n = z.size
     bend = sample_derivatives(z, slope, spacing)
     intervals, spans = _allocate(n), _allocate(n // SPAN)
@@ -74,7 +74,7 @@ def smooth_line(z, slope, spacing):
 
 @inlined_kernel
 def lower(one, other):
-    """Return the lower of two numbers, without the NaN branch of min."""
+    """Return the lower of two numbers; unlike min, without a branch for NaN."""
     return one if one < other else other
 
 
@@ -103,9 +103,9 @@ def _allocate(n):
 
 @kernel
 def span_of(j, left):
-    """Return the span that elements enter with interval j, or -1.
+    """Return the span that elements enter with interval j, or -1 if they enter none.
 
-    Elements pass intervals from high numbers to low ones. left : number of intervals ahead.
+    Elements pass intervals in descending order. left : number of intervals still to pass.
     """
     return j // SPAN if j % SPAN == SPAN - 1 and left >= SPAN else -1
 
@@ -130,7 +130,7 @@ def pressure(c, d, lag):
 def integral(c, start, stop):
     """Return the integral of a polynomial from t = start to stop, by three Gauss points.
 
-    They are exact to the fifth degree. The rest is small with eight samples in a wave.
+    The rule is exact to degree five. Higher terms are small with eight samples in a wave.
     """
     middle, half = 0.5 * (start + stop), 0.5 * (stop - start)
     out = THIRD_NODE * half
@@ -179,7 +179,7 @@ def _deepest_point(z, slope, bend, spacing, low):
 
 @kernel
 def _minimum(c, u, a, start, stop):
-    """Return the place of the minimum of f of first_zero, which falls at start, rises at stop."""
+    """Return the t of the minimum of f (first_zero), which falls at start and rises at stop."""
     low, high = start, stop
     t = 0.5 * (start + stop)
     for _ in range(MAX_HALVINGS):
@@ -189,7 +189,7 @@ def _minimum(c, u, a, start, stop):
         else:
             high = t
         new = t - slope / bend
-        # This test comes before that of the bounds, as t is one of the bounds.
+        # Test this before the bracket: t is now one of its ends, which a last step may cross.
         if abs(new - t) <= LAST_STEP * LAST_STEP:
             return min(max(new, start), stop)
         t = new if low < new < high else 0.5 * (low + high)
@@ -200,8 +200,8 @@ def _minimum(c, u, a, start, stop):
 def first_zero(c, u, a, start, stop, fresh):
     """Return the first t from start to stop where f <= 0, or NO_ZERO.
 
-    f(t) = c(t) - u e^(-a (t - start)), u <= 0. fresh : whether f may be positive at ``start``. If
-    not, f is zero there and positive just after; a zero is then sought only if f(stop) < 0.
+    f(t) = c(t) - u e^(-a (t - start)), u <= 0. fresh : False if f is zero at ``start`` and positive
+    just after it; a zero is then sought only if f(stop) < 0.
     """
     begin, fall = septic_height(c, start) - u, septic_slope(c, start) + a * u
     if fresh and begin <= 0.0:

@@ -1,4 +1,4 @@
-"""Friction of steady sliding and of velocity jumps, from samples or from between them."""
+"""Friction of steady sliding and of velocity jumps, at the samples or between them."""
 
 from collections.abc import Sequence
 from functools import cached_property
@@ -28,15 +28,15 @@ from .loads import (
 )
 from .smooth_line import SmoothLine, smooth_line
 
-# A followed contact counts as this many samples: from here on samples give the jump to 2 %.
+# Least effective number of samples of a followed contact: so many samples give the jump to 2 %.
 FOLLOWED_SAMPLES = 24.0
 
 
 class LineData:
-    """A line of a stack, with data shared by all loads and speeds on it."""
+    """A line of a stack, with cached data for all loads and speeds."""
 
     def __init__(self, line: Line, stack: Stack, row: int) -> None:
-        """Take the line in a row of a stack."""
+        """Store a line, its stack and its row in the stack."""
         self.line, self.stack, self.row = line, stack, row
 
     @cached_property
@@ -46,7 +46,7 @@ class LineData:
 
     @cached_property
     def smooth(self) -> SmoothLine:
-        """The line between its samples, from as few of them as MIN_SMOOTH_STEPS allows."""
+        """The SmoothLine through as few samples as MIN_SMOOTH_STEPS allows."""
         line, stride = self.line, self.stride
         z, slope = (np.ascontiguousarray(field[::stride]) for field in (line.z, line.slope))
         return smooth_line(z, slope, stride / line.steps_per_spacing)
@@ -59,20 +59,20 @@ class LineData:
 
 
 class LineSet(NamedTuple):
-    """Lines with equally many samples, on which one call finds steady sliding."""
+    """Lines with equally many samples, for which one call computes steady sliding."""
 
     stack: Stack
     lines: list[LineData]
 
     @property
     def smooth(self) -> bool:
-        """Return whether the lines are known between their samples."""
+        """Return whether contacts on the lines can be followed between their samples."""
         line = self.lines[0].line
         return line.band_limited and line.steps_per_spacing >= MIN_SMOOTH_STEPS
 
     @classmethod
     def of(cls, lines: Sequence[Line], marched: bool = False) -> "LineSet":
-        """Return the LineSet of lines. marched : add the sums that a march needs."""
+        """Return the LineSet of lines. marched : whether to add the sums that a march needs."""
         heights, slopes = [line.z for line in lines], [line.slope for line in lines]
         stack = stack_of(stacked(heights), stacked(slopes))
         if marched:
@@ -104,11 +104,11 @@ class SteadySliding(NamedTuple):
 
     line_set: LineSet
     constants: SpeedConstants
-    thresholds: np.ndarray  # of contact, by whole spans (thresholds.py), shape (lines, spans)
+    thresholds: np.ndarray  # d above which whole spans touch (thresholds.py), shape (lines, spans)
     decay: DecayFactors
     loads: np.ndarray  # n Fbar, shape (loads,)
     results: LoadTable  # jumps and rates are replaced once contacts are followed
-    d: np.ndarray  # indentation over the deepest sample, where a march starts, in h
+    d: np.ndarray  # indentation over the deepest sample, in h, at the samples; a march starts there
     full: np.ndarray  # whether the whole line touches
     mu: np.ndarray  # in h/dx
     contact: np.ndarray  # share of the line
@@ -118,15 +118,15 @@ class SteadySliding(NamedTuple):
     followed: np.ndarray  # whether contacts were followed between the samples
 
     def effective_samples(self, j: int, i: int) -> float:
-        """Return the samples per contact that determine the error of friction, line j, load i.
+        """Return the samples per contact that set the error of friction on line j, load i.
 
-        Contacts followed between the samples are as accurate as wide ones.
+        Friction of contacts followed between the samples is as accurate as that of wide contacts.
         """
         samples = float(self.samples[j, i])
         return max(samples, FOLLOWED_SAMPLES) if self.followed[j, i] else samples
 
     def state(self, j: int, i: int) -> State:
-        """Return the state on line j under load i, on its samples."""
+        """Return the State at the samples of line j under load i."""
         data, d = self.line_set.lines[j], float(self.d[j, i])
         w = np.empty_like(data.line.z)
         sweep_spans(self.decay, data.line.z, data.spans, self.thresholds[j], d, None, w)
@@ -139,7 +139,7 @@ def steady_friction(
     """Return steady sliding on every line, its friction and its jumps to other speeds.
 
     loads : n Fbar. The result for one load and line does not depend on the others.
-    follow : leave friction and jumps in partial contact to follow_contacts.
+    follow : whether friction and jumps in partial contact are left to follow_contacts.
     """
     line = line_set.lines[0].line
     steps = float(line.steps_per_spacing)
@@ -170,9 +170,9 @@ def steady_friction(
 def follow_contacts(sliding: SteadySliding, before: SteadySliding | None = None) -> np.ndarray:
     """Fill in friction and jumps in partial contact by following contacts between the samples.
 
-    Return the number of patches visited per load, summed over all lines. Where rounding hides the
-    contact, friction is computed from the samples.
-    before : sliding at another speed, already followed; it tells by how much samples err in depth.
+    Return the number of patches visited per load, summed over all lines. Where rounding prevents a
+    solution, friction is computed at the samples. before : sliding at another speed, already
+    followed; its ratio of true to sampled depth improves the initial guess.
     """
     constants, events = sliding.constants, np.zeros(sliding.loads.size)
     for j, data in enumerate(sliding.line_set.lines):
@@ -208,7 +208,7 @@ def follow_contacts(sliding: SteadySliding, before: SteadySliding | None = None)
 def _smooth_guesses(
     sliding: SteadySliding, before: SteadySliding | None, j: int, loads: np.ndarray
 ) -> np.ndarray:
-    """Return guesses of d on the smooth line j for some of the loads."""
+    """Return initial guesses of d on the smooth line j for the loads with the indices ``loads``."""
     d = sliding.d[j, loads]
     if before is None:
         return d

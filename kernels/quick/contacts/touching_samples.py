@@ -24,14 +24,14 @@ class TouchingSamples(NamedTuple):
     weight: np.ndarray  # share of each single sample that the contact covers
     height: np.ndarray  # of each single sample, in h
     slope: np.ndarray  # of each single sample, in h/dx
-    spans: np.ndarray  # numbers of the spans that lie inside a piece of contact
+    spans: np.ndarray  # indices of the spans that lie inside a piece of contact
 
 
 @refcount_free_kernel
 def covered_shares(contacts, i):
-    """Return the shares of the leading and of the trailing sample of a piece that are covered.
+    """Return the shares of the leading and the trailing sample of piece i that contact covers.
 
-    A piece of one sample has a leading sample only.
+    For a piece of one sample, the leading share covers both edges and the trailing one is zero.
     """
     ahead, behind = contacts.edges[i, LEADING_REACH] - 0.5, contacts.edges[i, TRAILING_REACH] - 0.5
     if contacts.ends[i, LEADING] == contacts.ends[i, TRAILING]:
@@ -66,7 +66,7 @@ def list_touching(z, slope, contacts, room):
                 count += 1
                 j += 1
         weight[begin] = at_trailing
-        weight[count - 1] = at_leading  # of a piece of one sample, this alone counts
+        weight[count - 1] = at_leading  # last, as it alone counts for a piece of one sample
     return TouchingSamples(weight[:count], height[:count], slopes[:count], spans[:span_count])
 
 
@@ -98,7 +98,7 @@ def mean_rise(z, d, decay, contacts):
 
 @kernel
 def median_width(z, d, decay, contacts):
-    """Return the median over the load of the width of patches, in samples (scene/samples.py)."""
+    """Return the load-weighted median width of patches, in samples, as scene/samples.py does."""
     pieces = contacts.ends.shape[0]
     start = 0
     while start < pieces and contacts.ends[start, JOINED] == 1:
@@ -130,7 +130,7 @@ def median_width(z, d, decay, contacts):
 
 @refcount_free_kernel
 def _force_on_piece(z, d, decay, contacts, i):
-    """Return sum (w - u) over a piece: inside it every w is E times the u ahead."""
+    """Return sum (w - u) over piece i; inside it, w is E times the u of the sample upstream."""
     trailing = z[contacts.ends[i, TRAILING]] - d
     rest = (1.0 - decay.sample) * contacts.edges[i, DEPTH_SUM]
     return contacts.edges[i, FREE_DISPLACEMENT] - decay.sample * trailing + rest

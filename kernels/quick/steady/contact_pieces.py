@@ -1,6 +1,6 @@
 """Contact patches of a steadily sliding line, recorded in pieces by a sweep (span_sweep.py).
 
-Every function accepts None in place of the ContactPieces and then records nothing.
+The functions called by a sweep accept None in place of the ContactPieces and then record nothing.
 """
 
 from typing import NamedTuple
@@ -16,25 +16,25 @@ LEADING_REACH, TRAILING_REACH, FREE_DISPLACEMENT, DEPTH_SUM = range(4)  # column
 
 
 class ContactPieces(NamedTuple):
-    """The contact patches of a steady state, cut where the array or the list begins.
+    """The contact patches of a steady state, cut at the end of the array and at the deepest sample.
 
     The first piece has the deepest sample at its leading edge; the others follow downstream.
     """
 
-    ends: np.ndarray  # shape (pieces, 3): leading sample, the one with the highest number; trailing
-    # sample; whether the piece joins the one before it
-    edges: np.ndarray  # shape (pieces, 4): how far contact reaches ahead of the leading sample and
-    # behind the trailing one, in samples; w at the leading sample; sum of d - z over the piece
+    ends: np.ndarray  # shape (pieces, 3): leading sample, which has the highest index; trailing
+    # sample; 1 if the piece continues the one before it
+    edges: np.ndarray  # shape (pieces, 4): extent of contact ahead of the leading sample and behind
+    # the trailing one, in samples; w at the leading sample; sum of d - z over the piece
     slope: np.ndarray  # of the line, in h/dx, shape (n,)
     speed: float  # vbar of the steady state
-    entered: np.ndarray  # shape (n // SPAN + 1,): u upstream of each span, and of the tail
+    entered: np.ndarray  # shape (n // SPAN + 1,): u of elements that enter each span and the tail
 
 
 @kernel
 def allocate_pieces(slope, speed):
     """Return ContactPieces with room for all pieces that a line of these slopes can have."""
     most = slope.size // 2 + 3
-    entered = np.zeros(slope.size // SPAN + 1)  # the last is zero without a tail
+    entered = np.zeros(slope.size // SPAN + 1)  # without a tail the last is zero
     return ContactPieces(np.empty((most, 3), np.int64), np.empty((most, 4)), slope, speed, entered)
 
 
@@ -49,8 +49,8 @@ def first_pieces(contacts, count):
 def open_piece(contacts, piece, z, d, leading, free, u):
     """Begin a piece at the sample ``leading``, whose free displacement is ``free``.
 
-    u : displacement of the sample ahead, which does not touch. Contact reaches to where z - w,
-    linear in between, equals d.
+    u : displacement at the sample ahead, which does not touch. The leading edge lies where the
+    linear interpolation of z - w equals d.
     """
     if contacts is not None:
         ahead = z[leading + 1 if leading + 1 < z.size else 0]
@@ -62,9 +62,9 @@ def open_piece(contacts, piece, z, d, leading, free, u):
 
 @refcount_free_kernel
 def close_piece(contacts, piece, z, d, j):
-    """End a piece in front of sample j, which is free.
+    """End a piece upstream of sample j, which is free.
 
-    The trailing edge lies where the pressure (d - z) + vbar z', linear in between, vanishes.
+    The trailing edge lies where the linearly interpolated pressure (d - z) + vbar z' vanishes.
     """
     if contacts is not None:
         trailing = j + 1 if j + 1 < z.size else 0

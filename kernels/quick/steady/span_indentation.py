@@ -1,9 +1,9 @@
 """Indentation of steady sliding under a load, found with sweeps by spans.
 
 The force F(d) is increasing and convex (model/steady.py): Newton's method from the right stays
-right of the root, and from the left it jumps there. Two steps of Halley's method come first. They
-are exact where F is a power of the depth, so they need no good guess. The sweeps that end the
-search list the contacts.
+right of the root, and a step from the left leads to the right of it. Two steps of Halley's method
+come first. They are exact where F is a power of the depth, so they need no good guess. The final
+sweeps list the contacts.
 """
 
 from typing import NamedTuple
@@ -18,14 +18,14 @@ from .span_sweep import DecayFactors, sweep_spans
 from .spans import Spans
 
 HALLEY_STEPS = 2
-APPROACH_STEPS = 3  # Halley's and Newton's, before contacts are listed
+APPROACH_STEPS = 3  # of Halley's and Newton's methods, before contacts are listed
 LOAD_TOLERANCE = 1e-13  # excess relative to the load, above the rounding of long sums
-MAX_ELASTIC_SAMPLES = 512  # of the elastic guess
+MAX_ELASTIC_SAMPLES = 512  # in the subset of elastic_guess, about
 
 
 @kernel
 def elastic_guess(z, deepest, load):
-    """Return an estimate of d of elastic contact from a subset of samples. load : n Fbar."""
+    """Return an estimate of d in elastic contact (v -> 0), from some samples. load : n Fbar."""
     stride = max(1, z.size // MAX_ELASTIC_SAMPLES)
     first = deepest % stride
     subset = np.empty((z.size - first + stride - 1) // stride)
@@ -50,7 +50,7 @@ def halley_step(depth, force, rate, load):
 
 @kernel
 def approach_indentation(decay, z, spans, thresholds, load):
-    """Return d near the root under the load n Fbar. Other arguments : see sweep_spans."""
+    """Return an estimate of d under the load n Fbar. Other arguments : see sweep_spans."""
     d = elastic_guess(z, spans.deepest, load)
     for step in range(APPROACH_STEPS):
         force, slope, _, _ = sweep_spans(decay, z, spans, thresholds, d, None, None)
@@ -84,7 +84,7 @@ def _excess_of_span_sliding(contact, load, d):
 def span_indentation(decay, z, spans, thresholds, load, guess, contacts):
     """Return (d, sweeps, pieces) of steady sliding under the load n Fbar.
 
-    guess : d as approach_indentation returns it. contacts : ContactPieces, filled up to ``pieces``.
+    guess : d from approach_indentation. contacts : ContactPieces; the first ``pieces`` are filled.
     Other arguments : see sweep_spans.
     """
     sliding = SpanSliding(decay, z, spans, thresholds, contacts, np.zeros(1, np.int64))

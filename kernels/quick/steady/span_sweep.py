@@ -45,8 +45,8 @@ def decay_factors(law):
 def sweep_spans(decay, z, spans, thresholds, d, contacts, w):
     """Carry the elements once round the line, from its deepest sample against the motion.
 
-    decay, spans : DecayFactors and Spans of the line z, shape (n,). thresholds : of contact, by
-    whole spans (thresholds.py). d : indentation, which reaches the deepest sample.
+    decay, spans : DecayFactors and Spans of the line z, shape (n,). thresholds : contact thresholds
+    of the whole spans (thresholds.py). d : indentation, above the deepest sample.
     contacts : ContactPieces to fill, or None. w : free displacements to fill, shape (n,), or None.
     Return (-sum u, its derivative with respect to d, touching samples, pieces of contact).
     """
@@ -96,13 +96,13 @@ def sweep_spans(decay, z, spans, thresholds, d, contacts, w):
 
 @refcount_free_kernel
 def _sweep_samples(decay, z, d, first, stop, state, contacts, w):
-    """Return the state of a sweep after the samples from ``first`` down to ``stop``, one by one."""
+    """Return the state of a sweep after visiting each sample from ``first`` down to ``stop``."""
     u, rate, in_contact, total, slope, touching, pieces = state
     if u >= -MIN_MAGNITUDE:
         u = rate = 0.0
     for j in range(first, stop - 1, -1):
         free = decay.sample * u
-        gap = z[np.uint64(j)] - d  # unsigned: spares the test for a negative index
+        gap = z[np.uint64(j)] - d  # unsigned: no test for a negative index
         if w is not None:
             w[j] = free
         if gap < free:
@@ -139,7 +139,7 @@ def _cut_at_array_end(contacts, pieces, z, d, j, last, free, total):
 
 @refcount_free_kernel
 def _close_period(decay, z, d, deepest, u, in_contact, pieces, contacts, w):
-    """Return to the deepest sample, where the first piece begins."""
+    """End the sweep at the deepest sample, where the first piece begins."""
     if deepest % SPAN == SPAN - 1 or deepest == z.size - 1:
         record_entry(contacts, deepest // SPAN, u)
     free = decay.sample * u if u < -MIN_MAGNITUDE else 0.0

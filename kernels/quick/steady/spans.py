@@ -1,14 +1,14 @@
 """Spans: sums and extremes of sixteen consecutive samples, so that most samples are not visited.
 
-In steady sliding at indentation d the sample upstream of j is j + 1. If j + 1 touches, its element
-arrives with E (z_{j+1} - d), where E is the decay of a step. Sample j then touches where z_j - d
-lies below that:
+In steady sliding at indentation d elements pass from sample j + 1 to sample j. If j + 1 touches,
+its element arrives with E (z_{j+1} - d), where E is the decay factor of a step. Sample j then
+touches if z_j - d lies below that, i.e. if
 
     d > t_j = (z_j - E z_{j+1}) / (1 - E) = z_{j+1} + K (z_j - z_{j+1}),   K = 1 / (1 - E).
 
-A span that is entered in contact therefore stays in contact if d lies above the largest of its
-t_j, and its forces are sums over its heights. A span that is entered free, at u, stays free if its
-lowest sample lies above E^16 u + d; it is then left at E^16 u.
+An element that enters a span in contact therefore stays in contact if d lies above the largest t_j
+of the span, and its forces add up from the heights. An element that enters free, at u, stays free
+if the lowest sample of the span lies above d + E^16 u; it then leaves the span at E^16 u.
 """
 
 from typing import Any, NamedTuple
@@ -41,19 +41,19 @@ class Spans(NamedTuple):
     over high or steep spans lose no digits.
     """
 
-    lowest: np.ndarray  # height
-    first_height: np.ndarray  # z0
+    lowest: np.ndarray  # lowest height, in h
+    first_height: np.ndarray  # z0, in h
     height_sum: np.ndarray  # sum of z - z0
-    steepest: np.ndarray  # largest |z'|
+    steepest: np.ndarray  # largest |z'|, in h/dx
     rows: np.ndarray  # shape (n // SPAN + 1, SPAN_COLUMNS); add_rises fills RISE_SUM and TURN_SUM;
     # the last row has FIRST_HEIGHT and FIRST_SLOPE of the sample after the last whole span
     line_sums: np.ndarray  # shape (4,): HEIGHT_SUM to SQUARE_SUM over all samples of the line
-    deepest: Any  # lowest sample of the line, an integer; of several lines an array (stack.py)
+    deepest: Any  # index of the lowest sample; for several lines an array of indices (stack.py)
 
 
 @refcount_free_kernel
 def fill_spans(z, slope, spans):
-    """Fill the arrays of Spans for a line; return the deepest sample."""
+    """Fill the arrays of Spans for a line; return the index of the deepest sample."""
     n, count = z.size, z.size // SPAN
     lowest, steepest, rows, line_sums = spans.lowest, spans.steepest, spans.rows, spans.line_sums
     line_sums[:] = 0.0

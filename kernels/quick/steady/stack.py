@@ -18,7 +18,7 @@ class Stack(NamedTuple):
 
     z: np.ndarray  # in h, shape (lines, n)
     slope: np.ndarray  # in h/dx, shape (lines, n)
-    spans: Spans  # with a leading axis, and so ``deepest`` has the shape (lines,)
+    spans: Spans  # with a leading axis of lines; ``deepest`` has the shape (lines,)
 
 
 def spans_of_line(stack: Stack, k: int) -> Spans:

@@ -1,7 +1,7 @@
 """Thresholds of whole spans: the indentations above which they stay in contact or under pressure.
 
-The threshold t_j of contact is defined in spans.py. Thresholds depend on the speed and serve all
-loads.
+The threshold t_j of contact is defined in spans.py. Thresholds depend on the speed, but not on the
+load.
 """
 
 from typing import NamedTuple
@@ -15,8 +15,8 @@ from .spans import SPAN
 class Thresholds(NamedTuple):
     """Largest thresholds of the whole spans at one speed, and of the whole line."""
 
-    contact: np.ndarray  # of t_j, shape (n // SPAN,): contact lasts where d lies above
-    pressure: np.ndarray  # of z - vbar z', shape (n // SPAN,): p > 0 where d + d' lies above
+    contact: np.ndarray  # of t_j, shape (n // SPAN,): contact lasts in a span if d lies above it
+    pressure: np.ndarray  # of z - vbar z', shape (n // SPAN,): p > 0 if d + d' lies above it
     line_contact: float  # largest t_j of the line
     line_pressure: float  # largest z - vbar z' of the line
 
@@ -75,7 +75,7 @@ def pressure_thresholds_at(z, slope, speeds):
 
 @refcount_free_kernel
 def _largest(values):
-    """Return the largest of SPAN values, which are overwritten. Halving lets it vectorise."""
+    """Return the largest of SPAN values, which are overwritten. Halving lets loops vectorise."""
     for half in (8, 4, 2, 1):
         for k in range(half):
             values[k] = max(values[k], values[half + k])
