@@ -3,12 +3,12 @@
 The sum of p z' over samples (eq. 5) has an elastic part whose integral is zero. At low speeds, and
 at high speeds where the elastomer is glassy, the quadrature error of that part is many times the
 friction. The dissipated energy has no such part. In steady sliding every element bears the same
-forces in turn, so that
+sequence of forces, so that
 
     mu F_N v = sum_k int lambda_k/J_k (dy_k/dt)^2 dt = - sum_k lambda_k int dp/dt dy_k/dt dt.
 
-The integral over a step includes the next term for smooth functions,
-(Dp Dy + D2p D2y / 12) / dt with first and second differences of the samples.
+The integral over a step includes the next-order term for smooth functions:
+(Dp Dy + D2p D2y / 12) / dt, with first and second differences of the samples.
 
 With a dashpot, forces jump at touch-down, which this quadrature does not resolve. For such a
 material the sum over samples is more accurate where the loss modulus exceeds the storage modulus
@@ -27,7 +27,7 @@ from ..rheology.law import law_of
 from ..rheology.prony import moments
 from ..rheology.retardation import Retardation
 
-MIN_LOSS_SHARE = 1e-3  # a smaller share of the dissipation estimate is dropped
+MIN_LOSS_SHARE = 1e-3  # smallest weight with which the dissipation estimate is used
 
 
 def friction_by_loss(
@@ -46,7 +46,7 @@ def friction_by_loss(
         return math.nan, contact
     direction = math.copysign(1.0, speed)
     step = 1.0 / (line.steps_per_spacing * abs(speed))
-    # Elements reach the samples from the side towards which the line moves.
+    # Elements pass the samples against the motion of the line.
     in_passing_order = p[::-1] if direction > 0.0 else p
     loss = _period_loss(units, np.ascontiguousarray(in_passing_order), step)
     by_loss = line.steps_per_spacing * loss / load
@@ -58,7 +58,7 @@ def friction_by_loss(
 
 
 def step_friction(form: Form, line: Line, p: np.ndarray, speed: float) -> float:
-    """Return mu of steady sliding (eq. 5) as a march step computes it; see friction_by_loss."""
+    """Return mu of steady sliding, averaged over a step (eq. 5); see friction_by_loss."""
     direction = 1 if speed > 0.0 else -1
     lag = law_of(form, 1.0 / (line.steps_per_spacing * abs(speed))).lag
     weight = lagged_slope(np.ascontiguousarray(line.slope[::direction]), lag)[::direction]
@@ -75,7 +75,7 @@ def _loss_tangent(units: Retardation, omega: float) -> float:
 def _period_loss(units, p, dt):
     """Return the energy that an element dissipates in a period of forces p (n,), dt apart in time.
 
-    Forces are linear between the samples, and the motion of the units is periodic.
+    Forces are linear between the samples, and the displacements of the units are periodic.
     """
     count, n = units.times.size, p.size
     decay, end, start, x = np.empty((4, count))
@@ -91,7 +91,7 @@ def _period_loss(units, p, dt):
     for k in range(count):
         y[k] /= -math.expm1(-x[k] * n)  # geometric series over all earlier periods
     force_step = 0.0
-    for i in range(n + 1):  # a step is weighed once the next one is known
+    for i in range(n + 1):  # a step is integrated once the next one is known
         new, old = p[i % n], p[i - 1]
         bend = (new - old - force_step) / 12.0 if i > 0 else 0.0
         for k in range(count):

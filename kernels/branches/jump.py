@@ -14,12 +14,12 @@ from ..rheology.retardation import Retardation
 
 
 def friction_jump(form: Form, line: Line, elements: Elements, speed: float, ratio: float) -> float:
-    """Return the jump of mu (h/dx) from steady sliding at ``speed`` to ``ratio`` times it.
+    """Return the jump of mu (h/dx) when steady sliding at ``speed`` changes to ``ratio * speed``.
 
-    form : of the material (rheology/forms.py). elements : of steady sliding (steady_memory.py).
-    speed : vbar, signed. In contact p = p_0 + eta (v z' + d'), where p_0 follows from the state
-    alone. With p_0 in place of d - z this is the quadrature of the Kelvin element. The material
-    has a dashpot.
+    form : of the material (rheology/forms.py), which must have a dashpot. elements : of steady
+    sliding (steady_memory.py). speed : vbar, signed. In contact p = p_0 + eta (v z' + d'), where
+    p_0 is static_pressure. With p_0 in place of d - z this is the quadrature of the Kelvin
+    element.
     """
     viscosity, pressure = static_pressure(form, elements.memory)
     law = law_of(form, 1.0 / (line.steps_per_spacing * abs(speed)))
@@ -36,12 +36,12 @@ def friction_jump(form: Form, line: Line, elements: Elements, speed: float, rati
 def initial_rate(
     units: Retardation, line: Line, p: np.ndarray, speed: float, ratio: float
 ) -> float:
-    """Return d mu/dt (h/dx per tau) at t0+ after the jump from ``speed`` to ``ratio`` times it.
+    """Return d mu/dt (h/dx per tau) at t0+ after the jump from ``speed`` to ``ratio * speed``.
 
-    p (n,) : forces. The rates of the units are those of steady sliding, in which mu is constant.
-    A velocity change dv adds dv (z' - mean z')/J_g to the rates of the forces, over the touching
-    elements, and -dv z'' to the rates of the slopes. z'' is that of the Fourier series.
-    The material has no dashpot.
+    p (n,) : forces of steady sliding, in which mu is constant. The rates of the units do not jump.
+    A velocity change dv adds dv (z' - mean z')/J_g to the rate of the force of each touching
+    element, with the mean over these, and -dv z'' to the rate of its slope. z'' is that of the
+    Fourier series. The material must not have a dashpot.
     """
     touching = p > 0.0
     slope = line.slope[touching]

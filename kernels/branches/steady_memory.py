@@ -3,14 +3,14 @@
 At constant indentation the field of states moves with the line. One turn of an element round the
 period, from the deepest sample, is a piecewise linear map of its state there and of d. The state
 must return to its initial value, and the forces on the way must carry the load (eq. 4). Newton's
-method solves both, with exact tangents that follow the same law (tangents.py). Elements are never
-pulled up, so that a line above d is not touched and the element takes many steps at once there.
-The initial guess is the solution on every sixteenth sample, with steps sixteen times as long; its
-own guess comes from a coarser line again.
+method solves both equations, with exact tangents (tangents.py). Displacements are never positive,
+so samples above d do not touch, and an element crosses them with many steps at once.
+The initial guess is the solution on every sixteenth sample, with steps sixteen times as long; the
+guess of that solution comes from a still coarser line.
 Eq. 4 alone is solved in model/contact.py, and in model/steady.py for elements that remember only u.
 
-The state of an element at given d contracts in its own energy norm and the force grows with d, so
-the solution is unique. A step after which no element touches is halved. All loops are bounded, and
+At given d, a turn contracts the state in its energy norm, and the force grows with d, so the
+solution is unique. A Newton step that leads to no contact is halved. All loops are bounded, and
 the remaining error is reported as the residual.
 """
 
@@ -32,17 +32,15 @@ from ..rheology.lookahead import (
 )
 from .tangents import carry_rows, powers_of_steps, tangents_of
 
-MAX_TURNS = 60  # a few are enough
+MAX_TURNS = 60  # a few usually suffice
 TARGET_RESIDUAL = 1e-13
 COARSE_RESIDUAL = 1e-3  # target on a coarser line, which only gives a guess
-ACCEPTED_RESIDUAL = 1e-6  # a larger one is an error
-STIFFNESS_ROUNDING = 1e-13  # times the stiffness of a step: allowed in addition, for rounding
-# Tangents that cost fewer products per sample than this are always exact: they save more turns
-# than they cost.
-CHEAP_PRODUCTS = 8
+ACCEPTED_RESIDUAL = 1e-6  # a larger residual raises an error
+STIFFNESS_ROUNDING = 1e-13  # times the stiffness of a step: residual accepted in addition
+CHEAP_PRODUCTS = 8  # per sample; tangents that cost fewer are computed exactly in every turn
 FILL_SAMPLES = 16  # samples at which one unit's memory is filled before the next unit's
 SLIDE_SAMPLES = 64  # samples taken one by one before the next test for a gap
-COARSENING, MIN_COARSE_SAMPLES = 16, 1000  # samples per coarse sample, samples of a coarse line
+COARSENING, MIN_COARSE_SAMPLES = 16, 1000  # samples per coarse sample; least size of a coarse line
 
 
 @dataclass(frozen=True)
@@ -55,12 +53,12 @@ class SteadyMemory:
     residual: float  # relative residual of the equations
     form: Form
     speed: float  # in samples per tau, signed
-    deepest: int  # sample
-    before: np.ndarray  # shape (M,): state of the element that leaves the deepest sample
+    deepest: int  # index of the deepest sample
+    before: np.ndarray  # shape (M,): lookahead memory of the element that leaves that sample
 
     @cached_property
     def elements(self) -> Elements:
-        """The elements with their memory, which is filled on first use."""
+        """The elements with their memory, which is computed on first use."""
         memory = _memory_of_forces(self.form, self.speed, self.before.copy(), self.p, self.deepest)
         return Elements(memory, self.p, self.d)
 
@@ -71,8 +69,8 @@ def steady_memory(
     """Return the steady state of sliding under the load sum_i f_i = load.
 
     form : of the material (rheology/forms.py). z : heights of the line, shape (n,), in h.
-    speed : in samples per tau, negative towards -x. d : indentation in h, given if the load is NaN.
-    Raises ValueError without convergence.
+    speed : in samples per tau, negative towards -x. d : indentation (in h) to keep if the load is
+    NaN. Raises ValueError without convergence.
     """
     p, d, work, residual, deepest, before = _solve_grids(form, z, speed, load, d, MAX_TURNS)
     rounding = STIFFNESS_ROUNDING * law_of(form, 1.0 / abs(speed)).stiffness
@@ -86,7 +84,7 @@ def steady_memory(
 
 @kernel
 def _solve_grids(form, z, speed, load, d, max_turns):
-    """Return p, d, work, residual, deepest and before of SteadyMemory, from coarse to fine lines.
+    """Solve on coarse to fine lines; return p, d, work, residual, deepest, before of SteadyMemory.
 
     Heights and d are taken relative to the deepest sample, so that indentations are exact to
     rounding.
@@ -124,7 +122,7 @@ def _solve_grids(form, z, speed, load, d, max_turns):
 
 @kernel
 def heights_in_order(z, deepest, stride, count):
-    """Return ``count`` heights over the deepest sample, one stride apart, ending there."""
+    """Return ``count`` heights over the deepest sample, one stride apart; the last is its own."""
     line, j = np.empty(count), (deepest - stride * count) % z.size
     for i in range(count):
         j += stride
@@ -136,7 +134,7 @@ def heights_in_order(z, deepest, stride, count):
 
 @kernel
 def _memory_of_forces(form, speed, y, p, deepest):
-    """Return the memory, shape (M, n), of elements that bear the forces p; y is changed."""
+    """Return the memory (M, n) of elements under the forces p (n,). y : ``before``, changed."""
     law, direction = lookahead_law(law_of(form, 1.0 / abs(speed))), -1 if speed > 0.0 else 1
     n, memory, i, j = p.size, np.empty((y.size, p.size)), 0, deepest
     while i < n:
@@ -154,7 +152,7 @@ def _solve_line(law, line, load, target, max_turns, x, forces):
     After a step that reduces the residual tenfold, expensive tangents are not computed again but
     corrected by a rank-one update (C. G. Broyden, Math. Comp. 19 (1965) 577).
     x : state of the element before its turn, and d; overwritten by the best iterate. forces (n,) :
-    filled with those of that iterate. load : NaN where d is given.
+    filled with the forces of the best iterate. load : NaN if d is given.
     """
     size, best, previous, turns, exact, cheap = x.size, np.inf, 0.0, 0, False, False
     accepted = ACCEPTED_RESIDUAL + STIFFNESS_ROUNDING * law.stiffness
@@ -203,10 +201,10 @@ def _residual(excess, x, load):
 
 @refcount_free_kernel
 def turn_element(law, line, x, powers, forces):
-    """Take an element round the line, from before the first of the heights (n,) to after the last.
+    """Carry an element once round the line, from before its first height to after its last.
 
-    x : shape (W,), the state of the element, d, and the sum of its forces; changed.
-    forces (n,) : filled.
+    line (n,) : heights. x (W,) : state of the element, d, and the sum of its forces; changed.
+    powers : from powers_of_steps. forces (n,) : filled.
     """
     count, total, i = powers.size - 2, 0.0, 0
     d = x[count]

@@ -1,7 +1,7 @@
 """Tangents of an element over many steps, as powers of the matrix of one step.
 
-While an element touches, or does not touch, every step multiplies the tangents by the same matrix.
-Many steps multiply them by a power of it. Tangents that have decayed to rounding are dropped.
+As long as an element stays in contact, or stays free, every step multiplies its tangents by the
+same matrix, so many steps multiply them by a power of it. Negligible tangents are set to zero.
 """
 
 from typing import NamedTuple
@@ -11,7 +11,7 @@ import numpy as np
 from ..compile.jit import kernel, refcount_free_kernel
 from ..rheology.law import advance_memory, predict
 
-RADIX = 32  # of the numbers of steps whose powers are stored
+RADIX = 32  # base of the digits of a number of steps; a power is stored for each digit
 LANES = 8  # columns that a loop processes at once; rows are padded with zeros to a multiple
 DECAYED_TANGENT = 1e-13  # relative to the initial tangent
 
@@ -24,9 +24,9 @@ class Powers(NamedTuple):
     """
 
     of: np.ndarray  # shape (2, (RADIX - 1) times the digits of the largest power, W, W)
-    diagonal: np.ndarray  # shape (2,): whether the matrix is diagonal; every row is it then
+    diagonal: np.ndarray  # shape (2,): whether it is diagonal; then each row holds the diagonal
     known: np.ndarray  # shape (2, powers): whether a power has been computed
-    product: np.ndarray  # shape (W, W): scratch
+    product: np.ndarray  # shape (W, W): work space
     size: int  # M + 2
 
 
@@ -105,7 +105,7 @@ def _have_decayed(tangents):
 
 @refcount_free_kernel
 def carry_rows(powers, touching, steps, tangents):
-    """Carry rows of tangents (c, W) over steps in which an element touches, or does not."""
+    """Carry rows of tangents (c, W) over steps in which the element is in contact, or is free."""
     kind, place = 1 if touching else 0, -1
     of, diagonal, known = powers.of[kind], powers.diagonal[kind], powers.known[kind]
     product = powers.product[: tangents.shape[0]]
@@ -126,7 +126,7 @@ def carry_rows(powers, touching, steps, tangents):
 
 @refcount_free_kernel
 def _compute_next_power(of, diagonal, known, power):
-    """Compute the first unknown power on the way to ``power``: by halving, or one step less."""
+    """Compute one of the unknown powers that ``power`` depends on, as a product of known ones."""
     left = right = power
     while not known[left]:
         power, times = left, left % (RADIX - 1) + 1
@@ -138,7 +138,7 @@ def _compute_next_power(of, diagonal, known, power):
 
 @refcount_free_kernel
 def _multiply(rows, matrix, diagonal, product):
-    """Fill the product of rows (c, W) with a matrix; a diagonal one has it in every row."""
+    """Fill ``product`` with rows (c, W) times a matrix; ``diagonal`` : as in Powers."""
     count, width = rows.shape
     if diagonal:
         for r in range(count):

@@ -1,6 +1,6 @@
 """The Kelvin element, f = -(u + tau du/dt) (eq. 2), in two time schemes.
 
-Both share one contact step and differ in three numbers only.
+Both schemes use the same contact step and differ only in three constants.
 Source: Li et al. (2014), eqs. 2 and 3, doi:10.1038/srep05795.
 """
 
@@ -12,9 +12,9 @@ from .law import MIN_MAGNITUDE, free_displacement
 
 
 class Kelvin(NamedTuple):
-    """Constants of one step; K (1 - E) = 1, as an element that is held carries f = -u."""
+    """Constants of one step; K (1 - E) = 1, because an element held at u carries f = -u."""
 
-    decay: float  # E: of the displacement of a free element
+    decay: float  # E: factor on the displacement of a free element
     stiffness: float  # K (law.py)
     lag: float  # (law.py)
 
@@ -32,8 +32,8 @@ def implicit_euler(dt: float) -> Kelvin:
 def exponential(dt: float) -> Kelvin:
     """Return the step of eqs. 1 and 2, solved exactly; ``dt`` in units of tau. Second order.
 
-    u_new = e^-dt u_old - int e^-(dt - s) f(s) ds: the step's force is the mean of f weighted
-    with e^-(dt - s), so it acts at the centre of that weight, 1/dt - 1/(e^dt - 1) before the end.
+    u_new = e^-dt u_old - int e^-(dt - s) f(s) ds: the force of the step is the mean of f weighted
+    with e^-(dt - s). It acts at the centre of the weight, 1/dt - 1/(e^dt - 1) steps before the end.
     """
     return Kelvin(_decay(math.exp(-dt)), -1.0 / math.expm1(-dt), _weight_centre(dt))
 
@@ -43,7 +43,7 @@ def _decay(value: float) -> float:
 
 
 def _weight_centre(dt: float) -> float:
-    if dt < 1e-3:  # the difference of two large numbers otherwise
+    if dt < 1e-3:  # avoid the difference of two large numbers
         return 0.5 - dt / 12.0
     if dt > 40.0:
         return 1.0 / dt

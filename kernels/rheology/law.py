@@ -2,10 +2,10 @@
 
 A law is a NamedTuple of the constants of one time step. Two fields are common to all:
 
-stiffness   A free element would reach w in the step. The step's force is stiffness * (w - u)
-            in units of 4 G dx h, where u is the displacement at its end.
-lag         When this force acts, as a fraction of the step before its end. The slope that
-            weights the force is taken there.
+stiffness   The force in the step is stiffness * (w - u), in units of 4 G dx h. Here u is the
+            displacement at the end of the step, and w its value for a free element.
+lag         Time from the instant at which this force acts to the end of the step, as a fraction
+            of the step. Friction weights the force with the slope at that instant.
 
 A law of elements that remember only their displacement provides ``free_displacement``. Laws with
 internal variables are derived from a form of the material, which holds for steps of any length.
@@ -19,16 +19,16 @@ import numpy as np
 
 from ..compile.jit import dispatch_on_type
 
-# Smaller magnitudes are set to zero: subnormal numbers would slow a sweep tenfold. A decay of one
-# step below its square root is zero too, so that products with memory stay normal numbers.
+# Smaller magnitudes are set to zero: subnormal numbers would slow a sweep tenfold. The decay factor
+# of a step is zero below the square root of this, so that products with memory stay normal.
 MIN_MAGNITUDE = 1e-200
 
 
 class State(NamedTuple):
     """State of the elements of a line between two steps."""
 
-    w: np.ndarray  # shape (n,): displacements they would have without force, in h
-    d: float  # indentation, in h; element i touches where z_i - w_i < d, at u_i = z_i - d
+    w: np.ndarray  # shape (n,): displacements that the elements would have without force, in h
+    d: float  # indentation, in h; element i touches if z_i - w_i < d, and then u_i = z_i - d
 
 
 class Elements(NamedTuple):
@@ -41,7 +41,7 @@ class Elements(NamedTuple):
 
 @dispatch_on_type
 def free_displacement(law, u):
-    """Return the displacement of an element one step after u, if no force acts on it."""
+    """Return the displacement of a free element one step after its displacement was u."""
 
 
 @dispatch_on_type
@@ -66,14 +66,14 @@ def displacement(form, memory, p):
 
 @dispatch_on_type
 def static_pressure(form, memory):
-    """Return (viscosity, pressures (n,) without the dashpot's part, at no rate, in G h)."""
+    """Return (viscosity, pressures (n,) without the viscous part, i.e. at du/dt = 0, in G h)."""
 
 
 @dispatch_on_type
 def predict(law, memory, p, w):
     """Fill w (n,) with the displacements that elements would reach in the step without force.
 
-    memory : shape (M, n), p : shape (n,), the forces of the step before. Linear in both.
+    memory : shape (M, n). p (n,) : forces of the previous step. The result is linear in both.
     """
 
 
@@ -81,6 +81,6 @@ def predict(law, memory, p, w):
 def advance_memory(law, memory, w, p, new):
     """Advance memory (M, n) over the step, in place. Linear in all arguments after the law.
 
-    w (n,) : as predict left it; it may be changed. p (n,) : forces of the step before.
-    new (n,) : of this step, stiffness * max(0, w - u). p stays: the caller makes new the next p.
+    w (n,) : from predict; may be changed. p (n,) : forces of the previous step, not changed.
+    new (n,) : forces of this step, stiffness * max(0, w - u).
     """

@@ -1,15 +1,15 @@
-"""Lookahead memory: elements whose next prediction needs no force of the previous step.
+"""Lookahead memory: internal variables that predict a step without the force of the previous one.
 
-Let y_k be the memory of unit k after a step, and v_k = E_k y_k - A_k p what the next step makes of
-it before its own force acts (prony.py). From step to step, all being of one length,
+Let y_k be the memory of unit k after a step with force p. The next step changes it to
+v_k = E_k y_k - A_k p before its own force acts (prony.py). If all steps have the same length,
 
     v_k <- E_k v_k - (E_k B_k + A_k) p,
 
-and an element without force would reach sum v_k. The relaxation form needs no force as it is.
+and an element without force would reach sum v_k. In the relaxation form the memory itself suffices.
 
 An element meets the samples of a line one after the other. The forces of a block of samples are
-first predicted from the v_k before it, without the forces within the block. Each force is then
-corrected for those before it, so that no sample waits for a sum over all units.
+first predicted from the v_k before the block, without the forces within it. Each force is then
+corrected for the earlier ones, so that no sample waits for a sum over all units.
 """
 
 import math
@@ -27,7 +27,7 @@ BLOCK_SAMPLES = 8  # samples; their forces are subtracted in groups of four
 
 @dispatch_on_type
 def lookahead_law(law):
-    """Return a law of the same step whose predictions need no force of the step before."""
+    """Return a law of the same step whose predictions need no force of the previous step."""
 
 
 @dispatch_on_type
@@ -57,13 +57,13 @@ class LookaheadUnits(NamedTuple):
     """Constants of one step of v_k, and of a block; stiffness as in every law (law.py)."""
 
     decay: np.ndarray  # E_k, shape (K,)
-    due: np.ndarray  # E_k B_k + A_k, shape (K,): what a force takes from v_k
-    fresh: np.ndarray  # B_k, shape (K,): what it takes from the memory
+    due: np.ndarray  # E_k B_k + A_k, shape (K,): decrease of v_k per unit force
+    fresh: np.ndarray  # B_k, shape (K,): decrease of y_k per unit force
     stiffness: float
-    ahead: np.ndarray  # shape (K, BLOCK_SAMPLES): force that v_k would be at samples of a block
-    echo: np.ndarray  # shape (BLOCK_SAMPLES,): what a force takes from that 1, 2, ... samples later
-    left: np.ndarray  # shape (K,): of v_k after a block
-    removed: np.ndarray  # shape (BLOCK_SAMPLES, K): what a force at every sample takes from that
+    ahead: np.ndarray  # shape (K, BLOCK_SAMPLES): force at each sample of a block per unit v_k
+    echo: np.ndarray  # shape (BLOCK_SAMPLES,): decrease of a force per unit force 1, 2, ... before it
+    left: np.ndarray  # shape (K,): decay factor of v_k over a block
+    removed: np.ndarray  # shape (BLOCK_SAMPLES, K): decrease of v_k after a block per unit force
 
 
 @lookahead_law.register(Prony)
@@ -155,9 +155,9 @@ def _slide_one(law, y, d, heights, forces):
 
 @inlined_kernel
 def _foretell(ahead, y, block):
-    """Add the contribution of internal variables y (K,) alone to the forces of a block.
+    """Add the contributions of internal variables y (K,) to the forces of a block.
 
-    ahead (K, BLOCK_SAMPLES) : contribution of each variable of value one.
+    ahead (K, BLOCK_SAMPLES) : contribution of each variable per unit value.
     """
     fours = y.size // 4 * 4
     for k in range(0, fours, 4):

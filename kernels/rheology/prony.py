@@ -1,18 +1,18 @@
 """One step of Kelvin units and a glassy spring in series: the scheme "exponential".
 
-The units move exactly under a force that is linear in the step. It begins at kappa times the old
-force plus 1 - kappa times the new one, and ends at the new one. Under a unit force that starts in
-the step, unit k moves by J_k (1 - E_k), with a delay of late_k, and ramp = sum J_k (1 - E_k)
-late_k.
+The motion of the units is exact for a force that is linear in the step. This force begins at kappa
+times the old force plus 1 - kappa times the new one, and ends at the new one. Under a unit force
+from the start of the step, unit k moves by J_k (1 - E_k), with a delay of late_k steps, and
+ramp = sum J_k (1 - E_k) late_k.
 
-- A linear force (kappa = 1) is second order. If all delays are equal, however, the old force
-  returns with a gain close to one, and the solution oscillates.
-- A constant force (kappa = 0) is accurate in that case, where forces jump at touch-down, as in a
-  Kelvin element. Otherwise the force has no single time within the step: first order.
+- With a linear force (kappa = 1) the scheme is second order. If all delays are equal, however, the
+  old force is passed on with a gain close to one, and the solution oscillates.
+- With a constant force (kappa = 0) the scheme is accurate in that case, as for a Kelvin element,
+  whose force jumps at touch-down. If delays differ, it is only first order.
 
-Therefore kappa = min(1, 4 prompt / ramp). The prompt response is that of the glassy spring, J_g,
-and of each unit, J_k (1 - E_k) (1 - late_k / max late). The gain is then 4/5 at most. Units much
-faster than the step count as a glassy spring, so branches need not be resolved.
+Therefore kappa = min(1, 4 prompt / ramp), where prompt is the sum of J_g, of the glassy spring,
+and of J_k (1 - E_k) (1 - late_k / max late) over the units. The gain is then 4/5 at most. Units
+much faster than the step act as a glassy spring, so the step need not resolve all branches.
 """
 
 import math
@@ -35,23 +35,23 @@ from .retardation import Retardation
 
 PRONY_SCHEME = "exponential"
 LN_2 = math.log(2.0)
-SERIES_COEFFICIENTS = tuple(1.0 / power for power in range(11, 2, -1))  # from its last term on
+SERIES_COEFFICIENTS = tuple(1.0 / power for power in range(11, 2, -1))  # last term first
 
 
 class Prony(NamedTuple):
     """Constants of one step: y_k becomes E_k y_k - B_k p_new - A_k p_old."""
 
     decay: np.ndarray  # E_k, shape (K,)
-    fresh: np.ndarray  # B_k, shape (K,): what the new force does to unit k
-    stale: np.ndarray  # A_k, shape (K,): what the old force does
+    fresh: np.ndarray  # B_k, shape (K,): decrease of y_k per unit new force
+    stale: np.ndarray  # A_k, shape (K,): decrease of y_k per unit old force
     stiffness: float  # 1 / (J_g + sum B_k) (law.py)
     lag: float  # (law.py)
-    linear: float  # kappa: 1 where the force is linear, 0 where it is constant
+    linear: float  # kappa: 1 if the force is linear in the step, 0 if it is constant
 
 
 @inlined_kernel
 def moments(x):
-    """Return (E, 1 - E, beta, alpha): E = exp(-x), weights of the end and the start force."""
+    """Return (E, 1 - E, beta, alpha) of a step x: E = exp(-x), weights of end and start force."""
     if x > LN_2:
         left = math.exp(-x)
         decayed = 1.0 - left
@@ -59,7 +59,7 @@ def moments(x):
     if x > 0.1:
         decayed = -math.expm1(-x)
         return 1.0 - decayed, decayed, 1.0 - decayed / x, decayed / x - (1.0 - decayed)
-    end = 1.0  # a difference of nearly equal numbers otherwise
+    end = 1.0  # a series, to avoid the difference of nearly equal numbers
     for share in SERIES_COEFFICIENTS:
         end = 1.0 - x * share * end
     end *= 0.5 * x
@@ -69,15 +69,15 @@ def moments(x):
 
 @law_of.register(Retardation)
 def _law_of(form, dt):
-    constants = np.empty((5, form.times.size))  # to make one array takes as long as ten samples
+    constants = np.empty((5, form.times.size))  # one array: making one costs ten samples
     return Prony(constants[0], constants[1], constants[2], *fill_law(form, dt, constants))
 
 
 @refcount_free_kernel
 def fill_law(form, dt, constants):
-    """Return (stiffness, lag, linear); the first rows of ``constants`` (5, K) get the others."""
+    """Return (stiffness, lag, linear); fill rows of ``constants`` (5, K): decay, fresh, stale."""
     decay, fresh, stale = constants[0], constants[1], constants[2]
-    moved, late = constants[3], constants[4]  # by a unit force that lasts, and how late
+    moved, late = constants[3], constants[4]  # response to a constant unit force, its delay
     ramp = latest = 0.0
     for k in range(form.times.size):
         x, compliance = dt / form.times[k], form.compliances[k]

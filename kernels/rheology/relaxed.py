@@ -1,9 +1,9 @@
 """The relaxation form of a material and its step: the scheme "implicit-euler".
 
-Branches in parallel, each a spring behind a dashpot, with the displacement linear in the step:
-a derivation that shares nothing with prony.py but the balance of forces, and needs no zeros of
-the modulus. Second order where the times of all branches are resolved, first order beyond and
-with a dashpot; for a Kelvin element it is the implicit Euler scheme of kelvin.py.
+The material is a set of parallel Maxwell branches, and the displacement is linear in the step. The
+derivation shares only the balance of forces with prony.py, and needs no zeros of the modulus. The
+scheme is second order if the step resolves the times of all branches, first order otherwise and
+with a dashpot. For a Kelvin element it is the implicit Euler scheme of kelvin.py.
 """
 
 import math
@@ -117,7 +117,7 @@ def _settle(law, memory, w, p, new):
 
 @refcount_free_kernel
 def predict_element(law, y):
-    """Return what predict gives for one element; y (M,) : its memory."""
+    """Return the displacement of predict for one element; y (M,) : its memory."""
     count = law.decay.size
     carried, keep = 0.0, law.drag
     for b in range(count):
@@ -128,7 +128,7 @@ def predict_element(law, y):
 
 @refcount_free_kernel
 def advance_element(law, y, w, new):
-    """Take the memory y (M,) of one element over the step, as advance_memory."""
+    """Advance the memory y (M,) of one element over the step, as advance_memory does."""
     count = law.decay.size
     u = w - new / law.stiffness
     moved = u - y[count]

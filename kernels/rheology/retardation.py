@@ -4,9 +4,10 @@ Under a force p an element is displaced by u = -J_g p + sum_k y_k with
 
     lambda_k dy_k/dt = -y_k - J_k p.
 
-Without force every unit decays by itself, exactly, whatever the step. The retardation times are
-the negative inverse zeros of the modulus G(s) = 1 + sum_b g_b s t_b / (1 + s t_b) + eta s: one
-between neighbouring poles, one more beyond the last where there is a dashpot.
+Without force every unit decays exponentially, independently of the others. The retardation times
+are -1/s at the zeros s of the modulus G(s) = 1 + sum_b g_b s t_b / (1 + s t_b) + eta s. One zero
+lies between 0 and the first pole, one between neighbouring poles, and with a dashpot one beyond
+the last pole.
 Source: B. Gross, Mathematical Structure of the Theories of Viscoelasticity (Hermann, 1953).
 """
 
@@ -37,9 +38,9 @@ def retardation(spectrum: Spectrum) -> Retardation:
 
 
 def merged_branches(spectrum: Spectrum) -> tuple[np.ndarray, np.ndarray]:
-    """Return (moduli, times) of the branches, both (B,), slowest first, equal times added up.
+    """Return (moduli, times) of the branches, both (B,), slowest first; moduli of equal times add.
 
-    Raises ValueError for a material that does not relax or has a branch without a meaning.
+    Raises ValueError for a material that does not relax, or has a value that is not allowed.
     """
     for name, values in (("modulus", spectrum.moduli), ("time", spectrum.times)):
         for value in values:
@@ -59,14 +60,13 @@ def merged_branches(spectrum: Spectrum) -> tuple[np.ndarray, np.ndarray]:
 def _unit(moduli: np.ndarray, times: np.ndarray, viscosity: float, k: int) -> tuple[float, float]:
     """Return (J_k, lambda_k) of the unit whose zero lies between poles k - 1 and k.
 
-    The zero is found by its distance from the nearer pole: a weak branch puts it so close that
-    1 - r t_b would have no digits left. The logarithm of the distance is halved until its last
-    bit, for any branches.
+    The unknown is the distance of the zero from the nearer pole: a weak branch puts it so close
+    that 1 - r t_b would lose all digits. The logarithm of the distance is bisected to its last bit.
     """
     slower = times[k - 1] if k > 0 else math.inf
     faster = times[k] if k < times.size else 0.0
     rate = 0.0 if k == 0 else 1.0 / slower
-    if faster == 0.0:  # beyond the last pole: a bound by the modulus of all branches
+    if faster == 0.0:  # beyond the last pole: an upper bound from the sum of all moduli
         total = float(moduli.sum())
         half = (1.0 + total) / viscosity + (math.sqrt(total / viscosity * rate) if rate else 0.0)
     else:
@@ -94,6 +94,6 @@ def _modulus(
 
 
 def _rest(times: np.ndarray, pole: float, distance: float) -> tuple[float, np.ndarray]:
-    """Return r, at a distance from the pole of a time, and 1 - r t_b without cancellation."""
+    """Return (r, 1 - r t_b), without cancellation, at a distance from the pole 1/``pole``."""
     apart = np.ones_like(times) if math.isinf(pole) else (pole - times) / pole
     return 1.0 / pole + distance, apart - distance * times

@@ -1,16 +1,15 @@
-"""Memory variables divided by their own decay: an element without force needs no step.
+"""Internal variables divided by their own decay: an element without force needs no update.
 
-Let y_k be the memory of unit k after a step, and y'_k what the next step makes of it before its own
-force acts: y'_k = E_k y_k - A_k p (prony.py), with E_k and A_k of that next step and the force p
-of the last one, whose share in y_k is -B_k p. With y'_k = S_k a_k, and S_k <- E_k S_k in every
-step, that is
+Let y_k be the memory of unit k after a step with force p, of which -B_k p is a part. The next step
+changes it to y'_k = E_k y_k - A_k p before its own force acts (prony.py), with E_k and A_k of the
+next step. With y'_k = S_k a_k, and S_k <- E_k S_k in every step, this reads
 
     a_k <- a_k - (E_k B_k + A_k) / S_k p,
 
 which leaves the a_k of a free element unchanged, to the bit. Before S_k underflows it is divided by
 RESCALE_FACTOR, and every a_k is multiplied by it. The factor is a power of two, so the bits do not
-depend on when an element is rescaled. Memory that is due for two rescalings is zero, and so is the
-memory of a unit that decays below MIN_DECAY in one step.
+depend on when an element is rescaled. Memory is set to zero if it is due for two rescalings, or if
+its unit decays by a factor below MIN_DECAY in one step.
 
 Elements form blocks of BLOCK_ELEMENTS, so that the data of one loop fit into the first-level
 cache.
@@ -24,23 +23,23 @@ from ..compile.jit import inlined_kernel, kernel
 
 BLOCK_ELEMENTS = 64
 RESCALE_FACTOR = 2.0**-512
-MIN_SCALED_MEMORY = 2.0**-480  # scaled memory below it is zero
-MIN_DECAY = 2.0**-100  # far below the last digit of what the step adds
+MIN_SCALED_MEMORY = 2.0**-480  # smaller rescaled memory is set to zero
+MIN_DECAY = 2.0**-100  # per step; what remains below it is lost in rounding
 
 
 class Scales(NamedTuple):
     """Scales common to the units of all elements, each of shape (K,)."""
 
     scale: np.ndarray  # S_k
-    last: np.ndarray  # last step at which memory was to be rescaled, or wiped
-    before: np.ndarray  # the one before; the same as last where memory was wiped
-    fresh: np.ndarray  # B_k of the last step; 0 where the memory knows of its force
-    due: np.ndarray  # what the force of the last step takes from a_k; 0 where that is done
+    last: np.ndarray  # last step at which memory was to be rescaled or set to zero
+    before: np.ndarray  # the last such step before that; equal to ``last`` if set to zero
+    fresh: np.ndarray  # B_k of the last step; 0 if memory already includes its force
+    due: np.ndarray  # decrease of a_k per unit force of the last step; 0 if already subtracted
 
 
 @kernel
 def unit_scales(units, step):
-    """Return the Scales of units whose memory is not scaled, after a step."""
+    """Return the initial Scales, all S_k = 1, after the step number ``step``."""
     zeros, steps = np.zeros((2, units)), np.full((2, units), step)
     return Scales(np.ones(units), steps[0], steps[1], zeros[0], zeros[1])
 
@@ -63,9 +62,9 @@ def advance_scales(law, scales, step):
 
 @inlined_kernel
 def rescale_blocks(scales, memory, updated, some, step):
-    """Rescale the memory of some blocks up to a step.
+    """Rescale the memory of the blocks ``some`` up to a step.
 
-    memory : shape (blocks, K, BLOCK_ELEMENTS). updated : last step up to which each is rescaled.
+    memory : shape (blocks, K, BLOCK_ELEMENTS). updated : step up to which each block is rescaled.
     """
     latest = 0
     for k in range(scales.last.size):
@@ -94,7 +93,7 @@ def predict_block(share, memory, b, total):
 
 
 class Indenter(NamedTuple):
-    """Indenter of elements: the force is stiffness * (level - c) above their threshold c."""
+    """Indenter; its force on an element of threshold c < level is stiffness * (level - c)."""
 
     level: float  # in h
     stiffness: float
@@ -112,7 +111,7 @@ def advance_and_predict(due, share, memory, b, pressing, c, room):
     """Subtract due_k p from the memory of block b, then sum as ``predict_block`` does.
 
     c : thresholds, shape (BLOCK_ELEMENTS,). room : shape (2 BLOCK_ELEMENTS,), filled with the sums
-    and the forces p. It is one array because loops over two arrays check whether they overlap.
+    and the forces p; it is one array, as loops over two would check whether these overlap.
     """
     of_unit, drop = share[0], due[0]
     for i in range(BLOCK_ELEMENTS):

@@ -4,8 +4,8 @@ The relaxation modulus, in units of the relaxed modulus G and of the relaxation 
 
     G(t) / G = 1 + sum_b g_b exp(-t / t_b) + eta delta(t),
 
-a Prony series and a dashpot in parallel. tau = (eta + sum_b g_b t_b) / G makes the viscosity and
-the sum over moduli times times of a Spectrum add to one; no formula relies on it.
+a Prony series and a dashpot in parallel. With tau = (eta + sum_b g_b t_b) / G, the fields of a
+Spectrum satisfy viscosity + sum moduli * times = 1; no formula relies on it.
 """
 
 from typing import NamedTuple
@@ -14,7 +14,7 @@ import numpy as np
 
 
 class Spectrum(NamedTuple):
-    """A linear viscoelastic material; hashable, for it is part of keys."""
+    """A linear viscoelastic material; hashable, because it is part of keys."""
 
     moduli: tuple[float, ...]  # g_b / G of the branches
     times: tuple[float, ...]  # t_b / tau of the branches, ascending
@@ -23,16 +23,16 @@ class Spectrum(NamedTuple):
 
 KELVIN = Spectrum((), (), 1.0)
 
-# Shortest step of a dashpot, in tau: displacements change by dt of themselves in a step, so that
-# rounding, 1e-16 of them, comes back as 1e-16 / dt of the force.
+# Shortest step with a dashpot, in tau. In a step, displacements change by a fraction dt, so their
+# relative rounding error of 1e-16 causes one of 1e-16 / dt in the force.
 MIN_DASHPOT_STEP = 1e-10
 
 
 def min_step(spectrum: Spectrum) -> float:
     """Return the shortest step (in tau) in which rounding does not hide the force.
 
-    Without a dashpot a step is at most as stiff as the glass, and the fastest branch decides;
-    slower branches accumulate their input.
+    Without a dashpot the stiffness of a step is at most that of the glass, and the fastest branch
+    sets the limit; slower branches accumulate their input.
     """
     if spectrum.viscosity > 0.0:
         return MIN_DASHPOT_STEP
