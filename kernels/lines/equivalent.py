@@ -1,7 +1,7 @@
 """The line that is equivalent to an isotropic rough surface in the one-dimensional model.
 
-The rule of the method of dimensionality reduction: the paper's introduction and its refs. 35
-(Popov, Friction 1, 41 (2013), doi:10.1007/s40544-013-0005-3) and 36. The line keeps rms height,
+This is the rule of the method of dimensionality reduction: the paper's introduction and its refs.
+35 (Popov, Friction 1, 41 (2013), doi:10.1007/s40544-013-0005-3) and 36. The line keeps rms height,
 gradient and curvature of the surface, and its Hurst exponent: C_2D ~ q^(-2H-2) gives
 C_1D ~ q^(-2H-1).
 """
@@ -16,8 +16,8 @@ from .self_affine import mode_numbers
 def equivalent_spectrum(q: np.ndarray, isotropic: np.ndarray) -> np.ndarray:
     """Return the C_1D(q) of the line equivalent to an isotropic surface: 2 pi q C_2D(q).
 
-    q (> 0) and isotropic, C_2D(q), of one shape; C_2D is normalised over the whole plane,
-    int C_2D d^2q = 2 pi int q C_2D dq = h^2 (unit m^4), C_1D over q > 0 (unit m^3).
+    q > 0 and isotropic, C_2D(q), have the same shape. C_2D (unit m^4) is normalised over the whole
+    plane, int C_2D d^2q = 2 pi int q C_2D dq = h^2, and C_1D (unit m^3) over q > 0.
 
     Normalised over both signs of q, the same spectrum of the line is pi q C_2D. It is not the
     spectrum of a cut through the surface, whose mean square slope is half the mean square
@@ -32,7 +32,7 @@ def equivalent_amplitudes(
     """Return the mode amplitudes of the line equivalent to C_2D(q), shape (floor(N/2),).
 
     isotropic : function of q (rad per unit of length) in the convention of equivalent_spectrum.
-    length : L, in the same unit. The amplitudes have the unit of heights that C_2D was made of.
+    length : L, in the same unit. The amplitudes have the unit of the heights of the surface.
 
     Raises ValueError where C_2D is negative or not finite.
     """
@@ -49,8 +49,8 @@ def equivalent_of_cut(amplitude: np.ndarray) -> np.ndarray:
 
     amplitude : of the modes of straight cuts through an isotropic surface, shape (floor(N/2),), as
     from measured_amplitudes. Along a cut, a ring of wave vectors of length q appears as waves of
-    all lengths q cos(phi). The conversion removes these from the shortest waves on (Abel transform
-    in bands of wave numbers). The mean square slope doubles.
+    all wave numbers q cos(phi). The conversion removes these, beginning with the shortest waves
+    (inverse Abel transform in bands of wave numbers). The mean square slope doubles.
     """
     edges = _band_edges(amplitude.size)
     power = 0.5 * amplitude**2
@@ -75,7 +75,7 @@ def _shares(bounds: np.ndarray) -> np.ndarray:
     """Return the share of ring i that a cut shows in band j, shape (bands, bands)."""
     shares = np.zeros((bounds.size - 1, bounds.size - 1))
     for band in range(bounds.size - 1):
-        radii = np.linspace(bounds[band], bounds[band + 1], 9)[1::2]  # within the band
+        radii = np.linspace(bounds[band], bounds[band + 1], 9)[1::2]  # of rings in the band
         below = np.arcsin(np.minimum(bounds[None, :] / radii[:, None], 1.0))
         shares[band] = (2.0 / np.pi * np.diff(below, axis=1)).mean(axis=0)
     return shares

@@ -9,27 +9,27 @@ import numpy as np
 from .measured_modes import measured_modes
 from .self_affine import sample_line, sample_modes
 
-QUARTET = 4  # lines that one drawing of phases gives
-MAX_HEIGHT = 1e50  # and its inverse: heights far above numbers that count as zero
+QUARTET = 4  # lines from one draw of phases
+MAX_HEIGHT = 1e50  # the least height is 1/MAX_HEIGHT, far above numbers that count as zero
 
 
 class Line(NamedTuple):
-    """A sampled rigid line, highest point first, heights above its deepest point (in h)."""
+    """A sampled rigid line that begins at its highest sample."""
 
-    z: np.ndarray  # shape (N m,)
+    z: np.ndarray  # shape (N m,), heights over the deepest point, in h
     slope: np.ndarray  # shape (N m,), in h/dx
     datum: float  # height of the deepest point over the mean line, in h
     steps_per_spacing: int
-    band_limited: bool = False  # whether it is a function without modes above q = pi/dx
+    band_limited: bool = False  # whether the line is a function without modes above q = pi/dx
 
     @classmethod
     def from_samples(
         cls, z: np.ndarray, slope: np.ndarray, steps_per_spacing: int, band_limited: bool = False
     ) -> "Line":
-        """Prepare given heights (in h) and slopes (in h/dx) of a periodic line.
+        """Return the Line of heights (in h) and slopes (in h/dx) over one period.
 
-        band_limited : as the field. Raises ValueError for samples that are not finite, for a height
-        without a slope, and for heights too large to be in units of their rms roughness.
+        band_limited : as the field. Raises ValueError for samples that are not finite, for shapes
+        that do not match, and for heights that cannot be in units of their rms roughness.
         """
         if z.shape != slope.shape or z.ndim != 1 or z.size == 0 or steps_per_spacing < 1:
             raise ValueError("a line needs one slope per height, one sample per spacing or more")
@@ -43,7 +43,7 @@ class Line(NamedTuple):
     def self_affine(
         cls, amplitude: np.ndarray, phases: np.ndarray, elements: int, steps_per_spacing: int
     ) -> "Line":
-        """Sample the random line of self_affine.py.
+        """Return a random line (self_affine.py).
 
         amplitude (in h), phases : of its modes, shape (N/2,), as from amplitudes and draw_phases.
         elements : N. Raises ValueError as from_samples does.
@@ -55,11 +55,11 @@ class Line(NamedTuple):
     def quartet(
         cls, amplitude: np.ndarray, phases: np.ndarray, elements: int, steps_per_spacing: int
     ) -> Iterator["Line"]:
-        """Yield the QUARTET of lines whose phases are all turned by 0, pi, pi/2 and 3 pi/2.
+        """Yield the QUARTET of lines with all phases shifted by 0, pi, pi/2 and 3 pi/2.
 
-        Arguments as in self_affine, which is the first. Turned uniform phases are uniform, so all
-        four lines are equally probable: z, -z, the Hilbert transform of z and its negative. They
-        depend on each other (docs/errors.md quantifies this); lines of other phases do not.
+        Arguments are those of self_affine, which returns the first line. Shifted uniform phases are
+        uniform, so all four lines are equally probable: z, -z, the Hilbert transform of z and its
+        negative. They depend on each other (see docs/errors.md), but not on other quartets.
         """
         modes = amplitude * np.exp(1j * phases)
         for turned in (modes, 1j * modes):
@@ -74,7 +74,7 @@ class Line(NamedTuple):
 
     @classmethod
     def measured(cls, heights: np.ndarray, steps_per_spacing: int) -> "Line":
-        """Prepare a measured line (measured_modes.py), sampled m times as finely as it was given.
+        """Return a measured line (measured_modes.py), sampled m times as finely as the heights.
 
         heights (in h) : one period, one sample per element, shape (N,). Raises ValueError as
         measured_modes and from_samples do.

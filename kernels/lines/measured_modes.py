@@ -2,8 +2,8 @@
 
 z(x) = mean + sum_k A_k cos(q_k x + phi_k),  q_k = 2 pi k / L,  k = 1 ... floor(n/2),
 
-the trigonometric polynomial through the samples. Its slopes are exact, and it can be sampled m
-times as finely: sample_line (self_affine.py) does both.
+is the trigonometric polynomial through the samples. sample_line (self_affine.py) computes its exact
+slopes and samples it m times as finely.
 """
 
 import numpy as np

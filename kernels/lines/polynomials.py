@@ -19,9 +19,9 @@ def sample_derivatives(z, slope, spacing):
     """
     n = z.size
     derivatives = np.empty((2, n))
-    for j in range(2, n - 2):  # no branch: vectorised
+    for j in range(2, n - 2):  # without a branch, so that the loop vectorises
         fill_derivatives(z, slope, spacing, (j - 2, j - 1, j, j + 1, j + 2), derivatives)
-    for j in range(-2, min(2, n - 2)):  # round the end
+    for j in range(-2, min(2, n - 2)):  # across the end of the period
         near = (j - 2) % n, (j - 1) % n, j % n, (j + 1) % n, (j + 2) % n
         fill_derivatives(z, slope, spacing, near, derivatives)
     return derivatives
@@ -53,12 +53,9 @@ def septic_coefficients(z, slope, bend, h, j):
 
 @inlined_kernel
 def coefficients_between(z, slope, bend, h, k, j):
-    """Return the coefficients of the interval between samples j and k.
-
-    k is j + 1, or 0 for the last interval.
-    """
+    """Return septic_coefficients of the interval from sample j to k: j + 1, or 0 for the last."""
     s, c, e = -h * slope[k], 0.5 * h * h * bend[0, k], -h * h * h / 6.0 * bend[1, k]
-    # Remainders at t = 1 of the height and of its derivatives over 1, 2 and 6.
+    # Remainders at t = 1 of the height and of its first three derivatives, divided by 1, 2 and 6.
     rise = z[j] - z[k] - s - c - e
     steep = -h * slope[j] - s - 2.0 * c - 3.0 * e
     curved = 0.5 * h * h * bend[0, j] - c - 3.0 * e
@@ -77,9 +74,9 @@ def coefficients_between(z, slope, bend, h, k, j):
 
 @inlined_kernel
 def bernstein_coefficients(c):
-    """Return eight numbers whose extremes bound the polynomial from t = 0 to 1."""
+    """Return the eight Bernstein coefficients, whose extremes bound the polynomial on [0, 1]."""
     c0, c1, c2, c3, c4, c5, c6, c7 = c
-    # Coefficients divided by the binomial ones, so that only sums remain.
+    # With coefficients divided by binomial ones, the Bernstein coefficients are sums.
     c1, c2, c3, c4 = c1 * (1.0 / 7.0), c2 * (1.0 / 21.0), c3 * (1.0 / 35.0), c4 * (1.0 / 35.0)
     c5, c6 = c5 * (1.0 / 21.0), c6 * (1.0 / 7.0)
     return (

@@ -26,16 +26,15 @@ def amplitudes(
 
     ``modal`` makes the sum over modes exact, sum A_k^2 / 2 = 1: every line has rms height h.
     ``integral`` normalises the spectral integral of the paper instead,
-    h^2 = int C_1D dq from q_min to q_max; without roll-off, lines are then rougher by 1.04
-    (H=0) to 1.55 (H=1).
+    h^2 = int C_1D dq from q_min to q_max; without roll-off, lines are then rougher by a factor of
+    1.04 (H=0) to 1.55 (H=1).
 
     rolloff : wave number, in 2 pi/L, below which the spectrum is flat (Persson et al., J. Phys.
         Condens. Matter 17, R1 (2005), doi:10.1088/0953-8984/17/1/R01, long-wave roll-off q_0).
-    cutoff : number of the last mode that is not zero; q_max is then 2 pi cutoff/L. Zero stands
-        for no roll-off and for floor(N/2).
+    cutoff : number of the last mode that is not zero; q_max is then 2 pi cutoff/L. A rolloff of
+        zero means none, and a cutoff of zero means floor(N/2).
 
-    Raises ValueError for an unknown normalisation, and where the wave numbers do not ascend as
-    rolloff, cutoff, N/2.
+    Raises ValueError for an unknown normalisation, and unless rolloff <= cutoff <= N/2.
     """
     k = mode_numbers(elements)
     last = last_mode(rolloff, cutoff, k.size, normalisation)
@@ -93,7 +92,7 @@ def rms_slope(amplitude: np.ndarray, elements: int) -> float:
 
 
 def matching_rolloff(hurst: float, elements: int, slope: float) -> float:
-    """Return the roll-off (2 pi/L) at which self-affine lines of rms height h have a given slope.
+    """Return the roll-off (in 2 pi/L) that gives self-affine lines of rms height h a given slope.
 
     slope : rms slope in h/dx, which increases with the flat part of the spectrum. Raises ValueError
     for a slope below that without roll-off or above that of white noise.
@@ -127,7 +126,7 @@ def sample_line(
 ) -> tuple[np.ndarray, np.ndarray]:
     """Return heights (in h) and slopes (in h/dx) of the line, both of shape (N m,).
 
-    Every m samples the same function: sample j of m = 1 is sample j m of any other m.
+    The function does not depend on m = steps_per_spacing: sample j for m = 1 is sample j m.
     """
     return sample_modes(amplitude * np.exp(1j * phases), elements, steps_per_spacing)
 

@@ -1,1 +1,1 @@
-"""The complete model of the paper: slow, readable, the reference of the tests."""
+"""The complete model of the paper: slow, readable, and the reference in tests."""

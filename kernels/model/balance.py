@@ -11,7 +11,7 @@ from ..compile.jit import dispatch_on_type
 def balance_history(control, c, d, first, rings):
     """Return the part of the previous state that ``balance`` needs, or None.
 
-    c, d, first, rings : at the end of that step (motion/slide.py), before they change.
+    c, d, first, rings : at the end of the previous step (motion/slide.py), before they change.
     """
 
 
@@ -19,9 +19,9 @@ def balance_history(control, c, d, first, rings):
 def balance(control, law, z, c, history, d, step):
     """Return (d, passes): the new indentation and the number of passes over c.
 
-    law : of the elastomer (rheology/law.py). z : line, c : contact thresholds before the new d
-    is known, both at the samples that are marched; c may be changed. history : from
-    ``balance_history``. d : the old indentation. step : number, from 1 on.
+    law : of the elastomer (rheology/law.py). z : heights of the line. c : contact thresholds after
+    the shift of this step, which may be changed. Both are those of the marched samples. history :
+    from ``balance_history``. d : the old indentation. step : number, from 1 on.
     """
 
 

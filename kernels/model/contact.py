@@ -1,17 +1,17 @@
 """The contact step: the piecewise-linear load balance, solved exactly.
 
-An element touches where its free height w lies above the line, c = z - w < d. The load
-balance of eq. 4 (Li et al. 2014) then reads
+An element touches if its free displacement w exceeds z - d, i.e. if its threshold c = z - w lies
+below d. The load balance of eq. 4 (Li et al. 2014) then reads
 
-    sum_i max(0, d - c_i) = target
+    sum_i max(0, d - c_i) = target.
 
-and is increasing, convex and piecewise linear in the indentation d. Newton's method from the
-right runs through nested sets of touching elements and ends when the set repeats: with the
-exact root, without a tolerance.
+The sum is increasing, convex and piecewise linear in the indentation d. Newton's method from the
+right passes through nested sets of touching elements. When a set repeats, the root is exact; no
+tolerance is needed.
 
-Never more than 2 n + 3 passes over n elements: after the first pass d lies right of the root,
-from then on every pass has a smaller d with fewer elements touching, or is the last. Rounding
-can carry d below every threshold; that restarts it once, from the bound of one element.
+There are at most 2 n + 3 passes over n elements: after the first pass d lies right of the root, and
+every later pass has a smaller d and fewer touching elements, or is the last. If rounding carries d
+below every threshold, the method restarts once, from the d at which one element carries the load.
 
 A contact is a NamedTuple: Springs, or one that treats many elements together (quick/, scene/). Its
 force at d is dispatched on its type. Eq. 4 is also solved for steady sliding in model/steady.py
@@ -27,33 +27,33 @@ from ..compile.jit import dispatch_on_type, kernel, refcount_free_kernel
 
 @dispatch_on_type.refcount_free
 def excess_at(contact, load, d):
-    """Return (excess of the force at d over the load, its derivative with respect to d, number).
+    """Return (excess of the force at d over the load, its derivative with respect to d, count).
 
-    number : of the touching elements, possibly fractional.
+    count : number of touching elements, possibly fractional.
     """
 
 
 @dispatch_on_type
 def lowest_threshold(contact, load):
-    """Return (the lowest threshold, d at which some element alone would carry the load)."""
+    """Return (lowest threshold, a d at which one element alone would carry the load)."""
 
 
 @refcount_free_kernel
 def indentation_under(contact, load, guess):
-    """Return (d, passes) at which a contact carries load > 0 (eq. 4), from any ``guess``.
+    """Return (d at which a contact carries the load > 0 (eq. 4), passes), from any ``guess``.
 
-    d is NaN where the load or the guess is. passes : number of calls of excess_at (2 to 4 when the
-    guess is good).
+    d is NaN if the load or the guess is. passes : number of calls of excess_at, 2 to 4 if the
+    guess is good.
     """
     d = guess
-    fallen = False  # below every threshold
+    fallen = False  # whether d has been below every threshold
     previous = 0.0
     passes = 0
     while True:
         excess, slope, count = excess_at(contact, load, d)
         passes += 1
         if count == 0.0:
-            # One element carrying all is an upper bound.
+            # The d at which one element carries the load is an upper bound.
             lowest, new = lowest_threshold(contact, load)
             if fallen or not new > d:  # the load is below rounding, or not a number
                 return np.nextafter(lowest, np.inf) if d <= lowest else d, passes
@@ -116,7 +116,7 @@ def solve_indentation(c, load, guess, stiffness=None):
 
 @kernel
 def overlap(c, d):
-    """Return (sum of d - c_i, number) over the touching elements c_i < d.
+    """Return (sum of d - c_i, count) over the touching elements c_i < d.
 
     Eight partial sums in a fixed order: fast, and the same bits on every machine.
     """
@@ -154,7 +154,7 @@ def overlap(c, d):
 
 @kernel
 def weighted_overlap(c, stiffness, d):
-    """Return (sum of s_i (d - c_i), sum of s_i, number) over the touching elements c_i < d."""
+    """Return (sum of s_i (d - c_i), sum of s_i, count) over the touching elements c_i < d."""
     force = 0.0
     slope = 0.0
     count = 0.0

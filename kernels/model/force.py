@@ -7,7 +7,7 @@ from .contact import indentation_under, solve_indentation
 
 
 class ConstantForce(NamedTuple):
-    """Control that balances a constant load."""
+    """Control that keeps the normal force constant."""
 
     load: float  # sum of the forces of all elements, n Fbar
 

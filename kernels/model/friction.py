@@ -12,7 +12,7 @@ import numpy as np
 from ..compile.jit import kernel
 from .contact import solve_indentation
 
-MIN_COVERAGE = 0.01  # of a sample: keeps every touching sample in the load balance
+MIN_COVERAGE = 0.01  # least share of a touching sample in contact: keeps it in the load balance
 MIN_EDGE_REACH, MAX_EDGE_REACH = -0.5, 1.5  # samples; a trailing edge farther off is not resolved
 
 
@@ -21,9 +21,9 @@ def quadrature(z, slope, w, d, formed, speed, load):
     """Return (mu, rate, contact): friction and indentation rate at one instant.
 
     In contact the pressure is p = (d - z) + vbar z' + d' (eq. 3 with the indentation rate
-    kept). The load balance sum p = load over p > 0 (eq. 4) gives the rate d' exactly, eq. 5
-    the friction. ``speed`` may differ from ``formed``, the one that led to the steady state
-    (w, d): then this is the moment t0+ after a velocity jump, and mu - mu_1 is the exact jump.
+    kept). The load balance sum p = load over p > 0 (eq. 4) gives the rate d' exactly, and eq. 5
+    gives the friction. If ``speed`` differs from ``formed``, the speed of the steady state (w, d),
+    the instant is t0+ after a velocity jump, and mu - mu_1 is the exact jump.
 
     z, slope, w : shape (n,). d : indentation. formed, speed : vbar. load : n Fbar.
     mu in h/dx, rate in h/tau, contact : share of the line in contact.
@@ -33,10 +33,10 @@ def quadrature(z, slope, w, d, formed, speed, load):
     for i in range(at.size):
         weight[i] = _covered(z, slope, w, d, formed, at[i])
     threshold = (z[at] - d) - speed * slope[at]  # minus the pressure where d' = 0
-    # As a first guess every element is pressed, but perhaps one.
+    # The first guess presses all elements but that of the highest threshold.
     rate, _ = solve_indentation(threshold, load, threshold.max(), weight)
     normal, tangential, contact = weighted_sums(threshold, weight, slope[at], rate)
-    return tangential / normal, rate, min(contact / z.size, 1.0)  # edges of two can overlap
+    return tangential / normal, rate, min(contact / z.size, 1.0)  # two edges can overlap
 
 
 @kernel
@@ -55,8 +55,8 @@ def sliding_friction(line, state, speed, load):
     """Return mu of steady sliding (eq. 5), in h/dx, from the samples of a line.
 
     state : of steady sliding at the speed vbar under the load n Fbar (steady.py). Two bounds are
-    used: mu is a mean of slopes of the contact, and on a line without modes above q = pi/dx it is
-    positive.
+    used: |mu| is at most the steepest slope in contact, and mu is positive on a line without modes
+    above q = pi/dx.
     """
     z, slope, (w, d), steps = line.z, line.slope, state, line.steps_per_spacing
     mu, rate, _ = quadrature(z, slope, w, d, speed, speed, load)
@@ -66,7 +66,7 @@ def sliding_friction(line, state, speed, load):
         steepest = np.abs(slope[_touching(z, w, d)]).max()
         mu = min(max(mu + share / load * missing, -steepest), steepest)
     if line.band_limited and mu <= 0.0:
-        rise = np.roll(z, -1) - z  # of the line above an element, in a step
+        rise = np.roll(z, -1) - z  # of the line at an element, in a step
         mu = steps * step_average(rise, z - w, d)
     return mu
 
@@ -83,12 +83,12 @@ def correction_share(steps: float, speed: float) -> float:
 
 @kernel
 def elastic_correction(z, slope, w, d, speed, rate, steps):
-    """Return the error of the sum of p z' in quadrature for steady sliding.
+    """Return the correction to the sum of p z' of ``quadrature`` in steady sliding.
 
-    int (D - z) z' dx = [-(D - z)^2 / 2] with D = d + d', here cell by cell around the samples.
-    Summed by samples, its error does not fall with the speed, unlike steady friction, and exceeds
-    it below one sample per tau. A sample at an unresolved edge is not corrected. ``rate`` : from
-    quadrature at ``speed``; ``steps`` : samples per spacing.
+    The elastic part int (D - z) z' dx = [-(D - z)^2 / 2], D = d + d', is exact here, in the cell
+    around each sample. Its sum over samples has an error that does not fall with the speed, as
+    friction does, and exceeds friction below one sample per tau. A sample at an unresolved edge is
+    not corrected. rate : d' from ``quadrature`` at ``speed``. steps : samples per spacing.
     """
     missing = 0.0
     for j in _touching(z, w, d):
@@ -106,17 +106,17 @@ def elastic_correction(z, slope, w, d, speed, rate, steps):
         missing += 0.5 * steps * (after - before) * ((deep - before) + (deep - after))
         missing += covered * speed * slope[j] ** 2
         p = (deep - z[j]) + speed * slope[j]
-        if p > 0.0:  # what the sum has
+        if p > 0.0:  # the contribution to the sum
             missing -= covered * p * slope[j]
     return missing
 
 
 @kernel
 def _reach(z, slope, w, d, formed, j, k):
-    """Return the extent of contact from touching sample j towards the free neighbour k.
+    """Return the extent of contact, in samples, from touching sample j towards free neighbour k.
 
-    In samples. The leading edge lies where z - w crosses d, the trailing edge where the pressure
-    (d - z) + vbar z' of the steady state vanishes; both by linear interpolation.
+    The leading edge lies where z - w crosses d. The trailing edge lies where the pressure
+    (d - z) + vbar z' of the steady state vanishes. Both are interpolated linearly.
     """
     if k == (j + 1) % z.size:
         c = z[j] - w[j]
@@ -127,10 +127,10 @@ def _reach(z, slope, w, d, formed, j, k):
 
 @kernel
 def trailing_edge_reach(here, there):
-    """Return the extent of contact behind a touching sample, where the linear pressure vanishes.
+    """Return the extent of contact, in samples, from a touching sample to zero pressure behind it.
 
-    In samples, clipped if unresolved. here, there : pressure at that sample and at its free
-    neighbour.
+    The pressure is interpolated linearly; an unresolved extent is clipped. here, there : pressure
+    at that sample and at its free neighbour.
     """
     fall = here - there
     return min(max(here / fall, MIN_EDGE_REACH), MAX_EDGE_REACH) if fall > 0.0 else 0.5
@@ -140,7 +140,7 @@ def trailing_edge_reach(here, there):
 def _covered(z, slope, w, d, formed, j):
     """Return the share of touching sample j that is in contact: 1 except at edges.
 
-    The pressure may be finite at an edge, so counting whole samples is a first-order error.
+    The pressure may be finite at an edge, so counting whole samples would be a first-order error.
     """
     covered = 1.0
     for k in ((j + 1) % z.size, (j - 1) % z.size):
@@ -151,9 +151,9 @@ def _covered(z, slope, w, d, formed, j):
 
 @kernel
 def lagged_slope(slope, lag):
-    """Return the slope at which the force of a step acts, shape (n,), periodic, linear in between.
+    """Return the slopes at the instant when the force of a step acts (n,), by linear interpolation.
 
-    slope : at the samples, shape (n,), in h/dx. lag : of the law (rheology/law.py), in steps.
+    slope : at the samples of a period, shape (n,), in h/dx. lag : in steps (rheology/law.py).
     """
     n = slope.size
     weight = np.empty(n)
@@ -164,9 +164,9 @@ def lagged_slope(slope, lag):
 
 @kernel
 def step_average(weight, c, d):
-    """Return mu averaged over a step, in h/dx: eq. 5 with its forces, and the slope they act at.
+    """Return mu averaged over a step, in h/dx: eq. 5 with its forces and the lagged slopes.
 
-    weight : lagged slope, in h/dx, c : contact thresholds, in h, both of shape (n,).
+    weight : lagged slope, in h/dx. c : contact thresholds, in h. Both have the shape (n,).
     d : indentation, in h.
     """
     normal, tangential, _ = weighted_sums(c, None, weight, d)
@@ -175,10 +175,10 @@ def step_average(weight, c, d):
 
 @kernel
 def weighted_sums(threshold, covered, slope, d):
-    """Return the sums of eq. 5: of forces, of forces times slopes, and of touching samples.
+    """Return the sums of eq. 5: of forces, of forces times slopes, and the number of samples.
 
-    The forces are p = d - threshold, where positive. covered : share of each sample in contact, or
-    None for 1. All of shape (n,).
+    The forces are p = d - threshold, where positive. covered : share of each sample in contact,
+    which weights all sums, or None for 1. threshold, covered, slope : shape (n,).
     """
     normal = tangential = contact = 0.0
     for i in range(threshold.size):
@@ -194,6 +194,6 @@ def weighted_sums(threshold, covered, slope, d):
 def mean_slope(p, slope):
     """Return mu by eq. 5 from known forces p >= 0 and the slopes of the line.
 
-    For use outside of kernels: numpy sums in pairs, which keeps more digits.
+    This function is not a kernel: numpy sums in pairs, which keeps more digits.
     """
     return float(np.sum(p * slope) / p.sum())

@@ -1,8 +1,8 @@
 """March of a line over the elements, with the indentation given by a control.
 
-The room motion moves the elements along the line, rheology gives their response in a step, and
-control the indentation. Laws and controls are dispatched on their types: numba compiles a version
-for each pair, without code of the others.
+The package ``motion`` moves the elements along the line, ``rheology`` gives their response in a
+step, and ``control`` gives the indentation. Laws and controls are dispatched on their types: numba
+compiles a version for each pair, without code of the others.
 """
 
 import numpy as np
@@ -23,7 +23,7 @@ def march(law, control, z, weight, state, kept_steps, cap):
     z, weight : line (in h) and lagged slope (in h/dx), shape (n,), z[0] the highest point.
     state : the elements before the first step (rheology/law.py), e.g. of steady sliding.
     kept_steps : increasing step numbers (first step = 1) at which mu and d are kept.
-    cap : elements above it are assumed never to touch; inside : whether d stayed below.
+    cap : samples above it are assumed never to touch. inside : whether d stayed at or below cap.
     mu : friction averaged over the step (friction.py), in h/dx, shape of kept_steps.
     indentation : d at the end of the step, in h. passes : over the thresholds, in all steps.
     """
@@ -33,7 +33,7 @@ def march(law, control, z, weight, state, kept_steps, cap):
         lengths[s] = stop[s] - start[s]
     first = piece_bounds(lengths)
     rings = start_rings(law, z, state, start, stop)
-    # Samples above cap in short gaps cannot touch; a low height keeps the digits of w.
+    # Samples above cap in short gaps cannot touch; lowering them to cap keeps the digits of w.
     z, weight, w = gather(z, start, stop), gather(weight, start, stop), gather(state.w, start, stop)
     c, d = np.empty(z.size), state.d
     for i in range(z.size):

@@ -22,7 +22,7 @@ class Realization(NamedTuple):
     mu_1: float  # of steady sliding at v1
     mu_2: float  # of steady sliding at v2
     jump: float  # mu(t0+) - mu_1
-    mu: np.ndarray  # at the kept steps after the jump; it ends at mu_2
+    mu: np.ndarray  # at the kept steps after the jump; it tends to mu_2
     indentation: float  # of steady sliding at v1
 
 
@@ -34,7 +34,7 @@ def realization(
     load : Fbar = F_N/(4 G L h). speed : vbar = v1 tau/dx > 0. ratio : v2/v1 > 0.
     scheme : a key of SCHEMES. kept_steps : increasing step numbers, from 1 on, at which mu is kept.
     In a step the line moves by one sample. The march averages mu over each step. The difference
-    from that average in steady sliding at v2 is added to mu_2, so that mu ends at mu_2 exactly.
+    from the same average in steady sliding at v2 is added to mu_2: mu then tends to mu_2 exactly.
     """
     z, slope, force = line.z, line.slope, load * line.z.size
     v1, v2 = speed, ratio * speed

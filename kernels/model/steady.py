@@ -1,14 +1,14 @@
 """Steady sliding under a given load, without time marching, for elements that remember only u.
 
-At constant d the line carries its own displacement field along. One sweep against the
-motion, from the deepest point of the profile (always in contact) round the period, gives it:
-w = E u, u = min(w, z - d), E the decay of a step. Every -u is a maximum of increasing convex
-functions of d (E^k (d - z) over the k samples upstream), so the total force F(d) is increasing
-and convex as well, and Newton's method from the right ends with the exact root.
+At constant d the displacement field moves with the line. One sweep against the motion computes it,
+from the deepest sample, which always touches, round the period: w = E u and u = min(w, z - d),
+where E is the decay factor of a step. Every -u is a maximum of increasing convex functions of d,
+E^k (d - z) of the k-th sample upstream. The total force F(d) is therefore increasing and convex as
+well, and Newton's method from the right ends with the exact root.
 
 The number of sweeps is bounded: in exact arithmetic each has fewer touching elements than the one
-before, or is the last. Where rounding hides the root, another sweep follows while it halves the
-excess force: at most n + log2(first excess / (4e-16 load)) in total.
+before, or is the last. If rounding hides the root, sweeps continue as long as each halves the
+excess force. There are at most n + log2(first excess / (4e-16 load)) sweeps in total.
 """
 
 from typing import NamedTuple
@@ -28,14 +28,14 @@ def sweep(law, z, d, deepest, w):
     """Fill w with the free displacements of steady sliding at indentation d.
 
     law : of the elastomer, for steps of one sample. deepest : the sample to start from.
-    Return (sum of w - (z - d) over touching elements, its derivative with respect to d, number).
+    Return (sum of w - (z - d) over touching elements, its derivative with respect to d, count).
     """
     u = z[deepest] - d
     du = 1.0  # -du/dd: 1 in contact, decaying outside
     total = 0.0
     slope = 0.0
     touching = 0
-    # Two plain loops round the period: a test for the end of the line in one loop costs time.
+    # Two loops round the period: a single one would test for the end of the line at every sample.
     for first, last in ((deepest - 1, -1), (z.size - 1, deepest - 1)):
         for j in range(first, last, -1):
             free = free_displacement(law, u) if u < -MIN_MAGNITUDE else 0.0
@@ -54,11 +54,11 @@ def sweep(law, z, d, deepest, w):
 
 
 class PlainSliding(NamedTuple):
-    """Elements under a line that slides steadily, one by one."""
+    """A steadily sliding line, whose elements are visited one by one."""
 
     law: Kelvin  # or another of elements that remember u alone, for steps of one sample
     z: np.ndarray  # heights (in h), shape (n,)
-    deepest: int  # sample
+    deepest: int  # index of the deepest sample
     w: np.ndarray  # free displacements, shape (n,): filled
 
 
@@ -73,9 +73,9 @@ def _excess_of_plain_sliding(contact, load, d):
 def steady_indentation(elements, load, guess, above, most, close):
     """Return (d, sweeps) of steady sliding under the load sum_i f_i = load (eq. 4).
 
-    elements : that slide; excess_at (contact.py) gives their force at d, here and in quick/.
+    elements : a contact of sliding elements, for which excess_at (contact.py) is registered.
     above : whether the guess of d lies to the right of the root, up to rounding.
-    most : elements. close : tolerance of the excess, relative to the load.
+    most : number of elements. close : tolerance of the excess, relative to the load.
     Eq. 4 is solved in contact.py too, and for internal variables in branches/steady_memory.py.
     """
     d, fewest, least, sweeps = guess, most + 1, np.inf, 0
