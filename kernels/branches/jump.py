@@ -18,7 +18,7 @@ def friction_jump(form: Form, line: Line, elements: Elements, speed: float, rati
 
     form : of the material (rheology/forms.py), which must have a dashpot. elements : of steady
     sliding (steady_memory.py). speed : vbar, signed. In contact p = p_0 + eta (v z' + d'), where
-    p_0 is static_pressure. With p_0 in place of d - z this is the quadrature of the Kelvin
+    p_0 is the static_pressure. With p_0 in place of d - z this is the quadrature of the Kelvin
     element.
     """
     viscosity, pressure = static_pressure(form, elements.memory)

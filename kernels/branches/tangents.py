@@ -1,7 +1,7 @@
 """Tangents of an element over many steps, as powers of the matrix of one step.
 
 As long as an element stays in contact, or stays free, every step multiplies its tangents by the
-same matrix, so many steps multiply them by a power of it. Negligible tangents are set to zero.
+same matrix, and a number of steps by a power of it. Negligible tangents are set to zero.
 """
 
 from typing import NamedTuple
@@ -24,7 +24,7 @@ class Powers(NamedTuple):
     """
 
     of: np.ndarray  # shape (2, (RADIX - 1) times the digits of the largest power, W, W)
-    diagonal: np.ndarray  # shape (2,): whether it is diagonal; then each row holds the diagonal
+    diagonal: np.ndarray  # shape (2,): whether a matrix is diagonal, with its diagonal in each row
     known: np.ndarray  # shape (2, powers): whether a power has been computed
     product: np.ndarray  # shape (W, W): work space
     size: int  # M + 2
@@ -78,7 +78,7 @@ def tangents_of(powers, forces):
 
     tangents : shape (M + 1, M + 2), derivatives of the final state, d and the sum of forces, by
     column, with respect to the initial state and d, by row (steady_memory.py).
-    spells : number of stretches of constant contact, each of which costs one product or more.
+    spells : number of stretches of constant contact; each costs one product or more.
     """
     size, first, i, spells = powers.size, 0, 0, 0
     tangents = np.eye(size - 1, powers.product.shape[0])
@@ -105,7 +105,7 @@ def _have_decayed(tangents):
 
 @refcount_free_kernel
 def carry_rows(powers, touching, steps, tangents):
-    """Carry rows of tangents (c, W) over steps in which the element is in contact, or is free."""
+    """Carry rows of tangents (c, W) over ``steps`` steps in contact (``touching``) or free."""
     kind, place = 1 if touching else 0, -1
     of, diagonal, known = powers.of[kind], powers.diagonal[kind], powers.known[kind]
     product = powers.product[: tangents.shape[0]]

@@ -41,7 +41,7 @@ def run_cases(line: Line, cases: Sequence[Case], requested: Quantities) -> list[
 def run_prepared(lines: Sequence[Line], prepared: Prepared) -> list[list[Outcome]]:
     """Compute prepared cases on lines with equally many samples; return one list per line.
 
-    Plain cases that differ only in load and recorded steps are computed together, on all lines.
+    Plain cases (Case.plain) that differ only in load and recorded steps are computed together.
     No outcome depends on the other lines, to the bit. The relaxation curve is mu_2 plus the
     difference between the step averages of mu in the march and in steady sliding at v2. It thus
     tends to mu_2 exactly, whatever the step. Raises ValueError if lines differ in the number of

@@ -10,7 +10,7 @@ from ..rheology.spectrum import min_step
 from .case import Case, Quantities
 from .contacts.steady_friction import SpeedConstants
 
-MIN_RATIO_STEP = 1e-9  # least |r - 1| > 0: rounding of r is 1e-7 of it, and 1e-5 of the jump
+MIN_RATIO_STEP = 1e-9  # least |r - 1| > 0; rounding of r is 1e-7 of it, and the jump errs by 1e-5
 
 
 class SharedCases(NamedTuple):

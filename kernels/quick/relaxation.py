@@ -38,7 +38,7 @@ def plain_relaxations(stack, law, one, two, control, kept_steps):
         weight = lagged_slope(stack.slope[k], law.lag)
         state = State(before, one.d[k])
         # Apart from a transient, d stays between its steady values. It never exceeds the d at which
-        # the deepest sample carries all: d_new <= E d_old + load / K, where K (1 - E) = 1.
+        # the deepest sample carries all the load: d_new <= E d_old + load / K, where K (1 - E) = 1.
         cap, last = 1.02 * max(one.d[k], two.d[k]), 1.001 * max(one.d[k], control.load)
         mu, _, passes, inside = march(law, control, z, weight, state, kept_steps, cap)
         updates[k] = passes * n

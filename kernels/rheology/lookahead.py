@@ -61,7 +61,7 @@ class LookaheadUnits(NamedTuple):
     fresh: np.ndarray  # B_k, shape (K,): decrease of y_k per unit force
     stiffness: float
     ahead: np.ndarray  # shape (K, BLOCK_SAMPLES): force at each sample of a block per unit v_k
-    echo: np.ndarray  # shape (BLOCK_SAMPLES,): decrease of a force per force 1, 2, ... before it
+    echo: np.ndarray  # shape (BLOCK_SAMPLES,): drop of forces 1, 2, ... samples after a unit force
     left: np.ndarray  # shape (K,): decay factor of v_k over a block
     removed: np.ndarray  # shape (BLOCK_SAMPLES, K): decrease of v_k after a block per unit force
 

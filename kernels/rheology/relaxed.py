@@ -117,7 +117,7 @@ def _settle(law, memory, w, p, new):
 
 @refcount_free_kernel
 def predict_element(law, y):
-    """Return the displacement of predict for one element; y (M,) : its memory."""
+    """Return the displacement of one element without force, as predict; y (M,) : its memory."""
     count = law.decay.size
     carried, keep = 0.0, law.drag
     for b in range(count):

@@ -38,9 +38,9 @@ def retardation(spectrum: Spectrum) -> Retardation:
 
 
 def merged_branches(spectrum: Spectrum) -> tuple[np.ndarray, np.ndarray]:
-    """Return (moduli, times) of the branches, both (B,), slowest first; moduli of equal times add.
+    """Return (moduli, times) of the branches, both (B,), slowest first; equal times are merged.
 
-    Raises ValueError for a material that does not relax, or has a value that is not allowed.
+    Raises ValueError for a material that does not relax, or for values out of range.
     """
     for name, values in (("modulus", spectrum.moduli), ("time", spectrum.times)):
         for value in values:

@@ -1,8 +1,8 @@
 """Internal variables divided by their own decay: an element without force needs no update.
 
-Let y_k be the memory of unit k after a step with force p, of which -B_k p is a part. The next step
-changes it to y'_k = E_k y_k - A_k p before its own force acts (prony.py), with E_k and A_k of the
-next step. With y'_k = S_k a_k, and S_k <- E_k S_k in every step, this reads
+Let y_k be the memory of unit k after a step with force p, including -B_k p. The next step changes
+it to y'_k = E_k y_k - A_k p before its own force acts (prony.py), with E_k and A_k of the next
+step. With y'_k = S_k a_k, and S_k <- E_k S_k in every step, this reads
 
     a_k <- a_k - (E_k B_k + A_k) / S_k p,
 
@@ -24,7 +24,7 @@ from ..compile.jit import inlined_kernel, kernel
 BLOCK_ELEMENTS = 64
 RESCALE_FACTOR = 2.0**-512
 MIN_SCALED_MEMORY = 2.0**-480  # smaller rescaled memory is set to zero
-MIN_DECAY = 2.0**-100  # per step; what remains below it is lost in rounding
+MIN_DECAY = 2.0**-100  # decay factor per step; below it old memory is lost in rounding
 
 
 class Scales(NamedTuple):

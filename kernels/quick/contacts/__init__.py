@@ -7,9 +7,9 @@ indentation (``steady/``), and friction follows by one of two methods.
 *Between the samples.* A band-limited line with enough samples per spacing is interpolated by a
 polynomial of degree seven between neighbouring samples (``smooth_line``). ``events`` carries an
 element once round this smooth line. The element lands where the line reaches its free
-displacement, and leaves where its pressure vanishes. Between two such events the integrals of
-eqs. 4 and 5 are those of polynomials. Bounds of heights and slopes show that most intervals have
-no event, so no root is sought there; spans of sixteen intervals are passed at once.
+displacement, and leaves where its pressure vanishes. Between two such events eqs. 4 and 5 are
+integrals of polynomials or exponentials. Bounds of heights and slopes show that most intervals
+have no event, so no root is sought there; spans of sixteen intervals are passed at once.
 ``between_samples`` solves the load balance by Newton's method, with one such turn per iteration.
 It includes the last correction of d to first order and solves for d' after each velocity jump.
 The result does not depend on the sampling.

@@ -116,7 +116,7 @@ def _balance_load(line, speed, load, guess, patches):
 
 @refcount_free_kernel
 def _interval(first, i, n):
-    """Return the index of the i-th of n intervals on the way of elements from ``first`` on."""
+    """Return the index of the interval, of n, that elements reach i intervals after ``first``."""
     return first - i if i <= first else first - i + n
 
 

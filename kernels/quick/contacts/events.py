@@ -2,11 +2,11 @@
 
 An element passes the line against the motion. It lands where z - d falls to its free displacement,
 and leaves where its pressure d - z + vbar z' (eq. 3) vanishes. Between these events, force and
-friction (eqs. 4 and 5) are integrals of polynomials. The result is that of the continuous line,
-whatever its samples.
+friction (eqs. 4 and 5) are integrals of polynomials or exponentials. The result is that of the
+continuous line, whatever its samples.
 
 The pressure is zero where an element leaves, and its displacement is continuous where it lands.
-To first order, moving these events with d therefore does not change the force.
+The derivative of the force with respect to d is therefore that at fixed positions of the events.
 """
 
 import math

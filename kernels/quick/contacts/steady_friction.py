@@ -28,7 +28,7 @@ from .loads import (
 )
 from .smooth_line import SmoothLine, smooth_line
 
-# Least effective number of samples of a followed contact: so many samples give the jump to 2 %.
+# Least effective number of samples of a followed contact. A sampled jump then errs by 2 %.
 FOLLOWED_SAMPLES = 24.0
 
 
@@ -100,7 +100,7 @@ class SpeedConstants(NamedTuple):
 
 
 class SteadySliding(NamedTuple):
-    """Steady sliding on lines at one speed; d to followed have the shape (lines, loads)."""
+    """Steady sliding on lines at one speed; fields from d on have the shape (lines, loads)."""
 
     line_set: LineSet
     constants: SpeedConstants
@@ -108,7 +108,7 @@ class SteadySliding(NamedTuple):
     decay: DecayFactors
     loads: np.ndarray  # n Fbar, shape (loads,)
     results: LoadTable  # jumps and rates are replaced once contacts are followed
-    d: np.ndarray  # indentation over the deepest sample, in h, at the samples; a march starts there
+    d: np.ndarray  # indentation over the deepest sample, in h, of sampled contacts as in a march
     full: np.ndarray  # whether the whole line touches
     mu: np.ndarray  # in h/dx
     contact: np.ndarray  # share of the line
@@ -172,7 +172,7 @@ def follow_contacts(sliding: SteadySliding, before: SteadySliding | None = None)
 
     Return the number of patches visited per load, summed over all lines. Where rounding prevents a
     solution, friction is computed at the samples. before : sliding at another speed, already
-    followed; its ratio of true to sampled depth improves the initial guess.
+    followed; its ratio of followed to sampled depth corrects the initial guess.
     """
     constants, events = sliding.constants, np.zeros(sliding.loads.size)
     for j, data in enumerate(sliding.line_set.lines):

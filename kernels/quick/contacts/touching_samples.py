@@ -31,7 +31,7 @@ class TouchingSamples(NamedTuple):
 def covered_shares(contacts, i):
     """Return the shares of the leading and the trailing sample of piece i that contact covers.
 
-    For a piece of one sample, the leading share covers both edges and the trailing one is zero.
+    For a piece of one sample, the leading share includes both edges and the trailing one is zero.
     """
     ahead, behind = contacts.edges[i, LEADING_REACH] - 0.5, contacts.edges[i, TRAILING_REACH] - 0.5
     if contacts.ends[i, LEADING] == contacts.ends[i, TRAILING]:
@@ -83,7 +83,7 @@ def largest_slope(spans, touching):
 
 @kernel
 def mean_rise(z, d, decay, contacts):
-    """Return the rise of the line per step, averaged over its contacts weighted by their forces."""
+    """Return the force-weighted mean of the rise of the line per step, over its contacts."""
     threshold, rise, count = np.empty(z.size), np.empty(z.size), 0
     for i in range(contacts.ends.shape[0]):
         free = contacts.edges[i, FREE_DISPLACEMENT]
