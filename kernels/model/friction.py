@@ -74,8 +74,8 @@ def sliding_friction(line, state, speed, load):
 def correction_share(steps: float, speed: float) -> float:
     """Return the share of the elastic part of mu that is corrected.
 
-    The correction is more accurate for samples longer than tau, and less accurate for shorter ones
-    (measured).
+    Measured: the correction reduces the error of friction if the time per sample is longer than
+    tau, and increases it otherwise.
     """
     share = math.exp(-((steps * speed) ** 2))
     return share if share >= 1e-3 else 0.0
@@ -86,9 +86,9 @@ def elastic_correction(z, slope, w, d, speed, rate, steps):
     """Return the correction to the sum of p z' of ``quadrature`` in steady sliding.
 
     The elastic part int (D - z) z' dx = [-(D - z)^2 / 2], D = d + d', is exact here, in the cell
-    around each sample. Its sum over samples has an error that does not fall with the speed, as
-    friction does, and exceeds friction below one sample per tau. A sample at an unresolved edge is
-    not corrected. rate : d' from ``quadrature`` at ``speed``. steps : samples per spacing.
+    around each sample. Unlike friction, the error of its sum over samples does not fall with the
+    speed; below one sample per tau it exceeds friction. A sample at an unresolved edge is not
+    corrected. rate : d' from ``quadrature`` at ``speed``. steps : samples per spacing.
     """
     missing = 0.0
     for j in _touching(z, w, d):

@@ -20,7 +20,7 @@ from .spans import Spans
 HALLEY_STEPS = 2
 APPROACH_STEPS = 3  # of Halley's and Newton's methods, before contacts are listed
 LOAD_TOLERANCE = 1e-13  # excess relative to the load, above the rounding of long sums
-MAX_ELASTIC_SAMPLES = 512  # in the subset of elastic_guess, about
+MAX_ELASTIC_SAMPLES = 512  # approximate size of the subset in elastic_guess
 
 
 @kernel
