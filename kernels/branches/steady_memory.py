@@ -181,8 +181,8 @@ def _solve_line(law, line, load, target, max_turns, x, forces):
         exact = not residual < 0.1 * previous or cheap
         previous = residual
         if exact:
-            tangents, spells = tangents_of(powers, trial_forces)
-            cheap = spells * powers.product.size < CHEAP_PRODUCTS * line.size
+            tangents, stretches = tangents_of(powers, trial_forces)
+            cheap = stretches * powers.product.size < CHEAP_PRODUCTS * line.size
         else:
             tangents += np.outer(step / (step**2).sum(), y)
         step = _newton_step(tangents, y)

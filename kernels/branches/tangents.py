@@ -74,23 +74,23 @@ def _spread_diagonal(step):
 
 @kernel
 def tangents_of(powers, forces):
-    """Return (tangents, spells) of a turn round the line with these forces (n,).
+    """Return (tangents, stretches) of a turn round the line with these forces (n,).
 
     tangents : shape (M + 1, M + 2), derivatives of the final state, d and the sum of forces, by
     column, with respect to the initial state and d, by row (steady_memory.py).
-    spells : number of stretches of constant contact; each costs one product or more.
+    stretches : number of stretches of constant contact; each costs one product or more.
     """
-    size, first, i, spells = powers.size, 0, 0, 0
+    size, first, i, stretches = powers.size, 0, 0, 0
     tangents = np.eye(size - 1, powers.product.shape[0])
     while i < forces.size:
-        touches, begin, spells = forces[i] > 0.0, i, spells + 1
+        touches, begin, stretches = forces[i] > 0.0, i, stretches + 1
         while i < forces.size and (forces[i] > 0.0) == touches:
             i += 1
         carry_rows(powers, touches, i - begin, tangents[first:])
         if first == 0 and _have_decayed(tangents[:-1, : size - 2]):
             tangents[:-1, : size - 2] = 0.0
             first = size - 2
-    return tangents[:, :size].copy(), spells
+    return tangents[:, :size].copy(), stretches
 
 
 @refcount_free_kernel

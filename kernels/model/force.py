@@ -13,7 +13,7 @@ class ConstantForce(NamedTuple):
 
 
 @balance_history.register(ConstantForce)
-def _note(control, c, d, first, rings):
+def _no_history(control, c, d, first, rings):
     return None
 
 

@@ -59,9 +59,9 @@ def run_prepared(lines: Sequence[Line], prepared: Prepared) -> list[list[Outcome
         for shared in prepared.shared:
             results = _run_shared(line_set, shared, requested)
             for row, on_lines in zip(shared.rows, results, strict=True):
-                for of_line, outcome in zip(outcomes, on_lines, strict=True):
-                    of_line[row] = outcome
-    return [[of_line[i] for i in range(len(cases))] for of_line in outcomes]
+                for by_case, outcome in zip(outcomes, on_lines, strict=True):
+                    by_case[row] = outcome
+    return [[by_case[i] for i in range(len(cases))] for by_case in outcomes]
 
 
 def _run_shared(
@@ -122,8 +122,8 @@ def _outcomes_under_load(
                 one, two, i, k, case.kept_steps[k], requested
             )
             deviations += two.mu[:, i : i + 1]
-            for of_line, curve in zip(curves, deviations, strict=True):
-                of_line.append(curve)
+            for line_curves, curve in zip(curves, deviations, strict=True):
+                line_curves.append(curve)
             work += updates
             clocks.lap_phase(MARCHING, i)
     jumps = one.results.jumps[:, i] if requested.jump else np.full(mu_2.shape, np.nan)
@@ -175,9 +175,9 @@ def relaxations_under_load(
         curves[j] = mu - settled
         if not inside:
             row = slice(j, j + 1)
-            of_line = (end._replace(thresholds=end.thresholds[row], d=end.d[row]) for end in ends)
+            line_ends = (end._replace(thresholds=end.thresholds[row], d=end.d[row]) for end in ends)
             single = single_line(stack, j)
-            plain, work = plain_relaxations(single, law, *of_line, control, kept_steps)
+            plain, work = plain_relaxations(single, law, *line_ends, control, kept_steps)
             curves[j], updates[j] = plain[0], updates[j] + work[0]
     return curves, updates
 

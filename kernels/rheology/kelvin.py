@@ -20,7 +20,7 @@ class Kelvin(NamedTuple):
 
 
 @free_displacement.register(Kelvin)
-def _reach(law, u):
+def _kelvin_displacement(law, u):
     return law.decay * u
 
 

@@ -67,7 +67,7 @@ class LookaheadUnits(NamedTuple):
 
 
 @lookahead_law.register(Prony)
-def _foreseen_of_units(law):
+def _lookahead_units(law):
     due, powers = law.decay * law.fresh + law.stale, np.ones((BLOCK_SAMPLES + 1, law.decay.size))
     for m in range(BLOCK_SAMPLES):
         for k in range(law.decay.size):
@@ -83,17 +83,17 @@ def _foreseen_of_units(law):
 
 
 @lookahead_law.register(Relaxed)
-def _foreseen_of_branches(law):
+def _lookahead_branches(law):
     return law
 
 
 @lookahead_memory.register(LookaheadUnits)
-def _from_memory(law, memory, p):
+def _memory_of_units(law, memory, p):
     return law.decay * (memory + law.fresh * p) - law.due * p
 
 
 @lookahead_memory.register(Relaxed)
-def _from_memory_of_branches(law, memory, p):
+def _memory_of_branches(law, memory, p):
     return memory.copy()
 
 
@@ -106,7 +106,7 @@ def _predict(law, memory, p, w):
 
 
 @advance_memory.register(LookaheadUnits)
-def _settle(law, memory, w, p, new):
+def _advance_memory(law, memory, w, p, new):
     for k in range(law.decay.size):
         decay, due = law.decay[k], law.due[k]
         for i in range(w.size):
@@ -121,7 +121,7 @@ def _slide_one(law, y, d, heights, forces):
         block = forces[i : i + BLOCK_SAMPLES]
         for m in range(BLOCK_SAMPLES):
             block[m] = law.stiffness * (d - heights[i + m])
-        _foretell(law.ahead, y, block)
+        _add_memory_forces(law.ahead, y, block)
         before = total
         for m in range(BLOCK_SAMPLES):
             force = block[m]
@@ -154,7 +154,7 @@ def _slide_one(law, y, d, heights, forces):
 
 
 @inlined_kernel
-def _foretell(ahead, y, block):
+def _add_memory_forces(ahead, y, block):
     """Add the contributions of internal variables y (K,) to the forces of a block.
 
     ahead (K, BLOCK_SAMPLES) : contribution of each variable per unit value.

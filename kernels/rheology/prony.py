@@ -87,26 +87,26 @@ def fill_law(form, dt, constants):
         moved[k], late[k] = compliance * decayed, start / decayed
         ramp += stale[k]
         latest = max(latest, late[k])
-    prompt = answered = form.glass
+    prompt = total_response = form.glass
     for k in range(form.times.size):
         prompt += moved[k] * (1.0 - late[k] / latest)
-        answered += moved[k]
+        total_response += moved[k]
     linear = min(1.0, 4.0 * prompt / ramp)
     softness = form.glass
     for k in range(form.times.size):
         fresh[k] += (1.0 - linear) * stale[k]
         stale[k] *= linear
         softness += fresh[k]
-    return 1.0 / softness, (1.0 - linear) * ramp / answered, linear
+    return 1.0 / softness, (1.0 - linear) * ramp / total_response, linear
 
 
 @memory_size.register(Retardation)
-def _memories(form):
+def _memory_size(form):
     return form.times.size
 
 
 @rest_memory.register(Retardation)
-def _rest(form, p):
+def _rest_memory(form, p):
     return -form.compliances.reshape(-1, 1) * p
 
 
@@ -116,7 +116,7 @@ def _displacement(form, memory, p):
 
 
 @static_pressure.register(Retardation)
-def _lasting(form, memory):
+def _static_pressure(form, memory):
     """Without a glassy spring the units' rates add up to du/dt: p = -eta (du/dt + sum y/lambda)."""
     viscosity = 1.0 / (form.compliances / form.times).sum() if form.glass == 0.0 else 0.0
     pressure = np.zeros(memory.shape[1])
@@ -137,7 +137,7 @@ def _predict(law, memory, p, w):
 
 
 @advance_memory.register(Prony)
-def _settle(law, memory, w, p, new):
+def _advance_memory(law, memory, w, p, new):
     for k in range(law.decay.size):
         decay, fresh, stale = law.decay[k], law.fresh[k], law.stale[k]
         for i in range(p.size):

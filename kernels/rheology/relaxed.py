@@ -68,12 +68,12 @@ def _law_of(form, dt):
 
 
 @memory_size.register(RelaxationForm)
-def _memories(form):
+def _memory_size(form):
     return form.times.size + 1
 
 
 @rest_memory.register(RelaxationForm)
-def _rest(form, p):
+def _rest_memory(form, p):
     memory = np.zeros((form.times.size + 1, p.size))
     memory[-1] -= p
     return memory
@@ -85,7 +85,7 @@ def _displacement(form, memory, p):
 
 
 @static_pressure.register(RelaxationForm)
-def _lasting(form, memory):
+def _static_pressure(form, memory):
     return form.viscosity, -memory.sum(0)
 
 
@@ -102,7 +102,7 @@ def _predict(law, memory, p, w):
 
 
 @advance_memory.register(Relaxed)
-def _settle(law, memory, w, p, new):
+def _advance_memory(law, memory, w, p, new):
     count = law.decay.size
     for i in range(w.size):
         u = w[i] - new[i] / law.stiffness

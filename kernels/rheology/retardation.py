@@ -80,7 +80,7 @@ def _unit(moduli: np.ndarray, times: np.ndarray, viscosity: float, k: int) -> tu
             least = middle
         else:
             most = middle
-    rate, rest = _rest(times, pole, sign * most)
+    rate, rest = _rate_near_pole(times, pole, sign * most)
     fall = float(np.sum(moduli * times / rest**2)) + viscosity
     return 1.0 / (rate * fall), 1.0 / rate
 
@@ -89,11 +89,11 @@ def _modulus(
     moduli: np.ndarray, times: np.ndarray, viscosity: float, pole: float, distance: float
 ) -> float:
     """Return G(-r) = 1 - sum g_b r t_b / (1 - r t_b) - eta r, falling between two poles."""
-    rate, rest = _rest(times, pole, distance)
+    rate, rest = _rate_near_pole(times, pole, distance)
     return 1.0 - float(np.sum(moduli * (rate * times) / rest)) - viscosity * rate
 
 
-def _rest(times: np.ndarray, pole: float, distance: float) -> tuple[float, np.ndarray]:
+def _rate_near_pole(times: np.ndarray, pole: float, distance: float) -> tuple[float, np.ndarray]:
     """Return (r, 1 - r t_b), without cancellation, at a distance from the pole 1/``pole``."""
     apart = np.ones_like(times) if math.isinf(pole) else (pole - times) / pole
     return 1.0 / pole + distance, apart - distance * times
