@@ -1,4 +1,4 @@
-"""Friction of steady sliding as loss: against moduli, fine lines, and at both extremes."""
+"""Friction from dissipated energy: against loss moduli, fine lines and the Kelvin element."""
 
 import numpy as np
 import pytest
@@ -18,7 +18,7 @@ ELEMENTS = size(120, 30)
 
 
 def line_of(m, seed=1, elements=ELEMENTS):
-    """Return a random line of H = 0.7 at m samples per spacing: the same one for every m."""
+    """Return a random line of H = 0.7 with m samples per spacing: the same line for every m."""
     phases = draw_phases(np.random.default_rng(seed), elements)
     return Line.self_affine(amplitudes(0.7, elements), phases, elements, m)
 
@@ -32,7 +32,7 @@ def friction(material, line, speed, load=0.1, scheme="exponential"):
 
 
 def errors_in_full_contact(material, rate, refinements, scheme="exponential"):
-    """Return mu on a sinusoid over a^2 q G''(q v) / (2 Fbar), less 1: (refinements, 1)."""
+    """Return relative errors, (refinements, 1); on a sinusoid mu = a^2 q G''(q v) / (2 Fbar)."""
     q, a = 2.0 * np.pi / 32.0, 0.3
     modulus = complex_modulus(material, abs(rate))
     load = 1.5 * a * abs(modulus)
@@ -51,7 +51,7 @@ def errors_in_full_contact(material, rate, refinements, scheme="exponential"):
 @pytest.mark.parametrize("scheme", FORMS_BY_SCHEME)
 @pytest.mark.parametrize("rate", [0.3, 5.0, -100.0])
 def test_a_sinusoid_in_full_contact_shows_the_loss_modulus(name, scheme, rate):
-    """Every element is forced harmonically."""
+    """In full contact every element is driven harmonically."""
     refinements = np.array([1, 2, 4])
     errors = errors_in_full_contact(MATERIALS[name], rate, refinements, scheme)
     assert np.abs(errors[-1]).max() < (2e-3 if scheme == "exponential" else 2e-2)
@@ -65,7 +65,7 @@ def test_a_sinusoid_in_full_contact_shows_the_loss_modulus(name, scheme, rate):
     ("Prony3", 1e-4), ("Prony3", 3.0), ("SBR", 1e-4), ("SBR", 1e3), ("dashpot", 1e-4),
 ])  # fmt: skip
 def test_four_samples_per_spacing_are_near_sixty_four(name, speed):
-    """Even at the lowest speeds, where the sum over samples errs by more than the friction."""
+    """This holds even at low speeds, where the sum over samples errs by more than the friction."""
     errors = []
     for seed in range(3):
         coarse = friction(MATERIALS[name], line_of(4, seed), speed)[0]

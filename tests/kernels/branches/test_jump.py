@@ -1,4 +1,4 @@
-"""Velocity jumps: a jump of mu with a dashpot, of its rate without one."""
+"""Response to velocity jumps: a jump of mu with a dashpot, a jump of d mu/dt without one."""
 
 import numpy as np
 import pytest
@@ -17,7 +17,7 @@ ELEMENTS = 16
 
 
 def line_of(m):
-    """Return a smooth random line at m samples per spacing."""
+    """Return a smooth random line with m samples per spacing."""
     phases = draw_phases(np.random.default_rng(2), ELEMENTS)
     return Line.self_affine(amplitudes(1.0, ELEMENTS), phases, ELEMENTS, m)
 
@@ -30,7 +30,7 @@ def steady(material, line, speed, scheme="exponential", load=0.3):
 
 
 def sliding(material, line, speed, scheme="exponential"):
-    """Return the arguments of friction_jump before the speed."""
+    """Return the first arguments of friction_jump, up to the elements."""
     form, elements = steady(material, line, speed, scheme)
     return form, line, elements
 
@@ -47,7 +47,7 @@ def test_a_kelvin_element_jumps_as_in_its_quadrature(ratio):
 
 @pytest.mark.parametrize("direction", [1.0, -1.0])
 def test_full_contact_jumps_by_the_share_of_the_dashpot(direction):
-    """mu_0 - mu_1 = eta (v2 - v1) mean(z'^2) / Fbar, whatever the branches."""
+    """The jump is eta (v2 - v1) mean(z'^2) / Fbar, whatever the branches."""
     q, a, m = 2.0 * np.pi / 32.0, 0.3, 4
     x = np.arange(32 * m) / m
     line = Line.from_samples(a * np.cos(q * x), -a * q * np.sin(q * x), m)
@@ -69,7 +69,7 @@ def test_both_forms_jump_alike():
 
 
 def test_a_march_jumps_by_the_formula():
-    """The first step after the jump approaches the formula under refinement."""
+    """The change of mu in the first step converges to the formula under refinement."""
     material, speed, ratio = MATERIALS["dashpot"], 3.0, 2.0
     errors = []
     for m in (32, 256):
@@ -84,7 +84,7 @@ def test_a_march_jumps_by_the_formula():
 
 
 def first_step(form, line, elements, speed):
-    """Return mu of the first step at another speed."""
+    """Return mu of the first step at another speed, averaged over the step."""
     m = line.steps_per_spacing
     march = Foundation(form, line.z, elements)
     march.step(1, 1.0 / (speed * m), load=float(elements.p.sum()))
@@ -94,7 +94,7 @@ def first_step(form, line, elements, speed):
 
 @pytest.mark.parametrize("ratio", [0.5, 1.5])
 def test_without_a_dashpot_the_rate_jumps(ratio):
-    """The rate that the change of speed adds to the first step, against the formula."""
+    """The rate that the change of speed adds in the first step agrees with the formula."""
     material, speed = of_unit_tau((10.0, 3.0), (0.05, 0.5)), 1.0
     line = line_of(512)
     units, elements = steady(material, line, speed)

@@ -1,4 +1,4 @@
-"""Steady sliding with internal variables: against marching, Kelvin elements, hard lines."""
+"""Steady sliding with internal variables: against marches, Kelvin elements, and on hard lines."""
 
 import numpy as np
 import pytest
@@ -65,7 +65,7 @@ def test_a_march_from_rest_reaches_the_steady_state(name):
 
 @pytest.mark.skipif(PLAIN_PYTHON, reason="NUMBA_DISABLE_JIT=1: counts are the same, and slow")
 def test_thirteen_branches_cost_a_hundredth_of_marching():
-    """After a hundred times the element updates a march is still not within 1e-3."""
+    """With a hundred times as many element updates a march is still not within 1e-3."""
     z, _ = random_line(80, 0.7, M, 5)
     form, load = retardation(SBR), LOAD * z.size
     speed = 1.0 * z.size  # the slowest branch lasts 16 periods
@@ -115,13 +115,13 @@ def test_both_schemes_converge_to_one_steady_state(name):
             ]
             gap.append(d[0].d - d[1].d)
         gaps.append(gap)
-    # The fastest branch is resolved at the end.
+    # Only the finest lines resolve the fastest branch.
     assert observed_order(refinements, gaps) > size(1.4, 1.2)
     assert np.abs(gaps[-1]).max() < 1e-3
 
 
 def test_a_glassy_modulus_that_grows_leads_to_the_kelvin_element():
-    """One branch with g t = 1 and g -> inf: the difference falls as G / G_g."""
+    """For one branch with g t = 1 and g -> inf the difference falls as 1 / g."""
     z = three_modes(size(256, 64))
     speed, load = 1.0 * z.size, 0.3 * z.size
     kelvin = steady_memory(retardation(KELVIN), z, speed, load).d
@@ -172,7 +172,7 @@ def test_lines_that_are_not_smooth(name, scheme):
     st.sampled_from(list(FORMS_BY_SCHEME)),
 )
 def test_any_line_and_material(z, branches, speed, load, direction, scheme):
-    """The state is periodic and carries the load, for any arguments."""
+    """For any arguments the state is periodic and carries the load."""
     z = np.array(z)
     spectrum = Spectrum(tuple(10.0**g for g, _ in branches), tuple(10.0**t for _, t in branches), 0)
     state = steady_memory(
@@ -202,7 +202,7 @@ def test_lack_of_convergence_is_an_error(monkeypatch):
 @pytest.mark.parametrize("scheme", FORMS_BY_SCHEME)
 @pytest.mark.parametrize("speed", [1.0, 50.0, 1e4])
 def test_tangents_equal_finite_differences_of_a_turn(scheme, speed):
-    """At 1 sample per tau the initial state decays to rounding on the way."""
+    """At 1 sample per tau the initial state decays to rounding during the turn."""
     z, _ = random_line(N, 0.7, M, 5)
     form = FORMS_BY_SCHEME[scheme](PRONY3)
     state = steady_memory(form, z, speed, LOAD * z.size)

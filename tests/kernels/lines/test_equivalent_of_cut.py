@@ -1,4 +1,4 @@
-"""The line equivalent to a surface of which cuts were measured: the transform of Abel undone."""
+"""The line equivalent to a surface, from measured cuts: inversion of the Abel transform."""
 
 import numpy as np
 import pytest

@@ -1,4 +1,4 @@
-"""Sampled and measured lines: their origin, what passes through samples, and what is refused."""
+"""Sampled and measured lines: origin, quartets, interpolation of samples, and refused input."""
 
 import numpy as np
 import pytest
@@ -25,7 +25,7 @@ def test_line_starts_at_its_top_and_counts_from_its_bottom():
     assert line.z[0] == line.z.max()
     assert line.z.min() == 0.0
     assert np.sqrt(np.mean((line.z + line.datum) ** 2)) == pytest.approx(1.0, rel=1e-13)
-    assert abs(np.mean(line.z) + line.datum) < 1e-13  # datum: from the mean line
+    assert abs(np.mean(line.z) + line.datum) < 1e-13  # datum is relative to the mean line
     given = Line.from_samples(np.roll(line.z, 5) + 3.0, np.roll(line.slope, 5), M)
     np.testing.assert_allclose(given.z, line.z, atol=1e-14)
     np.testing.assert_array_equal(given.slope, line.slope)
@@ -56,7 +56,7 @@ def test_heights_in_other_units_than_their_roughness_are_refused(scale):
 @pytest.mark.parametrize("elements", [50, 51])
 @pytest.mark.parametrize("m", [1, 4])
 def test_a_quartet_is_the_lines_of_phases_that_are_as_probable(elements, m):
-    """Each phase turned by 0, pi, pi/2 and 3 pi/2."""
+    """The phases are shifted by 0, pi, pi/2 and 3 pi/2."""
     amplitude = amplitudes(0.7, elements)
     phases = draw_phases(np.random.default_rng(5), elements)
     quartet = list(Line.quartet(amplitude, phases, elements, m))
@@ -70,7 +70,7 @@ def test_a_quartet_is_the_lines_of_phases_that_are_as_probable(elements, m):
 
 
 def test_the_first_of_a_quartet_is_the_line_alone_and_every_other_one_stands_on_its_head():
-    """To the bit, but for heights that are counted from another end."""
+    """This holds to the bit, except for the heights of the second line, which differ in origin."""
     amplitude = amplitudes(0.3, 50)
     phases = draw_phases(np.random.default_rng(6), 50)
     quartet = list(Line.quartet(amplitude, phases, 50, 3))
@@ -86,7 +86,7 @@ SIZES = (4, 5, 64, 65)
 
 
 def some_line(samples, seed=3):
-    """Return the heights of a random walk, brought back to its start."""
+    """Return the heights of a random walk that returns to its start."""
     walk = np.cumsum(np.random.default_rng(seed).normal(size=samples))
     return walk - walk[-1] * np.arange(samples) / samples
 
@@ -99,7 +99,7 @@ def test_resampling_keeps_the_samples(heights, m):
 
 @given(HEIGHTS)
 def test_the_power_of_the_modes_is_the_variance(heights):
-    """Parseval: sum A_k^2 / 2 is the mean square of the heights about their mean."""
+    """By Parseval's theorem sum A_k^2 / 2 is the variance of the heights."""
     amplitude = measured_amplitudes(heights[None, :])
     assert rms_height(amplitude) == pytest.approx(heights.std(), rel=1e-12, abs=1e-15)
 
@@ -115,7 +115,7 @@ def test_slopes_are_those_of_the_cosines(samples, m):
     np.testing.assert_allclose(slope, -0.5 * q * np.sin(q * x + 0.3), atol=1e-13)
 
 
-@pytest.mark.parametrize("samples", [5, 65])  # of an even number the Nyquist mode is half known
+@pytest.mark.parametrize("samples", [5, 65])  # even sizes determine half of the Nyquist mode
 def test_rms_slope_is_that_of_the_line(samples):
     heights = some_line(samples)
     _, slope = sample_line(*measured_modes(heights), samples, 2)

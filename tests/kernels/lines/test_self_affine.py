@@ -1,4 +1,4 @@
-"""Random lines: their normalisation, their spectrum, and the one function behind every sampling."""
+"""Random lines: normalisation, spectrum, and samples of one function whatever the sampling."""
 
 import itertools
 
@@ -41,7 +41,7 @@ def cosine_sum(amplitude, phases, elements, m):
 def test_rms_height_and_slope_of_the_samples(hurst, elements, m):
     amplitude, phases = drawn(hurst, elements)
     z, slope = sample_line(amplitude, phases, elements, m)
-    # Sampled above twice the highest wave number, means of squares are exact sums over modes.
+    # With samples above twice the highest wave number, mean squares are exact sums over modes.
     assert np.sqrt(np.mean(z**2)) == pytest.approx(1.0, rel=1e-13)
     assert np.sqrt(np.mean(slope**2)) == pytest.approx(rms_slope(amplitude, elements), rel=1e-13)
     assert abs(z.mean()) < 1e-14
@@ -50,10 +50,10 @@ def test_rms_height_and_slope_of_the_samples(hurst, elements, m):
 
 @pytest.mark.parametrize(("hurst", "ratio"), [(0.0, 1.04), (0.3, 1.17), (0.7, 1.39), (1.0, 1.55)])
 def test_integral_normalisation_of_the_paper(hurst, ratio):
-    """DESIGN section 2: lines are rougher by these factors at N = 5000 (two decimals)."""
+    """Lines with N = 5000 are rougher by these factors (two decimals)."""
     amplitude = amplitudes(hurst, 5000, "integral")
     assert np.sqrt(np.sum(amplitude**2) / 2) == pytest.approx(ratio, abs=0.005)
-    # Only the common factor differs.
+    # The amplitudes differ by a common factor only.
     factor = amplitude / amplitudes(hurst, 5000)
     np.testing.assert_allclose(factor, factor[0], rtol=1e-12)
 
@@ -70,7 +70,7 @@ def test_samples_are_the_cosine_sum(hurst, elements, m):
     amplitude, phases = drawn(hurst, elements)
     z, slope = sample_line(amplitude, phases, elements, m)
     z_sum, slope_sum = cosine_sum(amplitude, phases, elements, m)
-    # Rounding of sums of 25 terms of order one, slopes up to pi.
+    # The tolerances allow for rounding of 25 terms of order one, of slopes up to pi.
     np.testing.assert_allclose(z, z_sum, atol=1e-13)
     np.testing.assert_allclose(slope, slope_sum, atol=3e-13)
 
@@ -83,7 +83,7 @@ def test_phases_are_reproducible_and_fill_the_circle():
     assert not np.any(first == other)
     assert first.min() >= 0.0
     assert first.max() < 2.0 * np.pi
-    # Uniform phases: the resultant of 2500 unit vectors is of order 50, here within 4 sigma.
+    # For uniform phases the sum of 2500 unit vectors is of order 50; four times that is allowed.
     assert np.abs(np.exp(1j * first).sum()) < 4.0 * np.sqrt(first.size)
 
 
@@ -112,13 +112,13 @@ def test_roll_off_and_cut_off_keep_the_normalisation(hurst):
 
 @pytest.mark.parametrize("hurst", HURST)
 def test_no_roll_off_and_no_cut_off_leave_every_bit(hurst):
-    """Also where they are given and cut nothing off."""
+    """Values that change nothing leave the amplitudes equal to the bit."""
     usual = amplitudes(hurst, 51)
     np.testing.assert_array_equal(amplitudes(hurst, 51, rolloff=1.0, cutoff=25), usual)
 
 
 def test_a_cut_off_leaves_the_other_modes_in_phase():
-    """The line of a smaller cut-off is the line itself, without its short waves."""
+    """A smaller cut-off gives the same line without its short waves."""
     amplitude, phases = drawn(0.7, 64)
     cut, _ = sample_line(amplitudes(0.7, 64, cutoff=10), phases, 64, 1)
     spectrum = np.fft.rfft(sample_line(amplitude, phases, 64, 1)[0])
@@ -160,24 +160,24 @@ def test_the_integral_is_the_mean_square_height_and_slope(length):
 
 
 def test_one_cosine_has_one_line():
-    """A cosine of amplitude A holds A^2 / 2, whatever the length of the line."""
+    """A cosine of amplitude A contributes A^2 / 2, whatever the length of the line."""
     for length in (1.0, 2.0):
         q, spectrum = power_spectrum(np.array([0.0, 0.2, 0.0]), length)
         assert spectrum[1] * q[0] == pytest.approx(0.02)
         assert (spectrum[0], spectrum[2]) == (0.0, 0.0)
 
 
-N = 4096  # elements, on a length of N: the spacing is 1
+N = 4096  # number of elements, and length of the line: the spacing is 1
 STEP = 2.0 * np.pi / N
 
 
 def gaussian(q):
-    """Return C_2D of a surface of rms height 2 and correlation length 9 (Gaussian spectrum)."""
+    """Return the Gaussian C_2D of a surface of rms height 2 and correlation length 9."""
     return 4.0 * 81.0 / (4.0 * np.pi) * np.exp(-81.0 * q**2 / 4.0)
 
 
 def test_height_gradient_and_curvature_are_those_of_the_surface():
-    """2 pi int q^(n+1) C_2D dq of the Gaussian spectrum is h^2 (4/xi^2)^(n/2) (n/2)!"""
+    """For the Gaussian spectrum 2 pi int q^(n+1) C_2D dq is h^2 (4/xi^2)^(n/2) (n/2)!."""
     amplitude = equivalent_amplitudes(gaussian, N, N)
     q = STEP * mode_numbers(N)
     curvature = 0.5 * np.sum((amplitude * q**2) ** 2)
@@ -187,7 +187,7 @@ def test_height_gradient_and_curvature_are_those_of_the_surface():
 
 
 def test_moments_of_a_random_surface_itself():
-    """Rms height and gradient of a drawn periodic surface; a cut through it has half the square."""
+    """Rms height and gradient are those of a random surface; a cut has half its square gradient."""
     n, rng = 128, np.random.default_rng(5)
     k = 2.0 * np.pi * np.fft.fftfreq(n)
     q = np.hypot(*np.meshgrid(k, k))
@@ -196,8 +196,8 @@ def test_moments_of_a_random_surface_itself():
     gradient = np.sqrt(np.sum(np.abs(q * filtered) ** 2)) / n**2
     amplitude = equivalent_amplitudes(gaussian, 16 * n, 16 * n)
     ratio = rms_slope(amplitude, 16 * n) / rms_height(amplitude)
-    assert gradient / height == pytest.approx(ratio, rel=0.05)  # 200 patches of correlation
-    # A cut holds only one of the two components of the gradient.
+    assert gradient / height == pytest.approx(ratio, rel=0.05)  # 200 correlation areas
+    # A cut shows only one of the two components of the gradient.
     cut = np.fft.ifft2(filtered).real
     slope = np.fft.ifft(1j * k * np.fft.fft(cut, axis=1), axis=1).real
     assert np.sqrt(np.mean(slope**2)) == pytest.approx(gradient / np.sqrt(2.0), rel=0.1)
@@ -218,7 +218,7 @@ def test_no_power_spectrum_is_refused(bad):
 
 
 def test_a_spectrum_normalised_by_q_dq_over_2_pi_is_divided_by_4_pi_squared():
-    """As docs/surfaces.md says of one from contact.engineering, h^2 = integral of C q dq/(2 pi)."""
+    """A spectrum from contact.engineering has h^2 = int C q dq/(2 pi), see docs/surfaces.md."""
     length, count, hurst, h = 1e-3, 500, 0.8, 1e-6
     q = 2.0 * np.pi / length * np.arange(1, count // 2 + 1)
     step = q[0]

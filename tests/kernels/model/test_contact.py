@@ -6,7 +6,7 @@ import pytest
 from elastomer_friction.kernels import solve_indentation
 from tests.references import sorted_root
 
-EPS = 2.0**-52  # from 1.0 to the next number
+EPS = 2.0**-52  # distance from 1.0 to the next number
 
 
 def force(c, d):
@@ -20,13 +20,13 @@ def test_any_guess_leads_to_the_root_of_the_sorted_sums(n, mean_load):
     c = np.random.default_rng(n).normal(size=n)
     for guess in (-1e6, -2.0, 0.0, 0.3, 2.0, 1e6):
         d, passes = solve_indentation(c, mean_load * n, guess)
-        # Sums of n terms in different order: n eps of the largest term in the worst case.
+        # Sums of n terms in different orders differ by at most n eps of the largest term.
         assert d == pytest.approx(sorted_root(c, mean_load * n), rel=1e-13, abs=1e-14)
         assert passes <= 12  # nested sets shrink fast
 
 
 def test_a_set_that_repeats_ends_the_search_at_the_second_pass():
-    """Going on until rounding stops the fall would cost a third pass now and then."""
+    """Iterating until d stops falling, by rounding, would sometimes cost a third pass."""
     for seed in range(200):
         c = np.random.default_rng(seed).normal(size=30)
         root = sorted_root(c, 20.0)
@@ -39,9 +39,9 @@ TIES = np.array([0.0, 0.0, 0.0, 1.0, 1.0, 5.0, 5.0])
 KNOWN = [
     *[(np.full(n, 0.7), 0.3 * n, 0.0, 1.0) for n in (1, 3, 8, 21)],
     *[(TIES, load, guess, d) for load, d in ((1.5, 0.5), (8.0, 2.0)) for guess in (9.0, -9.0)],
-    *[(TIES, 3.0, guess, 1.0) for guess in (9.0, -9.0)],  # exactly on the tie
+    *[(TIES, 3.0, guess, 1.0) for guess in (9.0, -9.0)],  # the root is a tie
     (np.array([0.4, 0.8, 0.0, 0.3, 0.3, 0.9, 0.0, 0.1, 0.5, 0.6]), 0.8, 0.9, 0.3),
-    (np.array([0.0, 1e-9, 2.0]), 1e-8, 1e9, 5.5e-9),  # far above, no small load is hidden
+    (np.array([0.0, 1e-9, 2.0]), 1e-8, 1e9, 5.5e-9),  # a guess far above hides no small load
 ]
 
 
@@ -69,7 +69,7 @@ def test_weighted_ties_at_the_root_end_too():
 
 
 def test_quantised_heights_end_for_every_root_on_a_tie():
-    """Heights of a measured line are multiples of a resolution, and so may be the root."""
+    """Measured heights are multiples of the resolution, and the root may be one, too."""
     rng = np.random.default_rng(0)
     for _ in range(2000):
         c = rng.integers(0, 10, rng.integers(1, 12)) / 10
@@ -88,7 +88,7 @@ def test_a_load_below_rounding_is_carried_by_the_lowest_element(guess, passes, s
 
 
 def test_rounding_below_every_threshold_does_not_go_round_for_ever():
-    """Newton's method fell below the ties at 1, was lifted above the others, and so on."""
+    """Newton's method used to fall below the ties at 1, be lifted above the others, and repeat."""
     c = np.array([1.0, 1.0, 1.0, 1.0, 1.0 + EPS, 1.0 + EPS, 1.0 + EPS])
     d, passes = solve_indentation(c, 2.0 * EPS, 1.0 + 2.0 * EPS)
     assert d == 1.0 + EPS
@@ -105,7 +105,7 @@ def test_what_is_no_number_stays_so_and_ends(load, guess, stiffness):
 
 @pytest.mark.parametrize("n", [5, 20, 60])
 def test_passes_stay_below_their_bound_where_each_frees_one_element(n):
-    """With c_k = (k + 1)! the mean of the lowest k lies above all of them but the last."""
+    """With c_k = (k + 1)!, the mean of the lowest k thresholds lies below the last of them only."""
     c = np.cumprod(np.arange(1.0, n + 1))
     d, passes = solve_indentation(c, 1e-3, 2.0 * c[-1])
     assert d == pytest.approx(1.001, rel=1e-15)

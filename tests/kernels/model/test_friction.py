@@ -1,9 +1,9 @@
 """Friction of a state: its jump on a parabola, its elastic part at low speeds.
 
-Steady friction has its order in tests/hard/test_convergence.py, and all of it stands beside exact
-arithmetic in tests/independent/test_exact.py.
+The order of steady friction is tested in tests/hard/test_convergence.py. All friction is tested
+against exact arithmetic in tests/independent/test_exact.py.
 
-Parabola: contact is 4.8 spacings wide and v tau = 1.5; the period of 48 forgets by e^-32.
+On the parabola contact is 4.8 spacings wide, v tau = 1.5, and memory decays by e^-32 in a period.
 """
 
 from functools import partial
@@ -29,7 +29,7 @@ OFFSETS = (0.0, 0.17, 0.31, 0.5, 0.73, 0.9)
 
 
 def steady_state(z, load, speed, m):
-    """Return (w, d); load = Fbar."""
+    """Return (w, d) of steady sliding. load : Fbar."""
     return steady_sliding(SCHEMES["exponential"](1.0 / (m * speed)), z, load * z.size)[0]
 
 
@@ -41,7 +41,7 @@ def jump(z, slope, load, speed, m, ratio):
 
 
 def slow(z, slope, load, speed, m):
-    """Return mu of steady sliding with its elastic part corrected; load = Fbar."""
+    """Return mu of steady sliding with its elastic part corrected. load : Fbar."""
     w, d = steady_state(z, load, speed, m)
     mu, rate, _ = quadrature(z, slope, w, d, speed, speed, load * z.size)
     return mu + elastic_correction(z, slope, w, d, speed, rate, m) / (load * z.size)
@@ -55,7 +55,7 @@ def parabola_errors(speed, estimate, exact):
     return np.array(actual).reshape(len(REFINEMENTS), len(OFFSETS))
 
 
-# Error constants measured, twice that allowed; slowing down they scatter with the offset.
+# Twice the measured errors are allowed. After a slow-down they scatter with the offset.
 @pytest.mark.parametrize(
     ("ratio", "order", "allowed"),
     [(1.2, 1.9, 0.8 / FINEST**2), (2.0, 1.9, 0.8 / FINEST**2), (0.9, 1.8, 1.2 / FINEST)],
@@ -70,17 +70,17 @@ def test_jump_of_the_parabola_is_second_order(ratio, order, allowed):
 @pytest.mark.parametrize("load", [1e-3, 0.05, 1.0])
 @pytest.mark.parametrize("speed", [1e-3, 1e-6, 1e-11])
 def test_corrected_friction_keeps_its_accuracy_at_any_low_speed(load, speed):
-    """Its error is that of the contact's shape; summed by samples it would grow as 1 / v."""
+    """The error is that of the contact's extent; that of a sum over samples would grow as 1 / v."""
     m = 16
     z, slope = random_line(60, 1.0, m, seed=2)
     fine = random_line(60, 1.0, 64 * m, seed=2)
     expected = speed * slow_sliding(*fine, load)
-    # A contact a few samples wide is known to a part of a sample; the widest here has 200.
+    # The edges of a contact are known to a fraction of a sample; the widest has 200 samples.
     assert slow(z, slope, load, speed, m) == pytest.approx(expected, rel=0.05)
 
 
 def test_an_edge_that_is_not_resolved_is_not_corrected():
-    """One sample touches, its slope at odds with the heights around it: mu is that slope."""
+    """mu is the slope of the only touching sample, which disagrees with the heights around it."""
     z, slope = np.array([9.0, 9.0, 0.0, 9.0, 9.0]), np.array([0.0, -500.0, -500.0, 0.0, 0.0])
     w, d = np.zeros(5), 1e-6
     mu, rate, _ = quadrature(z, slope, w, d, 0.01, 0.01, 1e-6)

@@ -1,4 +1,4 @@
-"""Steady sliding and the march against the element-by-element reference, within a cap or not."""
+"""Steady sliding and the march against an element-by-element reference, with and without a cap."""
 
 from typing import NamedTuple
 
@@ -27,7 +27,7 @@ class Scene(NamedTuple):
     ratio: float
 
 
-# Many stretches, few, one; speeding up and slowing down; partial and full contact; so fast that the
+# Many stretches, few, or one; faster and slower; partial and full contact; and speeds at which the
 # memory of the elements reaches across the gaps.
 SCENES = [
     Scene(0.0, 4, 0.01, 0.15, 1.3),
@@ -40,13 +40,13 @@ SCENES = [
     Scene(0.3, 1, 0.3, 20.0, 1.2),
     Scene(0.7, 1, 0.1, 40.0, 0.8),
     Scene(0.0, 2, 0.5, 6.0, 1.5),
-    Scene(0.0, 1, 25.0, 30.0 / np.pi, 3.0),  # z[0] touches: the end is reached straight from there
+    Scene(0.0, 1, 25.0, 30.0 / np.pi, 3.0),  # z[0] touches: contact across the end of the period
 ]
-ELASTIC = Scene(0.7, 1, 0.05, 2e-3, 1.2)  # e^-500 is nothing
+ELASTIC = Scene(0.7, 1, 0.05, 2e-3, 1.2)  # elements relax by e^-500 in a step
 
 
 class Jump:
-    """The steady state at v1 by the kernels, and the march at v2 from it."""
+    """The steady state at v1, computed by the kernels, and the march at v2 that starts from it."""
 
     def __init__(self, scene, scheme):
         self.scene, self.scheme = scene, scheme
@@ -78,7 +78,7 @@ class Jump:
 def test_steady_sliding_is_that_of_an_element_carried_round_the_line(scene, scheme):
     jump = Jump(scene, scheme)
     (u, w, d), _ = jump.reference()
-    # Bisection to one ulp; the force loses digits as the stiffness, at most 150 here.
+    # The reference bisects to one ulp; its force loses digits with the stiffness, at most 150.
     assert jump.state.d == pytest.approx(d, rel=1e-12)
     np.testing.assert_allclose(jump.state.w, w, atol=1e-12 * max(1.0, d))
     actual = np.minimum(jump.state.w, jump.z - jump.state.d)
@@ -105,13 +105,13 @@ def test_march_is_the_reference_march(scene, scheme, control, kind, cap_factor):
     cap = cap_factor * max(d.max(), start)
     found_mu, found_d, inside = jump.march(kept, cap, control)
     assert inside
-    # d is a root of sums of rounded terms; forces are differences multiplied by K <= 50.
+    # d is the root of a sum of rounded terms; forces are differences multiplied by K <= 50.
     np.testing.assert_allclose(found_d, d[kept - 1], rtol=1e-11)
     np.testing.assert_allclose(found_mu, mu[kept - 1], rtol=1e-9, atol=1e-9)
 
 
 def test_a_cap_that_is_reached_is_reported():
-    jump = Jump(Scene(0.7, 2, 0.3, 3.0, 0.2), "exponential")  # slower: d grows
+    jump = Jump(Scene(0.7, 2, 0.3, 3.0, 0.2), "exponential")  # at a lower speed d grows
     _, d, inside = jump.march(np.arange(1, 200))
     assert inside
     assert d.max() > 1.05 * jump.state.d

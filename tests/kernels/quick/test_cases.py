@@ -1,4 +1,4 @@
-"""One realization: shared work, agreement of parts, and what is refused."""
+"""One realization: shared work, agreement of its parts, and refused cases."""
 
 import numpy as np
 import pytest
@@ -58,7 +58,7 @@ def test_curve_is_marched_plainly_where_bounds_are_exceeded(monkeypatch):
     monkeypatch.setattr(cases, "active_march", beyond_bounds)
     outcome = run_case(line, case, ALL)
     assert outcome.work > usual.work
-    # The wrong attempt is dropped; the plain march covers more samples and rounds differently.
+    # The first result is dropped; the plain march visits more samples and rounds differently.
     np.testing.assert_allclose(outcome.curves, usual.curves, rtol=1e-12)
 
 

@@ -32,7 +32,7 @@ CASES = [
 
 
 def run_alone(cases, requested):
-    """Return the bits of cases that are run one by one."""
+    """Return the bits of the outcomes of cases that are run one by one."""
     return [bits(run_case(LINE, case, requested)) for case in cases]
 
 
@@ -63,7 +63,7 @@ def test_one_bad_case_is_refused():
 
 
 def test_time_is_assigned_to_the_cases_that_use_it(monkeypatch):
-    """The clock advances by one per reading and by one per element update of a march."""
+    """The clock advances by one at each reading and by one at each element update of a march."""
     readings, work, march = count(1.0), [0.0], module.relaxations_under_load
 
     def counted(*arguments):

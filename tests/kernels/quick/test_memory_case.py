@@ -1,4 +1,4 @@
-"""The general path of a case: against the fast path, its limits and its symmetry."""
+"""The general computation of a case, against the fast one and in its limits."""
 
 import numpy as np
 import pytest
@@ -42,7 +42,7 @@ def test_without_a_dashpot_friction_rises_continuously():
 
 
 def test_a_slow_weak_branch_changes_nothing():
-    """Its time is 1e7 times the others, a step 1e-11 of it: its state is small but not lost."""
+    """A step is 1e-11 of its relaxation time: its state is small, but not lost in rounding."""
     slow = 1e7
     with_it = SOLID._replace(
         speed=2.0 * slow, spectrum=Spectrum((8.0, 1e-6), (0.125 / slow, 1.0), 0.0)

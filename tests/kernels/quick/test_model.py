@@ -1,4 +1,4 @@
-"""The fast path against the reference, the model in one function, over hard regimes."""
+"""The fast computation against the reference, model/realization.py, in hard regimes."""
 
 import math
 from functools import partial
@@ -21,8 +21,8 @@ from elastomer_friction.kernels.scene.samples import samples_per_contact
 from tests.lines import random_line
 from tests.sizes import size
 
-# (Hurst exponent, elements, samples per spacing): contacts narrower and wider than a span, fewer
-# samples than a span, whole spans and others; the shortest are marched plainly.
+# (Hurst exponent, elements, samples per spacing): contacts are narrower or wider than a span. Lines
+# are shorter than a span, of whole spans, or with a rest; the plain march takes the shortest.
 LINES = [(0.0, 5, 1), (0.0, 64, 1), (0.3, 77, 2), (0.7, 100, 4), (1.0, 48, 8)]
 LINES += size([(0.0, 256, 1), (0.7, 256, 4), (1.0, 256, 2)], [])
 LOADS_TESTED = (1e-6, 1e-3, 0.03, 0.3, 2.0, 40.0, 1e3)  # Fbar, from one sample to full contact
@@ -49,7 +49,7 @@ def test_the_fast_path_equals_the_model(point, x, scheme):
         for k, ratio in enumerate(ratios):
             model = realization(line, case.load, speed, ratio, scheme, KEPT)
             largest = max(abs(model.mu_1), abs(model.mu_2), abs(model.mu_1 + model.jump))
-            # mu is a mean of slopes: if they cancel, their rounding remains.
+            # mu is a mean of slopes: if these cancel, their rounding remains.
             error = TOLERANCE * largest + ROUNDING * np.abs(line.slope).max()
             near = partial(pytest.approx, rel=0.0, abs=error)
             assert quick.mu_1 == near(model.mu_1)

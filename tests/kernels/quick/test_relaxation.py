@@ -1,4 +1,4 @@
-"""Relaxations by the plain march: on many lines as on single ones, within and beyond the cap."""
+"""Relaxations by the plain march: on many lines as on single lines, below and above the cap."""
 
 import numpy as np
 import pytest
@@ -16,7 +16,7 @@ SPEEDS, LOAD = (3.0, 3.6), 0.3
 
 
 class Given:
-    """Two lines, steady sliding at two speeds, and the relaxation between them."""
+    """Two lines, steady sliding at two speeds, and relaxations between these states."""
 
     def __init__(self, scheme):
         self.lines = [line_of(), line_of(shift=5)]
@@ -61,7 +61,7 @@ def test_a_relaxation_is_a_march_between_steady_states(given):
 
 
 def test_an_indentation_beyond_the_cap_is_marched_again(given):
-    """From an indentation that is far too small, d rises above the first cap."""
+    """If the march starts from a far too small indentation, d rises above the first cap."""
     shallow = np.full(2, 1e-3)
     curves, updates = given.relaxations(*[end._replace(d=shallow) for end in given.ends])
     most = 1.001 * given.control.load

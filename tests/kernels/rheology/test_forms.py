@@ -1,4 +1,4 @@
-"""One step of every form of a material, and known histories: exact, or at their order."""
+"""One step of each form of a material, and known histories: exact, or at the expected order."""
 
 import numpy as np
 import pytest
@@ -40,13 +40,13 @@ def test_constants_are_those_of_the_defining_formulas(scheme, dt):
     expected = constants(scheme, dt)
     assert step.decay == pytest.approx(expected[0], rel=1e-15)
     assert step[1:] == pytest.approx(expected[1:], rel=1e-12 + lost)
-    # Held at u the force must be -u (eq. 2).
+    # The force of an element held at u is -u (eq. 2).
     assert step.stiffness * (1.0 - step.decay) == pytest.approx(1.0, rel=lost)
 
 
 def test_lag_of_the_exponential_scheme_between_its_limits():
     lag = [SCHEMES["exponential"](dt).lag for dt in np.geomspace(1e-12, 1e6, 400)]
-    assert lag[0] == pytest.approx(0.5, abs=1e-12)  # dt -> 0: even weight
+    assert lag[0] == pytest.approx(0.5, abs=1e-12)  # dt -> 0: uniform weight
     assert lag[-1] == pytest.approx(1e-6, rel=1e-12)  # dt -> inf: the last tau counts
     assert np.all(np.diff(lag) < 1e-12)  # falling; rounding of 1/dt - 1/expm1(dt) below 1e-3
 
@@ -54,7 +54,7 @@ def test_lag_of_the_exponential_scheme_between_its_limits():
 @pytest.mark.parametrize("seam", [1e-3, 40.0])
 def test_lag_is_continuous_where_its_formula_changes(seam):
     lag = SCHEMES["exponential"]
-    # Two differences of 1e-9 seam apart; cancellation leaves eps / dt = 2e-13.
+    # The arguments differ by 2e-9 of the seam; cancellation leaves eps / dt = 2e-13.
     assert lag(seam * (1 - 1e-9)).lag == pytest.approx(lag(seam * (1 + 1e-9)).lag, rel=3e-9)
 
 
@@ -79,7 +79,7 @@ def test_one_unit_is_the_kelvin_element(dt):
 
 @pytest.mark.parametrize("x", [1e-12, 1e-4, 0.0999, 0.1001, 3.0, 50.0, 1e8])
 def test_moments_are_those_of_a_linear_force(x):
-    """Weights of the force at the end and at the start, integrated with e^-(x - s)."""
+    """The weights of end and start force are integrals with the weight e^-(x - s)."""
     _, gone, end, start = moments(x)
     assert gone == pytest.approx(-np.expm1(-x), rel=1e-15)
     assert end + start == pytest.approx(gone, rel=1e-13)
@@ -89,7 +89,7 @@ def test_moments_are_those_of_a_linear_force(x):
 
 
 def test_a_linear_force_is_followed_exactly():
-    """y of a unit under p = t, against -J (t - lambda (1 - e^(-t/lambda))), in uneven steps."""
+    """Under p = t each unit has y = -J (t - lambda (1 - e^(-t/lambda))), in uneven steps."""
     form = Retardation(1.0, np.array([0.7, 0.3]), np.array([2.0, 0.1]))
     memory, p, w, now = np.zeros((2, 1)), np.zeros(1), np.empty(1), 0.0
     for dt in (0.01, 0.3, 1.1, 1e-5):
@@ -125,7 +125,7 @@ def test_without_branches_it_is_implicit_euler(dt):
 
 
 def test_a_constant_rate_is_followed_exactly():
-    """p of u = -t: t + sum g t_b (1 - e^(-t/t_b)), in uneven steps."""
+    """For u = -t the force is t + sum g t_b (1 - e^(-t/t_b)), in uneven steps."""
     form = relaxation(PRONY3)
     memory, w, now, p = np.zeros((4, 1)), np.empty(1), 0.0, np.zeros(1)
     for dt in (0.01, 0.3, 1.1, 1e-5):
@@ -144,18 +144,18 @@ REFINEMENTS = np.array([1, 2, 4, 8])
 
 
 def fresh(form, n=1):
-    """Return elements that nothing has touched."""
+    """Return elements that have never been touched."""
     return Elements(np.zeros((memory_size(form), n)), np.zeros(n), 0.0)
 
 
 def held_indentation(name, scheme, refinement):
-    """Return the largest relative error of F(t) at constant d, from the second decade on."""
+    """Return the largest relative error of the force at constant d, from the second decade on."""
     spectrum = MATERIALS[name]
     form = FORMS_BY_SCHEME[scheme](spectrum)
     glass = 1.0 + sum(spectrum.moduli)
-    # At 0+ the line is in, and no time has passed: nothing has crept yet.
+    # At t = 0+ the line is indented, but nothing has crept yet.
     elements = Elements(np.zeros((memory_size(form), 1)), np.full(1, glass), 1.0)
-    if scheme == "implicit-euler":  # its memory is the stress of the branches and u = -1
+    if scheme == "implicit-euler":  # the memory is the stress of the branches, and u = -1
         elements.memory[:-1, 0] = -form.moduli
         elements.memory[-1, 0] = -1.0
     line, worst, now = Foundation(form, np.zeros(1), elements), 0.0, 0.0
@@ -208,12 +208,12 @@ def test_what_rests_under_a_force_stays(name, scheme):
     for dt in (1e-3, 1.0, 1e6):
         line.step(0, dt, load=2.0)
         assert line.d == pytest.approx(2.0, rel=1e-12)
-        assert line.p == pytest.approx(p, rel=1e-11)  # rounding of u counts 1 / dt times
+        assert line.p == pytest.approx(p, rel=1e-11)  # rounding of u is amplified by 1 / dt
 
 
 @pytest.mark.parametrize("name", MATERIALS)
 def test_both_forms_press_in_alike(name):
-    """Indented at a constant rate from nothing: two derivations, one limit."""
+    """At a constant rate of indentation the two derivations converge to one limit."""
 
     def force(scheme, steps):
         form = FORMS_BY_SCHEME[scheme](MATERIALS[name])
@@ -226,7 +226,7 @@ def test_both_forms_press_in_alike(name):
     gaps = [[force("exponential", k) / force("implicit-euler", k) - 1.0] for k in counts]
     assert np.abs(gaps).max() < 3e-2
     assert abs(gaps[-1][0]) < 3e-3
-    if name in ("Kelvin", "standard", "Prony3"):  # what is fast is resolved from the first on
+    if name in ("Kelvin", "standard", "Prony3"):  # all times are resolved at any refinement
         assert observed_order(counts, gaps) > 0.9
 
 

@@ -1,4 +1,4 @@
-"""Moduli of a material; from relaxation to retardation: the two forms are one material."""
+"""Moduli of a material, and its conversion from the relaxation to the retardation form."""
 
 import numpy as np
 import pytest
@@ -18,7 +18,7 @@ from tests.viscoelastic import MATERIALS, PRONY3
 
 @pytest.mark.parametrize("omega", [0.3, 3.0, 30.0])
 def test_complex_modulus_is_the_transform_of_the_relaxation_modulus(omega):
-    """G* = 1 + i omega int (G(t) - 1) e^(-i omega t) dt: the definition, integrated."""
+    """The definition is G* = 1 + i omega int (G(t) - 1) e^(-i omega t) dt."""
     parts = [
         quad(lambda t: float(relaxation_modulus(PRONY3, t)) - 1.0, 0.0, 20.0, weight=weight,
              wvar=omega, limit=400)[0]
@@ -36,7 +36,7 @@ def test_kelvin_element():
 
 @pytest.mark.parametrize("name", MATERIALS)
 def test_a_material_is_relaxed_in_the_end_and_viscous_as_tau_says(name):
-    """tau = (eta + sum g t) / G is the slope of G'' at rest: the same friction at low speeds."""
+    """tau = (eta + sum g t) / G is the slope of G'' at omega = 0, which sets low-speed friction."""
     omega = 1e-9
     modulus = complex_modulus(MATERIALS[name], omega)
     assert modulus.real == pytest.approx(1.0, abs=1e-6)
@@ -61,7 +61,7 @@ def compliance(spectrum):
 
 
 def exchanged(spectrum):
-    """Return how far compliance times modulus is from one."""
+    """Return the largest deviation of compliance times modulus from one."""
     return np.abs(compliance(spectrum) * complex_modulus(spectrum, OMEGA) - 1.0).max()
 
 
@@ -81,7 +81,7 @@ def test_any_branches_over_fourteen_decades(branches, viscosity):
     spectrum = Spectrum(moduli, times, viscosity)
     units = retardation(spectrum)
     assert np.all(units.compliances > 0.0)
-    assert np.all(np.diff(units.times) <= 0.0)  # between times that differ in the last bit: one
+    assert np.all(np.diff(units.times) <= 0.0)  # times that differ in the last bit may merge
     assert units.glass + units.compliances.sum() == pytest.approx(1.0, abs=1e-14)
     assert exchanged(spectrum) < 1e-12
 

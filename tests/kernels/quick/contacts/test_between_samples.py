@@ -1,4 +1,4 @@
-"""Narrow contacts between samples, against the model on fine samples and a parabola."""
+"""Contacts followed between samples, against the model on fine samples and against a parabola."""
 
 from functools import partial
 from types import SimpleNamespace
@@ -53,8 +53,8 @@ def one_load(line, speed, scheme, load, others=()):
     )
 
 
-# Integers, whose sums are exact. In the example half of the load is reached exactly at the end of
-# a width, where rounding would otherwise decide the median.
+# Forces are integers, whose sums are exact. In the example a sum over patches equals half of the
+# load, where rounding would otherwise decide the median.
 FORCES = hnp.arrays(float, st.integers(1, 40), elements=st.integers(-9, 9))
 
 
@@ -106,7 +106,7 @@ def test_the_highest_peak_alone_is_a_parabola(x):
 
 
 def fine(line, smooth, fold):
-    """Return (heights over the deepest sample, slopes, its height) on ``fold`` times as many."""
+    """Return (heights over the deepest one, slopes, its height) on a ``fold`` times finer grid."""
     t = 1.0 - np.arange(fold) / fold
     parts = [
         septic_coefficients(line.z, line.slope, smooth.bend, smooth.spacing, j)
@@ -118,7 +118,7 @@ def fine(line, smooth, fold):
 
 
 @settings(max_examples=size(60, 12))
-@example(0.3, 10.0**0.96875, 10.0**2.0625, 5.0, 52)  # a zero that is exact
+@example(0.3, 10.0**0.96875, 10.0**2.0625, 5.0, 52)  # an exact zero
 @given(
     st.sampled_from([0.0, 0.3, 1.0]),
     st.floats(-6.0, 3.0).map(lambda power: 10.0**power),
@@ -127,7 +127,7 @@ def fine(line, smooth, fold):
     st.integers(0, 99),
 )
 def test_contacts_are_those_of_the_model_on_fine_samples_of_the_line(hurst, load, x, ratio, index):
-    """The plain model has no patches, bounds or events; any load and speed."""
+    """The plain model uses no patches, bounds or events. This holds for any load and speed."""
     line, v = line_of(4, index, hurst, 30), x / np.pi
     smooth = smooth_line(line.z, line.slope, 0.25)
     guess = np.array([steady_sliding(SCHEMES["exponential"](0.25 / v), line.z, 120.0 * load)[0].d])
@@ -160,11 +160,11 @@ def test_a_smooth_line_is_the_line():
     np.testing.assert_allclose(actual + lowest, expected, atol=2e-8)
 
 
-# 12 of 12 000 such comparisons differ by more: a patch begins, or the median is a different one.
+# 12 of 12 000 such comparisons differ by more: a patch appears, or another patch is the median.
 @settings(max_examples=size(40, 10), derandomize=True)
 @given(st.floats(-3.0, 0.5), st.floats(-1.0, 3.0), st.floats(0.0, 1.0))
 def test_the_number_of_samples_does_not_matter(power, fast, hurst):
-    """Steady friction and jump: every third sample is used at m = 12, every sample at m = 13."""
+    """At m = 12 every third sample is used, at m = 13 every sample."""
     load, x = 10.0**power, 10.0**fast
     few, every_third, every = (slide(line_of(m, 2, hurst, 100), x, load) for m in (4, 12, 13))
     for m, actual in ((12, every_third), (13, every)):

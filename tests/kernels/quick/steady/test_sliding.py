@@ -1,4 +1,4 @@
-"""The indentation under loads, by spans: equal to the plain solver, in few sweeps."""
+"""The indentation under a load, found by spans: equal to the plain solver, in few sweeps."""
 
 import pytest
 from hypothesis import example, given, settings
@@ -29,7 +29,7 @@ def line_at(point):
 
 
 def solved(point, load, guess=None):
-    """Return d by spans, the number of sweeps, and d of the plain solver to its rounding."""
+    """Return (d by spans, number of sweeps, d of the plain solver with its tolerance)."""
     _, _, m, speed = point
     line = line_at(point)
     law = SCHEMES["exponential"](1.0 / (m * speed))
@@ -41,7 +41,7 @@ def solved(point, load, guess=None):
         guess, steps = approach_indentation(*problem), APPROACH_STEPS
     d, after, _ = span_indentation(*problem, guess, allocate_pieces(line.slope, speed))
     plain = steady_sliding(law, line.z, load * line.z.size)[0].d
-    # The plain balance is known to 1e-15 of d times the stiffness, m vbar and more.
+    # The plain solver knows the load to 1e-15 of d times the stiffness, which exceeds m vbar.
     return (
         d,
         steps + after,
@@ -66,9 +66,9 @@ def test_few_sweeps_lead_to_the_indentation(point, load):
 @given(st.sampled_from(LINES), st.floats(-9.0, 3.0), st.floats(-12.0, 6.0))
 def test_any_guess_leads_to_the_root(point, load, guess):
     d, sweeps, _ = solved(point, 10.0**load, 10.0**guess)
-    # Each search may err by LOAD_TOLERANCE of the load. The force is convex in the depth and zero
-    # with it, hence at most its slope times the depth: the depth errs by no more than
-    # LOAD_TOLERANCE of it. The first step is rounded as the guess is, and may end the search.
+    # Each search may err by LOAD_TOLERANCE of the load. The force is a convex function of the depth
+    # and vanishes with it, so it is at most its slope times the depth. The relative error of the
+    # depth is thus at most LOAD_TOLERANCE. A first step that ends the search rounds as the guess.
     error = 2.0 * LOAD_TOLERANCE * (d - line_at(point).z.min()) + 1e-15 * (1.0 + 10.0**guess)
     assert d == pytest.approx(solved(point, 10.0**load)[0], rel=0.0, abs=error)
     assert sweeps <= (16 if abs(load) < 100.0 else 40)
