@@ -2,16 +2,16 @@
 
 Everything here is dimensionless: heights in units of the rms roughness h, lengths along
 the line in units of the element spacing dx, times in units of the relaxation time tau.
-Then a problem is given by the Hurst exponent H, the number of elements N = L/dx and
+A problem is then given by the Hurst exponent H, the number of elements N = L/dx and
 
     load  Fbar = F_N / (4 G L h),    speed  vbar = v tau / dx,    ratio  r = v2 / v1,
 
-slopes come out in units of h/dx, and so do friction coefficients.
+Slopes and friction coefficients are in units of h/dx.
 Source: Li, Dimaki, Popov, Psakhie, Popov (2014), doi:10.1038/srep05795.
 
-``run_case`` is one realization, ``run_cases`` many on one line, and ``run_prepared`` the same many
-on line after line. An effect is a file of surfaces,
-rheology, control or motion; what a scene does not ask for is not in its machine code.
+``run_case`` computes one case on one line, ``run_cases`` many cases on one line, and
+``run_prepared`` the same cases on many lines. Each effect has its own file, in lines/, rheology/,
+control/ or motion/; machine code contains only the effects that a scene requests.
 """
 
 from .control.printed_eq3 import PrintedForce

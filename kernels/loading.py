@@ -1,8 +1,8 @@
-"""Compilation of all kernels that a case can need, by two processes at once.
+"""Compilation of all kernels that a case can need, by two processes in parallel.
 
     python -m elastomer_friction.kernels.loading SCHEME
 
-compiles the marches while the process that started it compiles steady sliding, which takes as long.
+compiles the marches. Meanwhile its parent process compiles steady sliding, which takes as long.
 """
 
 import contextlib
@@ -32,7 +32,7 @@ from .rheology.law import law_of
 from .rheology.spectrum import KELVIN
 
 SOURCE_ROOT = Path(__file__).resolve().parents[1]
-PLAIN_STEPS, LISTED_STEPS = np.array([1]), np.array([4])  # marched plainly, and by lists
+PLAIN_STEPS, LISTED_STEPS = np.array([1]), np.array([4])  # marched without lists, and by lists
 WIDE_CASE, NARROW_CASE = (0.1, 1.0), (1e-3, 100.0)  # load and speed
 
 
@@ -43,7 +43,7 @@ def load(scheme: str, requested: Quantities) -> None:
         Case(*NARROW_CASE, (1.2,), (LISTED_STEPS,), scheme),
     ]
     with _helper(scheme, requested):
-        law_of(form_of(KELVIN, scheme), 1.0)  # for the times of a curve
+        law_of(form_of(KELVIN, scheme), 1.0)  # called for the times of a curve
         run_cases(_line(), cases, requested)
 
 
@@ -66,13 +66,13 @@ def _line() -> Line:
 
 @contextlib.contextmanager
 def _helper(scheme: str, requested: Quantities) -> Iterator[None]:
-    """Let another process compile the marches, once for a cache folder; pause the collector."""
+    """Compile the marches in a child process, once per cache folder; pause garbage collection."""
     with contextlib.ExitStack() as stack:
-        if gc.isenabled():  # it takes a sixth of the compile time
+        if gc.isenabled():  # collection takes a sixth of the compile time
             gc.disable()
             stack.callback(gc.enable)
         if requested.relaxation and requested.indentation_rate:  # not eq. 3 as printed
-            with contextlib.suppress(OSError):  # it has been started, or the folder is read-only
+            with contextlib.suppress(OSError):  # already started, or a read-only folder
                 Path(CACHE_FOLDER, f"helper-{COMPILER}").touch(exist_ok=False)
                 command, quiet = [sys.executable, "-m", __name__, scheme], subprocess.DEVNULL
                 helper = subprocess.Popen(command, cwd=SOURCE_ROOT, stdout=quiet, stderr=quiet)

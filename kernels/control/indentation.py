@@ -1,4 +1,4 @@
-"""Prescribed indentation: d is given at every step, and the force follows.
+"""Prescribed indentation: d is given at every step, and the force follows from it.
 
 If d lies below every threshold, no element touches: the force is zero and the friction coefficient
 is undefined.
@@ -12,7 +12,7 @@ from ..model.balance import balance, balance_rows
 
 
 class PrescribedIndentation(NamedTuple):
-    """Control that prescribes the indentation."""
+    """Control with a prescribed indentation."""
 
     indentation: np.ndarray  # at the end of every step, in h over the deepest point
 

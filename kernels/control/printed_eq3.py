@@ -1,7 +1,7 @@
 """Constant normal force with eq. 3 as printed, without the force of the indentation rate.
 
-For comparison with Li et al. (2014), doi:10.1038/srep05795: eq. 3 has v z' for the rate of an
-element in contact, where u = z - d moves at v z' - d'. Defined for the Kelvin element alone.
+This control serves for comparison with Li et al. (2014), doi:10.1038/srep05795. Their eq. 3 uses
+the rate v z' for an element in contact, but u = z - d has the rate v z' - d'. Kelvin elements only.
 """
 
 from typing import NamedTuple
@@ -20,7 +20,7 @@ class PrintedForce(NamedTuple):
 
 @balance_history.register(PrintedForce)
 def _held(control, c, d, first, rings):
-    """Return the samples whose element was in contact one sample upstream."""
+    """Return a mask of the samples whose element was in contact one sample upstream."""
     held = np.zeros(c.size, np.bool_)
     for s in range(first.size - 1):
         for i in range(first[s], first[s + 1] - 1):
@@ -34,9 +34,9 @@ def _held(control, c, d, first, rings):
 def _balance(control, law, z, c, history, d, step):
     """Balance the load if held elements move with the line but not with the indentation.
 
-    Their last displacement is taken as z - d with the new d, so that the rate of d costs no force.
-    The force of a held element is then d - (z_i - E z_(i+1)) / (1 - E), with the decay E, because
-    K (1 - E) = 1. c is made consistent with the new d.
+    Their last displacement is taken as z - d with the new d, so that the rate of d adds no force.
+    The force of a held element is then d - (z_i - E z_(i+1)) / (1 - E), where E is the decay,
+    because K (1 - E) = 1. Finally, c is made consistent with the new d.
     """
     held = history
     threshold = c.copy()

@@ -1,7 +1,7 @@
-"""A rig of Prony series that steps only elements that can touch.
+"""A rig of elements with Prony series, which steps only elements that can touch.
 
-The choice of elements and the scaled memory are as in scene/march_blocks.py. The memory learns the
-forces of a step when the step is accepted.
+Elements are chosen and their memory is scaled as in scene/march_blocks.py. The forces of a step
+are added to the memory when the step is accepted.
 """
 
 from typing import Any, NamedTuple
@@ -30,30 +30,30 @@ from .shiftable_line import ShiftableLine, heights_at, interval_at
 BLOCK_RIG_STATE = np.dtype(
     [
         *RIG_STATE.descr,
-        ("steps", np.int64),  # accepted
-        ("begin", np.int64),  # interval over element 0 where blocks were chosen, or -1
-        ("count", np.int64),  # of chosen blocks
-        ("chosen_d", np.float64),  # indentation where blocks were chosen, in h
-        ("cap", np.float64),  # elements of other blocks do not touch below it, in h
+        ("steps", np.int64),  # number of accepted steps
+        ("begin", np.int64),  # interval over element 0 when blocks were chosen, or -1
+        ("count", np.int64),  # number of chosen blocks
+        ("chosen_d", np.float64),  # indentation when blocks were chosen, in h
+        ("cap", np.float64),  # maximum indentation at which other blocks cannot touch, in h
     ]
 )
 
 
 class BlockRig(NamedTuple):
-    """A line on its elements; its arrays are changed in place."""
+    """A line on blocks of elements; the arrays are changed in place."""
 
     form: Retardation
     control: Any  # determines the indentation (model/balance.py)
     line: ShiftableLine
-    blocks: ElementBlocks  # whose memory includes all forces
+    blocks: ElementBlocks  # their memory includes the forces of all accepted steps
     p: np.ndarray  # shape (blocks, BLOCK_ELEMENTS): forces of the last accepted step
     rows: SpringRows
-    z: np.ndarray  # shape (n,): heights at the blocks that can touch
+    z: np.ndarray  # shape (n,): heights of the line at the chosen blocks, in h
     state: np.ndarray  # BLOCK_RIG_STATE, shape (1,)
 
 
 def block_rig(form: Any, control: Any, line: ShiftableLine, elements: Elements) -> BlockRig:
-    """Return a rig before its first step; form : a Retardation."""
+    """Return a rig in its initial state; form : a Retardation."""
     start, n = in_blocks(elements, 0), elements.p.size
     p, rows = np.maximum(-start.c, 0.0), spring_rows_of(start.c)
     state = np.zeros(1, BLOCK_RIG_STATE)
@@ -99,7 +99,7 @@ def _choose(rig, begin, d, before):
 
 @kernel
 def _balance(rig, law, begin, t):
-    """Find the indentation of a step that ends with element 0 at t of interval ``begin``."""
+    """Find the indentation at the end of a step, where element 0 is at t of interval ``begin``."""
     state = rig.state[0]
     memory, known_steps, scales = rig.blocks
     c, _, sums, evaluation = rig.rows

@@ -1,4 +1,4 @@
-"""Scenes of a line that is pulled through a spring."""
+"""Scenes in which a line is pulled through a spring."""
 
 import numpy as np
 
@@ -23,11 +23,11 @@ follow_leg_of_line = kernel(follow_leg)
 
 
 def run_pulled(line: Line, scene: SceneCase, drive: Drive) -> dict[str, np.ndarray]:
-    """Pull one line through a scene, whose programme is that of the drive; return its traces.
+    """Pull one line through a scene whose programme moves the drive; return values by name.
 
-    The traces of run_scene describe the slider here. They are recorded at the times at which a
-    slider held by the drive would end the recorded steps. "trace_drive_force" (4 G L h^2/dx) is
-    added. "updates" : of elements. Raises ValueError for an invalid scene.
+    The traces are those of run_scene, for the slider, and "trace_drive_force" (4 G L h^2/dx). They
+    are recorded at the times at which the recorded steps would end if the drive moved the line
+    itself. "updates" : number of element updates. Raises ValueError for an invalid scene.
     """
     m, n = line.steps_per_spacing, line.z.size
     times, speed = recorded_times(scene, m), initial_speed(scene)

@@ -1,8 +1,8 @@
-"""Elements under a pulled surface, with steps that are tried before they are accepted.
+"""Rigs: elements under a pulled surface, whose steps are tried before they are accepted.
 
-The rig of this file steps all elements of a line; the rig in block_rig.py steps only elements that
-can touch; a map has its rig in half_space/pulled_map.py. The functions declared here dispatch on
-the type of the rig.
+A Rig steps all elements of a line, a BlockRig (block_rig.py) only the elements that can touch, and
+a MapRig (half_space/pulled_map.py) a half-space. The functions declared here dispatch on the type
+of the rig.
 """
 
 from typing import Any, NamedTuple
@@ -19,19 +19,19 @@ from .shiftable_line import ShiftableLine, heights_at, interval_at, slope_at
 
 @dispatch_on_type
 def attempt(rig, places, dt):
-    """Return (friction, lag) of a step between two Places, and store the step in the rig.
+    """Try a step between two Places and return its (friction, lag); the rig stores the step.
 
-    friction : F_x in the units of the drive (spring.py). lag : time from the action of the
-    friction to the end of the step, as a share of dt.
+    friction : F_x in the units of the drive (spring.py). lag : time from the instant at which the
+    friction acts to the end of the step, as a fraction of dt.
     """
 
 
 @dispatch_on_type
 def accept(rig, dt):
-    """Accept the step that was tried last; return (normal force, indentation, share in contact).
+    """Accept the last tried step; return (normal force, indentation, contact fraction).
 
-    The indentation is that at which the force acts, in h; the normal force is in 4 G L h, or in
-    E* L h of a half-space.
+    The indentation is taken at the instant at which the force acts, in h. The normal force is in
+    4 G L h, or in E* L h for a half-space.
     """
 
 
@@ -44,28 +44,28 @@ def patch_width(rig):
 RIG_STATE = np.dtype(
     [
         ("d", np.float64),  # indentation after the last accepted step, in h
-        ("trial_d", np.float64),  # indentation after the step that is tried, in h
-        ("normal_sum", np.float64),  # sum of forces in that step
-        ("touching_sum", np.float64),  # number of elements that touch in it
+        ("trial_d", np.float64),  # indentation after the tried step, in h
+        ("normal_sum", np.float64),  # sum of normal forces in the tried step
+        ("touching_sum", np.float64),  # number of touching elements in the tried step
     ]
 )
 
 
 class Rig(NamedTuple):
-    """A line on its elements; its arrays are changed in place."""
+    """A line on its elements; the arrays are changed in place."""
 
-    form: Any  # of the material (rheology/forms.py)
+    form: Any  # form of the material (rheology/forms.py)
     control: Any  # determines the indentation (model/balance.py)
     line: ShiftableLine
-    memory: np.ndarray  # shape (M, n): of the elements
+    memory: np.ndarray  # shape (M, n): internal variables of the elements
     p: np.ndarray  # shape (n,): forces of the last accepted step, in 4 G dx h
-    w: np.ndarray  # shape (n,): displacements without force in the step that is tried
-    new: np.ndarray  # shape (n,): forces in it
+    w: np.ndarray  # shape (n,): displacements without force in the tried step, in h
+    new: np.ndarray  # shape (n,): forces in the tried step
     state: np.ndarray  # RIG_STATE, shape (1,)
 
 
 def plain_rig(form: Any, control: Any, line: ShiftableLine, elements: Elements) -> Rig:
-    """Return a rig before its first step, of elements of any material."""
+    """Return a rig in its initial state, for elements of any material."""
     memory, p, d = elements
     state = np.zeros(1, RIG_STATE)
     state["d"] = state["trial_d"] = d
@@ -90,9 +90,9 @@ def _attempt(rig, places, dt):
 
 @kernel
 def trial_friction(rig, places, lag, touching, p):
-    """Return the friction of a step between two places (eq. 5), and store the other sums.
+    """Return the friction of a step between two places (eq. 5); store the other sums in the rig.
 
-    touching : numbers of the elements that touch, p : their forces. lag : see ``attempt``.
+    touching : indices of the touching elements. p : their forces. lag : see ``attempt``.
     """
     line, n = rig.line, rig.line.polynomials.shape[1] // 2
     (before, s), (after, t) = interval_at(line, places.before), interval_at(line, places.after)

@@ -7,13 +7,13 @@ from ..compile.jit import kernel
 # State of a search: one record, changed in place.
 SEARCH_STATE = np.dtype(
     [
-        ("low", np.float64),  # bracket: the largest x of a negative value
-        ("high", np.float64),  # and the smallest x of another
+        ("low", np.float64),  # lower end of the bracket: x with a negative value
+        ("high", np.float64),  # upper end of the bracket: x with a value that is not negative
         ("last_x", np.float64),
         ("last_value", np.float64),
-        ("slope", np.float64),  # of the last secant that rises; 0 while it is unknown
-        ("max_step", np.float64),  # until the root is bracketed
-        ("bracketed_steps", np.int64),
+        ("slope", np.float64),  # slope of the last rising secant, or its estimate; 0 if unknown
+        ("max_step", np.float64),  # maximum step while the root is not bracketed
+        ("bracketed_steps", np.int64),  # number of steps since the root is bracketed
     ]
 )
 MAX_BRACKETED_STEPS = 80
@@ -24,7 +24,7 @@ BISECTION_PERIOD = 4  # every fourth step within a bracket halves it
 def new_search(slope, max_step):
     """Return the state of a search, shape (1,).
 
-    slope : estimate of the function's slope, or 0. max_step : upper bound of the first step.
+    slope : estimate of the slope of the function, or 0. max_step : maximum of the first step.
     """
     search = np.zeros(1, SEARCH_STATE)
     state = search[0]
@@ -61,7 +61,7 @@ def next_guess(search, x, value):
 
 @kernel
 def search_is_exhausted(search, rounding):
-    """Return whether the bracket is at rounding level, or the maximum of steps is reached."""
+    """Return whether the bracket is at rounding level or the maximum number of steps is reached."""
     state = search[0]
     at_rounding = state["high"] - state["low"] <= rounding
     return at_rounding or state["bracketed_steps"] >= MAX_BRACKETED_STEPS

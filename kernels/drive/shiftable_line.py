@@ -22,7 +22,7 @@ class Places(NamedTuple):
 
 
 class ShiftableLine(NamedTuple):
-    """Two periods of a line, interval by interval (lines/polynomials.py)."""
+    """Two periods of a line: one polynomial for each interval (lines/polynomials.py)."""
 
     polynomials: np.ndarray  # shape (8, 2 n): coefficients of the heights, in h
     lowest: np.ndarray  # lower bounds of the heights in cells of CELL_SAMPLES intervals
@@ -47,14 +47,14 @@ def shiftable_line(z, slope, m):
 
 @kernel
 def interval_at(line, place):
-    """Return (j, t): the interval over element 0, and the position in it; place : in samples."""
+    """Return (j, t): the interval over element 0 and the position in it; place : in samples."""
     whole = np.floor(place)
     return (-int(whole) - 1) % (line.polynomials.shape[1] // 2), place - whole
 
 
 @kernel
 def heights_at(line, j, t, z):
-    """Fill z with heights at consecutive elements: the first at t of interval j."""
+    """Fill z with heights at consecutive elements, starting with the one at t of interval j."""
     c0, c1, c2, c3, c4, c5, c6, c7 = line.polynomials[:, j : j + z.size]
     if t == 0.0:
         z[:] = c0

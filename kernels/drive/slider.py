@@ -1,4 +1,4 @@
-"""A slider pulled through the programme of its drive: its start, its legs and its results."""
+"""A slider whose drive follows a programme: initial state, legs of the drive, and results."""
 
 import math
 from collections.abc import Callable, Iterator
@@ -24,16 +24,16 @@ from .slider_step import FORCE_TOLERANCE, SEARCH_MEMORY, PulledSlider, SliderPro
 from .spring import Drive, DriveLeg, SliderState
 
 PULLED_TRACES = (*TRACES, "trace_drive_force")
-SLIPS = ("drive_swing", "slip_period", "peak_velocity")  # of the second half of the last leg
-SLIP_EVENTS = ("slip_event_time", "slip_event_kind")  # tau; SLIP_BEGINS, SLIP_ENDS or SLIDER_TURNS
-MAX_SLIP_EVENTS = 1000  # recorded
+SLIPS = ("drive_swing", "slip_period", "peak_velocity")  # in the second half of the last leg
+SLIP_EVENTS = ("slip_event_time", "slip_event_kind")  # time in tau; SLIP_BEGINS, ...
+MAX_SLIP_EVENTS = 1000  # recorded events, at most
 SLIDER_QUANTITIES = ("trace", "stick_slip", "slip_events")
-FIRST_STEP_SHARE = 0.25  # of the step before, where the velocity of the drive jumps
-MIN_FREE_STEPS = 1e3  # min_step_time over the shortest step whose forces are not lost in rounding
+FIRST_STEP_SHARE = 0.25  # first step after the drive's velocity jumps, over the last step
+MIN_FREE_STEPS = 1e3  # min_step_time, over the shortest step whose forces exceed rounding
 
 
 def drive_legs(programme: Programme, place: float) -> Iterator[DriveLeg]:
-    """Yield the motion of the drive in each leg; place : of the drive at the start, in dx."""
+    """Yield the motion of the drive in each leg; place : initial position of the drive, in dx."""
     now = 0.0
     for leg in programme:
         if isinstance(leg, Slide):
@@ -66,8 +66,8 @@ def initial_motion(programme: Programme, m: int, first: Moment) -> SliderState:
 def recorded_times(scene: SceneCase, steps_per_spacing: int) -> np.ndarray:
     """Return the times at which moments of a slider are recorded, in tau.
 
-    A line moved by the drive itself would end the recorded steps at these times. Raises ValueError
-    for an invalid scene, and for quantities that a slider does not have.
+    The recorded steps would end at these times if the drive moved the line itself. Raises
+    ValueError for an invalid scene, and for quantities that a slider does not have.
     """
     steps = scene_steps(scene, steps_per_spacing)
     check_scene(scene, steps, False)
@@ -79,7 +79,7 @@ def recorded_times(scene: SceneCase, steps_per_spacing: int) -> np.ndarray:
 
 
 def initial_speed(scene: SceneCase) -> float:
-    """Return the speed of the steady sliding at the start of a scene; 0 for any other start."""
+    """Return the speed of steady sliding at the start of a scene, or 0 for any other start."""
     return speed_at_start(scene.programme) if scene.start == "steady" else 0.0
 
 
@@ -92,14 +92,14 @@ def pull_through(
     scene: SceneCase,
     times: np.ndarray,
 ) -> tuple[dict[str, np.ndarray], int]:
-    """Return (traces at some times, tries of steps) of a pulled slider; times in tau.
+    """Pull a slider through a scene; return (recorded values by name, number of tried steps).
 
-    follow : as follow_leg. rig : with attempt and accept (rig.py). surface : Line or Surface.
-    forces : at the start, the fields of a Moment from mu to samples. Values recorded at the end of
-    a leg are those of its last step: they are not interpolated between this leg and the next one.
+    follow : follow_leg, or its kernel. rig : see rig.py. surface : Line or Surface. forces : initial
+    values of the fields of Moment from mu to samples. times : at which to record, in tau. A value
+    at the end of a leg is that of its last step; it is not interpolated to the next leg.
     """
     speed, friction = initial_speed(scene), forces[Moment._fields.index("friction")]
-    force = friction if speed else 0.0  # the spring is slack where nothing slides
+    force = friction if speed else 0.0  # the spring is slack if the slider starts at rest
     moment = Moment(*forces, 0.0, 0.0, speed, force)
     legs = list(drive_legs(scene.programme, force / drive.stiffness))
     m, drive = surface.steps_per_spacing, Drive(*map(float, drive))
@@ -124,7 +124,7 @@ def pull_through(
 def _slider_record(
     scene: SceneCase, m: int, drive: Drive, last_leg: DriveLeg, times: np.ndarray
 ) -> SliderRecord:
-    """Return an empty record of moments at some times; slips count in half of the last leg."""
+    """Return an empty record; slips are counted in the second half of the last leg."""
     tally = np.zeros(1, SLIDER_TALLY)
     tally["window_start"] = 0.5 * float(last_leg.time[0] + last_leg.time[-1])
     tally["min_force"], tally["max_force"] = math.inf, -math.inf
@@ -139,10 +139,10 @@ def _slider_record(
 
 
 def recorded_values(record: SliderRecord, last: Moment) -> dict[str, np.ndarray]:
-    """Return the traces, SLIPS and SLIP_EVENTS; times after the last moment get its values.
+    """Return PULLED_TRACES, SLIPS and SLIP_EVENTS; times after the last moment get its values.
 
-    The swing is that of the drive's force over the normal force, in h/dx, the period in tau. The
-    end of a slip is recorded after later events: events are sorted by their times.
+    "drive_swing" : range of the drive's force over the normal force, in h/dx. "slip_period" : in
+    tau. Events are sorted by time because a slip's end is recorded only after later events.
     """
     moments, events, tally = record.moments, record.events, record.tally[0]
     moments[:, tally["moments"] :] = np.array(last)[:, None]

@@ -9,35 +9,35 @@ from ..compile.jit import kernel
 
 
 class Moment(NamedTuple):
-    """Slider at the time at which the force of a step acts, in the order of PULLED_TRACES."""
+    """State of the slider when the force of a step acts, in the order of PULLED_TRACES."""
 
     mu: float  # in h/dx
     indentation: float  # in h
     normal: float  # in the units of the load
     friction: float  # in the units of the drive
-    touching: float  # share of the surface
-    samples: float  # in a contact patch
+    touching: float  # contact fraction of the surface
+    samples: float  # per contact patch
     time: float  # in tau
-    place: float  # of the slider, in dx
+    place: float  # position of the slider, in dx
     speed: float  # in dx/tau
-    force: float  # of the drive
+    force: float  # force of the drive
 
 
 # Counts and extremes of a slider: one record, changed in place. Times are in tau.
 SLIDER_TALLY = np.dtype(
     [
-        ("moments", np.int64),  # recorded
-        ("events", np.int64),  # recorded
+        ("moments", np.int64),  # number of recorded moments
+        ("events", np.int64),  # number of recorded events
         ("window_start", np.float64),  # extremes and slips are counted from this time on
-        ("min_force", np.float64),  # of the drive
+        ("min_force", np.float64),  # minimum force of the drive
         ("max_force", np.float64),
         ("max_speed", np.float64),
         ("slips", np.int64),
-        ("first_slip", np.float64),  # time at which it begins, or NaN
+        ("first_slip", np.float64),  # beginning of the first slip, or NaN
         ("last_slip", np.float64),
-        ("slow_since", np.float64),  # inf while the slider is not slow
-        ("last_slow", np.float64),  # last time at which it was slow
-        ("has_stuck", np.bool_),  # since its last slip
+        ("slow_since", np.float64),  # time when the slider became slow; inf if it is not slow
+        ("last_slow", np.float64),  # last time at which the slider was slow
+        ("has_stuck", np.bool_),  # whether it has stuck since its last slip
         ("is_slipping", np.bool_),
     ]
 )
@@ -46,10 +46,10 @@ SLIDER_TALLY = np.dtype(
 class SliderRecord(NamedTuple):
     """Recorded moments and events of a slider, with room for the rest; changed in place."""
 
-    times: np.ndarray  # at which moments are recorded, in tau, increasing
-    moments: np.ndarray  # shape (10, times): field by field
+    times: np.ndarray  # times at which moments are recorded, in tau, increasing
+    moments: np.ndarray  # shape (10, times): one row per field of Moment
     tally: np.ndarray  # SLIDER_TALLY, shape (1,)
-    min_stick_time: float  # in tau
+    min_stick_time: float  # minimum duration of a stick, in tau
     events: np.ndarray  # shape (2, room): times (tau) and kinds of the first events, NaN beyond
 
 
@@ -61,11 +61,11 @@ SLIP_BEGINS, SLIP_ENDS, SLIDER_TURNS = range(3)  # kinds of events
 def follow_slips(record, before, now, drive_speed):
     """Record and count the events of the slider between two moments.
 
-    The slider is slow below half the speed of the drive, in either direction. It has stuck once it
-    was slow for half a period of its mass on the spring, and for as long as the drive takes over a
-    sample: a mass that oscillates about steady sliding is slow for a shorter time, and so is a line
-    without a mass between the jumps of one slip. After a stick, a slip begins when the speed
-    exceeds twice that of the drive. It ends when the next stick begins.
+    The slider is slow below half the speed of the drive, in either direction. It sticks if it is
+    slow for min_stick_time: half a period of its mass on the spring, or the time in which the drive
+    moves by a sample if that is longer. A mass that oscillates about steady sliding is slow for a
+    shorter time, and so is a massless line between the jumps of one slip. After a stick, a slip
+    begins when the speed exceeds twice that of the drive. It ends when the next stick begins.
     """
     tally = record.tally[0]
     if before.speed * now.speed < 0.0:
@@ -101,7 +101,7 @@ def follow_slips(record, before, now, drive_speed):
 
 @kernel
 def time_at_speed(before, now, speed):
-    """Return when the slider had a speed between two moments, clipped to them."""
+    """Return the interpolated time at which the slider had a speed, clipped to the two moments."""
     change = now.speed - before.speed
     share = (speed - before.speed) / change if change != 0.0 else 1.0
     return before.time + min(max(share, 0.0), 1.0) * (now.time - before.time)
@@ -119,14 +119,14 @@ def record_event(record, time, kind):
 
 @kernel
 def next_time_is_due(record, time):
-    """Return whether the next moment to record lies at or before a time."""
+    """Return whether the next time to record is not later than ``time``."""
     k = record.tally[0]["moments"]
     return k < record.times.size and record.times[k] <= time
 
 
 @kernel
 def record_between(record, before, now, drive_speed):
-    """Record slips and requested times between two moments, by linear interpolation."""
+    """Record slips, and interpolate linearly to the requested times between two moments."""
     times, moments, tally = record.times, record.moments, record.tally[0]
     follow_slips(record, before, now, drive_speed)
     while next_time_is_due(record, now.time):
@@ -135,5 +135,5 @@ def record_between(record, before, now, drive_speed):
             share = (times[k] - before.time) / (now.time - before.time)
         for row in range(len(now)):
             moments[row, k] = before[row] + share * (now[row] - before[row])
-        moments[SAMPLES_ROW, k] = now.samples  # counted only where a moment is recorded
+        moments[SAMPLES_ROW, k] = now.samples  # computed only for recorded moments
         tally["moments"] = k + 1

@@ -1,10 +1,10 @@
-"""The steps of a slider: to the next sample, or a shorter distance in a given time.
+"""Steps of a slider: to the next sample in an unknown time, or a shorter way in a given time.
 
-A step of sliding ends at a sample, and its time is the unknown: forces are balanced when the slider
-arrives. If that would last much longer than the step before, the slider sticks. Its steps are then
-those of a hold, each longer than the last by a constant factor, and the unknown is how far the
-slider creeps. A slider that accelerates faster than the elastomer responds advances by the shortest
-step that doubles resolve.
+A sliding step ends at a sample. Its duration is the unknown, found from the balance of forces at
+its end. If it would be much longer than the step before, the slider sticks. The steps then have
+given durations that grow by a constant factor, as in a hold, and the unknown is the distance by
+which the slider creeps. A slider that accelerates faster than the elastomer responds takes steps of
+the shortest duration that doubles resolve.
 
 These functions are compiled into one kernel for a line, and run as plain Python for a map.
 """
@@ -22,22 +22,22 @@ from .shiftable_line import Places
 from .slider_record import Moment, SliderRecord, next_time_is_due, record_between
 from .spring import Drive, DriveLeg, ForceBalance, SliderState, drive_at, force_balance
 
-FORCE_TOLERANCE = 1e-5  # of the residual force, relative to load times rms slope
+FORCE_TOLERANCE = 1e-5  # of the residual force, over load times rms slope
 LOG_TIME_ROUNDING = 1e-13  # smaller differences of the logarithm of a time are rounding
 PLACE_ROUNDING = 1e-12  # in samples
-FIRST_LOG_TIME_STEP = 0.5  # of a search, in the logarithm of a time
-FIRST_CREEP_STEP = 0.1  # of a search, in samples
-MAX_STEP_GROWTH = 1.5  # a step that would last longer than this times the last one is a stick
-MAX_STEPS_TO_SAMPLE = 2.0  # a sample is tried within this times the distance of the last step
-MAX_SPEED_RATIO = 1.4  # expected between a step and the next one
-MIN_STEP_SHARE = 1e-3  # of a step: a shorter remainder of a leg is left to the next leg
+FIRST_LOG_TIME_STEP = 0.5  # first step of a search, in the logarithm of a time
+FIRST_CREEP_STEP = 0.1  # first step of a search, in samples
+MAX_STEP_GROWTH = 1.5  # the slider sticks if a step would be longer than this times the last one
+MAX_STEPS_TO_SAMPLE = 2.0  # maximum distance to a sample that is tried, over the last distance
+MAX_SPEED_RATIO = 1.4  # of the expected speed to the last one, or of the last to the expected
+MIN_STEP_SHARE = 1e-3  # of a step: a shorter rest of a leg is left to the next leg
 
-# Results that a search passes on to the next one: one record, changed in place.
+# Results of a search that the next one starts from: one record, changed in place.
 SEARCH_MEMORY = np.dtype(
     [
-        ("time_slope", np.float64),  # of the excess force over the logarithm of a time, or 0
-        ("creep_slope", np.float64),  # of its negative over the place in samples, or 0
-        ("tries", np.int64),  # of steps, in all
+        ("time_slope", np.float64),  # d(excess force)/d(log of the step time), or 0
+        ("creep_slope", np.float64),  # -d(excess force)/d(distance in samples), or 0
+        ("tries", np.int64),  # total number of tried steps
     ]
 )
 
@@ -45,10 +45,10 @@ SEARCH_MEMORY = np.dtype(
 class PulledSlider(NamedTuple):
     """A rig, its drive and the constants of its steps."""
 
-    rig: Any  # with attempt and accept (rig.py)
+    rig: Any  # of a type with attempt and accept (rig.py)
     steps_per_spacing: int
     drive: Drive
-    min_step_time: float  # in tau
+    min_step_time: float  # minimum duration of a step, in tau
     force_tolerance: float  # of the residual force
     hold_growth: float  # ratio of successive step times while the slider sticks
     record: SliderRecord
@@ -56,24 +56,24 @@ class PulledSlider(NamedTuple):
 
 
 class SliderProgress(NamedTuple):
-    """A slider between two steps."""
+    """State of a slider between two steps."""
 
     motion: SliderState
     moment: Moment
-    pace: float  # time of its steps, in tau
+    pace: float  # reference duration for the next step, in tau
 
 
 class BalancedStep(NamedTuple):
-    """The step that was tried last, with balanced forces."""
+    """The last tried step, with balanced forces."""
 
-    dt: float  # NaN for a step that would be too long
+    dt: float  # in tau; NaN for a step that would be too long
     balance: ForceBalance
     friction: float
 
 
 @jitable
 def follow_leg(pulled: PulledSlider, leg: DriveLeg, progress: SliderProgress) -> SliderProgress:
-    """Follow the drive through a leg; the last step ends with it."""
+    """Follow the drive through a leg; the last step ends with the leg."""
     end, m = leg.time[-1], pulled.steps_per_spacing
     while end - progress.motion.time > MIN_STEP_SHARE * progress.motion.dt:
         motion, pace, left = progress.motion, progress.pace, end - progress.motion.time
@@ -99,7 +99,7 @@ def follow_leg(pulled: PulledSlider, leg: DriveLeg, progress: SliderProgress) ->
 def expected_speed(motion, dt):
     """Return the speed of the next step, extrapolated from the last ones.
 
-    It stays near the last speed: beyond the next place of balanced forces there may be others.
+    It stays near the last speed because forces may balance at several places ahead.
     """
     expected, speed = motion.speed + 0.5 * motion.acceleration * (dt + motion.dt), abs(motion.speed)
     sign = 1.0 if motion.speed > 0.0 else -1.0
@@ -108,9 +108,9 @@ def expected_speed(motion, dt):
 
 @jitable
 def slide_step(pulled, places, leg, motion, longest, guess):
-    """Find the time of a step between two places, from a guess; return the BalancedStep.
+    """Find the duration of a step between two places, from a guess; return the BalancedStep.
 
-    Its time is NaN where it would exceed ``longest``. The rig holds the step that was tried last.
+    Its dt is NaN if it would exceed ``longest``. The rig then holds the last tried step.
     """
     moved = (places.after - places.before) / pulled.steps_per_spacing
     sign, memory = 1.0 if moved > 0.0 else -1.0, pulled.memory[0]
@@ -135,7 +135,7 @@ def slide_step(pulled, places, leg, motion, longest, guess):
 
 @jitable
 def creep(pulled, leg, progress, place, edges, dt):
-    """Advance as far as the forces allow in a time dt, or to the next sample in a shorter time."""
+    """Advance to the balance of forces after a time dt, or to the next sample in a shorter time."""
     motion, m, memory = progress.motion, pulled.steps_per_spacing, pulled.memory[0]
     low, high = edges[0] - place, edges[1] - place
     search = new_search(memory["creep_slope"], FIRST_CREEP_STEP)
@@ -162,7 +162,7 @@ def creep(pulled, leg, progress, place, edges, dt):
 
 @jitable
 def accept_step(pulled, leg, progress, moved, step):
-    """Accept and record the step that was tried last; return the SliderProgress after it."""
+    """Accept and record the last tried step; return the SliderProgress after it."""
     motion, balance, dt = progress.motion, step.balance, step.dt
     normal, d, touching = accept(pulled.rig, dt)
     mu = step.friction / normal if normal > 0.0 else np.nan

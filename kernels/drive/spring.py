@@ -1,11 +1,11 @@
-"""The drive: a spring, a damper and the mass of the slider, and the balance of their forces.
+"""The drive of a slider: spring, damper and mass, and the balance of their forces.
 
-The drive moves as Y(t), the slider as X(t):
+The position of the drive is Y(t), that of the slider X(t):
 
     k (Y - X) + c (dY/dt - dX/dt) = F_x + M d2X/dt2,
 
-F_x being the friction (eq. 5), which acts against the motion. Lengths are in dx, times in tau,
-forces in 4 G L h^2/dx, or in E* L h^2/dx where the elastomer is a half-space.
+where F_x is the friction (eq. 5), which acts against the motion. Lengths are in dx, times in tau,
+forces in 4 G L h^2/dx, or in E* L h^2/dx if the elastomer is a half-space.
 Source: F. Heslot et al., Phys. Rev. E 49, 4973 (1994), doi:10.1103/PhysRevE.49.4973, section II.
 """
 
@@ -25,7 +25,7 @@ class Drive(NamedTuple):
 
 
 class DriveLeg(NamedTuple):
-    """Motion of the drive in one leg: its velocity is linear between times."""
+    """Motion of the drive in one leg, with a piecewise linear velocity."""
 
     time: np.ndarray  # in tau, shape (knots,), increasing
     place: np.ndarray  # Y, in dx, shape (knots,)
@@ -37,16 +37,16 @@ class SliderState(NamedTuple):
 
     time: float  # in tau
     place: float  # X, in dx
-    dt: float  # of the step, in tau
-    speed: float  # in the step, in dx/tau
+    dt: float  # duration of the step, in tau
+    speed: float  # mean of the step, in dx/tau
     acceleration: float  # in dx/tau^2
     acceleration_time: float  # time to which the acceleration belongs, in tau
     friction_time: float  # time at which the friction of the step acts, in tau
-    friction: float  # of the step
+    friction: float  # friction of the step
 
 
 class ForceBalance(NamedTuple):
-    """Forces and motion in a step whose friction is known."""
+    """Forces and motion in a step with known friction."""
 
     excess: float  # force of the drive minus friction and inertia, at the end of the step
     force: float  # of the drive, at friction_time
@@ -70,15 +70,15 @@ def drive_at(leg, t):
 def force_balance(drive, leg, motion, moved, dt, lag, friction):
     """Return the ForceBalance of a step.
 
-    motion : SliderState before the step. moved : distance of the step, in dx, in the time dt.
-    lag : time from the action of the friction to the end of the step, over dt (rheology/law.py).
+    motion : SliderState before the step. moved : distance of the step, in dx. dt : its duration.
+    lag : time from the instant at which the friction acts to the end of the step, over dt.
 
-    Forces are balanced at the end of a step, where the stretch of the spring is known: a stiff
-    spring then takes the slider along without ringing. Friction acts earlier, at its lag, and is
-    extrapolated to the end of the step with its change since the step before; speed and
-    acceleration are extrapolated in the same way. A speed belongs to the middle of its step, a
-    difference quotient of speeds to the middle between those. With equal steps this is Houbolt's
-    method, of second order, under which no oscillation grows.
+    Forces are balanced at the end of the step, where the extension of the spring is known: a stiff
+    spring then pulls the slider along without ringing. Friction acts earlier, by its lag; it is
+    extrapolated linearly to the end of the step, from the step before and this one. Speed and
+    acceleration are extrapolated in the same way. The speed of a step belongs to its middle, and
+    the acceleration between two steps to the instant halfway between their middles. With equal
+    steps this is Houbolt's method: it is of second order, and no oscillation grows.
     """
     share, end = 1.0 - lag, motion.time + dt
     friction_time, place = motion.time + share * dt, motion.place + share * moved
