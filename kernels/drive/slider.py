@@ -94,9 +94,9 @@ def pull_through(
 ) -> tuple[dict[str, np.ndarray], int]:
     """Pull a slider through a scene; return (recorded values by name, number of tried steps).
 
-    follow : follow_leg, or its kernel. rig : see rig.py. surface : Line or Surface. forces : initial
-    values of the fields of Moment from mu to samples. times : at which to record, in tau. A value
-    at the end of a leg is that of its last step; it is not interpolated to the next leg.
+    follow : follow_leg, or its kernel. rig : see rig.py. surface : Line or Surface. forces : fields
+    of the initial Moment from mu to samples. times : at which to record, in tau. A value at the end
+    of a leg is that of the last step of the leg; it is not interpolated to the next leg.
     """
     speed, friction = initial_speed(scene), forces[Moment._fields.index("friction")]
     force = friction if speed else 0.0  # the spring is slack if the slider starts at rest

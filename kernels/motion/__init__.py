@@ -1,4 +1,4 @@
-"""Motion of the line: marched samples, time steps, and elements between samples.
+"""Motion of the line: programmes, their time steps, marched samples, and shifts between samples.
 
-A new kind of motion is a new file here that starts and shifts as slide.py does.
+A new kind of motion is a new file here with functions like those of slide.py.
 """

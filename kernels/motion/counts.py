@@ -1,7 +1,7 @@
-"""Number of steps of the legs of a programme, by formula, without computing the steps.
+"""Number of steps in each leg of a programme, by formulas, without computing the steps.
 
-For slides, holds and small oscillations the number is exact. For paths whose steps are solved for
-(path.py) it is an upper bound.
+The number is exact for slides, holds and small oscillations. For other legs, whose step times are
+solved for (path.py), it is an upper bound.
 """
 
 import math
@@ -31,8 +31,8 @@ from .path import (
     snap_to_sample,
 )
 
-MAX_PROGRAMME_STEPS = 10_000_000  # of a programme
-MAX_HOLD_STEP_RATIO = 1e12  # times the first step at rest is shorter than the rest, at most
+MAX_PROGRAMME_STEPS = 10_000_000  # steps of a programme, at most
+MAX_HOLD_STEP_RATIO = 1e12  # duration of a rest over its first step, at most
 
 
 def count_steps(
@@ -44,14 +44,14 @@ def count_steps(
 ) -> np.ndarray:
     """Return the number of steps of each leg, or an upper bound; arguments as in ``steps_of``.
 
-    Shape (legs,), whole numbers as floats, which may exceed any integer. Raises ValueError for an
-    invalid leg.
+    The shape is (legs,). The numbers are floats because they may exceed the range of int64. Raises
+    ValueError for an invalid leg.
     """
     counts: list[float] = []
     m = steps_per_spacing
     for leg in programme:
         check_leg(leg)
-        if not math.isfinite(position):  # beyond the range of doubles
+        if not math.isfinite(position):  # the line has left the range of doubles
             break
         if isinstance(leg, Slide):
             end = position + math.copysign(leg.distance * m, leg.speed)
@@ -59,9 +59,9 @@ def count_steps(
             counts.append(_crossings(position, end))
             position = end
         elif isinstance(leg, Hold):
-            counts.append(_of_hold(leg, m, speed, shortest))
+            counts.append(_count_hold_steps(leg, m, speed, shortest))
         else:
-            count, moved = _of_path(leg, m)
+            count, moved = _bound_leg(leg, m)
             counts.append(count)
             moved += position
             position = snap_to_sample(moved) if math.isfinite(moved) else moved
@@ -71,7 +71,7 @@ def count_steps(
 
 
 def _crossings(begin: float, end: float) -> float:
-    """Return the number of steps that end at whole samples between two positions, or at the end."""
+    """Return the number of steps to another position that end at whole samples, or there."""
     low, high = min(begin, end), max(begin, end)
     if not math.isfinite(high - low):
         return math.inf
@@ -79,26 +79,26 @@ def _crossings(begin: float, end: float) -> float:
     return max(inner, 0.0) + 1.0
 
 
-def _of_hold(leg: Hold, m: int, speed: float, shortest: float) -> float:
+def _count_hold_steps(leg: Hold, m: int, speed: float, shortest: float) -> float:
     if leg.duration <= 0.0:
         return 0.0
     first = first_hold_step(leg, m, speed, shortest)
     return float(growing_count(leg.duration / first, hold_step_ratio(m)))
 
 
-def _of_path(leg: Leg, m: int) -> tuple[float, float]:
-    """Return an upper bound of the steps along a path, and its length in samples."""
+def _bound_leg(leg: Leg, m: int) -> tuple[float, float]:
+    """Return an upper bound of the steps of a leg, and its displacement in samples."""
     if not isinstance(leg, Oscillation):
-        return _bound(path_of(leg, m), m)
+        return _bound_path(path_of(leg, m), m)
     if has_equal_steps(leg, m):
         moved = m * leg.speed * leg.cycles / leg.frequency
         return float(min_cycle_steps(m) * leg.cycles), moved
-    count, moved = _bound(path_of(leg._replace(cycles=1), m), m)  # all cycles are alike
+    count, moved = _bound_path(path_of(leg._replace(cycles=1), m), m)  # all cycles are alike
     return leg.cycles * count, leg.cycles * moved
 
 
-def _bound(path: Path, m: int) -> tuple[float, float]:
-    """Return an upper bound of the steps of a path: per sample, per share of a piece, at rest."""
+def _bound_path(path: Path, m: int) -> tuple[float, float]:
+    """Return an upper bound of the steps along one path, and its displacement in samples."""
     with np.errstate(over="ignore", invalid="ignore"):
         places = path.where(path.breaks)
     pieces = np.abs(np.diff(places))

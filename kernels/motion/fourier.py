@@ -1,7 +1,7 @@
-"""A periodic surface between its samples: the Fourier shift, exact if it is band-limited.
+"""Fourier shift of a periodic surface by fractions of a sample; exact if it is band-limited.
 
-Linear interpolation would make the mean of z^2 depend on the fraction of a sample. The resulting
-force of the lattice would hide the response to a motion of less than a sample.
+With linear interpolation, the mean of z^2 would depend on the fraction of a sample. The resulting
+lattice force would hide the response to motions smaller than a sample.
 """
 
 from functools import lru_cache
@@ -10,20 +10,20 @@ import numpy as np
 
 
 class FourierShift:
-    """Heights and slopes of a line, or of a map along x, shifted by a fraction of a sample."""
+    """Heights and slopes of a line or a map, shifted along x by a fraction of a sample."""
 
     def __init__(self, z: np.ndarray, slope: np.ndarray, steps_per_spacing: int) -> None:
-        """Take heights (in h) and slopes (in h/dx), shape (n,), or (rows, n) of a map."""
+        """Transform heights (in h) and slopes (in h/dx), shape (n,), or (rows, n) for a map."""
         self.samples = z.shape[-1]
         self.spectra = np.fft.rfft(np.stack([z, slope]))
         self.phase = -2.0 * np.pi * np.arange(self.spectra.shape[-1]) / self.samples
-        self.nyquist = np.pi * steps_per_spacing  # its wave number, per dx
+        self.nyquist = np.pi * steps_per_spacing  # wave number of the wave of two samples, in 1/dx
 
     def by(self, fraction: float) -> tuple[np.ndarray, np.ndarray]:
         """Return (heights, slopes) with the surface shifted by ``fraction`` of a sample towards +x.
 
-        At whole samples the wave of two samples looks the same for any phase: heights determine its
-        cosine, slopes its sine.
+        Samples of the heights determine only the cosine of the wave of two samples; those of the
+        slopes determine its sine.
         """
         moved = self.spectra * np.exp(1j * self.phase * fraction)
         if self.samples % 2 == 0:
@@ -36,7 +36,7 @@ class FourierShift:
 
 
 class FractionalShifts:
-    """A surface at fractions of a sample, with a cache of the latest shifts."""
+    """A surface shifted by fractions of a sample, with a cache of the last shifts."""
 
     def __init__(self, z: np.ndarray, slope: np.ndarray, steps_per_spacing: int) -> None:
         """Create an empty cache; arguments as in FourierShift."""

@@ -1,9 +1,9 @@
-"""A programme of motion: consecutive legs, and the time steps that march through them.
+"""Programmes of motion: consecutive legs, and their time steps.
 
 Lengths along the line are in units of the element spacing dx, times in units of tau. Speeds are
-v tau / dx, positive towards +x. Positions of steps count samples, m per spacing. A step ends at a
-whole sample wherever possible. It ends at a fraction of one where a leg ends, where the line turns,
-and in oscillations of a few samples (fourier.py).
+v tau / dx, positive towards +x. Positions of steps are in samples, m per spacing. Steps end at
+whole samples wherever possible. They end at fractions of a sample (fourier.py) where a leg ends,
+where the line turns, and in oscillations of a few samples.
 """
 
 import math
@@ -23,20 +23,20 @@ from .path import (
     steps_along,
 )
 
-FIRST_HOLD_STEP = 1e-6  # of a hold, where no speed before it tells how soon something happens
+FIRST_HOLD_STEP = 1e-6  # first step over the duration of a hold that follows rest
 
 
 class Slide(NamedTuple):
-    """Slide a distance at one speed. A velocity jump is two of them."""
+    """Slide over a distance at one speed; a velocity jump is two such legs."""
 
     speed: float  # signed, not zero
     distance: float  # > 0
 
 
 class Hold(NamedTuple):
-    """Stand still."""
+    """Hold the line at rest."""
 
-    duration: float  # >= 0
+    duration: float  # >= 0, in tau
 
 
 class Ramp(NamedTuple):
@@ -44,7 +44,7 @@ class Ramp(NamedTuple):
 
     first: float
     last: float
-    duration: float  # > 0
+    duration: float  # > 0, in tau
 
 
 class Oscillation(NamedTuple):
@@ -57,10 +57,10 @@ class Oscillation(NamedTuple):
 
 
 class Sampled(NamedTuple):
-    """Follow a speed that is linear between samples in time."""
+    """Follow a speed that is linear between given times."""
 
-    times: tuple[float, ...]  # from 0, increasing
-    speeds: tuple[float, ...]
+    times: tuple[float, ...]  # in tau, from 0, increasing
+    speeds: tuple[float, ...]  # at these times, in dx/tau
 
 
 Leg = Slide | Hold | Ramp | Oscillation | Sampled
@@ -72,7 +72,7 @@ class Steps(NamedTuple):
 
     position: np.ndarray  # of the line at the end of each step, in samples, not wrapped
     dt: np.ndarray  # in tau
-    leg: np.ndarray  # number of the leg that each belongs to, int64
+    leg: np.ndarray  # index of the leg of each step, int64
 
 
 def steps_of(
@@ -84,10 +84,10 @@ def steps_of(
 ) -> Steps:
     """Return the steps of a programme.
 
-    steps_per_spacing : m, samples (and steps of constant sliding) per spacing. It also sets the
+    steps_per_spacing : m, samples (and steps at constant speed) per spacing. It also sets the
     resolution of holds, ramps and oscillations.
     position, speed : of the line before the first leg, in samples and in dx/tau. The speed before
-    a hold sets its first steps. shortest : shortest step, in tau; rounding hides shorter ones.
+    a hold sets its first step. shortest : minimum step in tau, set by the rounding of forces.
 
     Raises ValueError for an invalid leg, and for steps that are too short.
     """
@@ -121,9 +121,9 @@ def last_speed(leg: Leg) -> float:
 
 
 def speed_at_start(programme: Programme) -> float:
-    """Return the initial speed of a programme, in dx/tau: 0 if it begins with a hold.
+    """Return the initial speed of a programme, in dx/tau; 0 if it begins with a hold.
 
-    For an oscillation it is the mean speed, that of the steady state before it.
+    For an oscillation it is the mean speed, which is that of the steady state before it.
     """
     leg = programme[0]
     if isinstance(leg, Slide | Oscillation):
@@ -186,12 +186,12 @@ def _steps(
 
 
 def first_hold_step(leg: Hold, m: int, speed: float, shortest: float) -> float:
-    """Return the longest first step of a hold after a motion at a speed, in tau."""
+    """Return the upper bound of the first step of a hold, in tau; speed : before the hold."""
     return max(0.25 / (m * abs(speed)) if speed else FIRST_HOLD_STEP * leg.duration, shortest)
 
 
 def has_equal_steps(leg: Oscillation, m: int) -> bool:
-    """Return whether none of min_cycle_steps equal steps of a cycle exceeds a sample."""
+    """Return whether a step of 1/min_cycle_steps of a cycle never exceeds a sample."""
     fastest = abs(leg.speed) + 2.0 * math.pi * leg.frequency * leg.amplitude
     return fastest * m <= leg.frequency * min_cycle_steps(m)
 
@@ -207,7 +207,7 @@ def path_of(leg: Leg, m: int) -> Path:
 
 
 def _equal_steps(leg: Oscillation, m: int, position: float) -> tuple[np.ndarray, np.ndarray]:
-    """Return (positions, dt) of an oscillation in equal time steps, the same in every cycle."""
+    """Return (positions, dt) of an oscillation in equal time steps, as many in every cycle."""
     count = min_cycle_steps(m)
     number = np.arange(1, count * leg.cycles + 1)
     phase = 2.0 * math.pi * (number % count) / count

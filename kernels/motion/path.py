@@ -1,7 +1,7 @@
-"""Time steps along a path X(t), which end where the line has moved by whole samples.
+"""Time steps along a path X(t) that end at whole samples of the line.
 
-A path generally turns and ends between samples; there a step ends at a fraction of a sample. Where
-whole samples are too far apart in time, the steps between them are equal in time.
+A step also ends where the path turns or ends, which is generally at a fraction of a sample. If the
+line takes too long from one sample to the next, that step is divided into equal times.
 """
 
 import math
@@ -10,16 +10,16 @@ from typing import NamedTuple
 
 import numpy as np
 
-SNAP_TOLERANCE = 1e-9  # of a sample: nearer to a whole one, rounding made the difference
-MIN_PARTIAL_STEP = 0.25  # of a sample: no step is shorter because the path turns or ends there
-TIME_BISECTIONS = 60  # to the last bit of a time, unless it is tiny beside the piece
+SNAP_TOLERANCE = 1e-9  # in samples: a smaller distance from a whole sample is rounding
+MIN_PARTIAL_STEP = 0.25  # in samples: minimum step next to a turn or an end of the path
+TIME_BISECTIONS = 60  # resolve a time to its last bit, unless it is tiny compared with the piece
 
 
 class Path(NamedTuple):
     """Position of the line over time."""
 
-    where: Callable[[np.ndarray], np.ndarray]  # samples from the start, of times in tau
-    breaks: np.ndarray  # times from 0 to the end; between two of them X rises, falls or rests
+    where: Callable[[np.ndarray], np.ndarray]  # displacement in samples at times in tau
+    breaks: np.ndarray  # times from 0 to the end; X is monotone or constant between two of them
 
 
 def min_cycle_steps(m: int) -> int:
@@ -28,20 +28,20 @@ def min_cycle_steps(m: int) -> int:
 
 
 def hold_step_ratio(m: int) -> float:
-    """Return the ratio of consecutive time steps while the line rests."""
+    """Return the ratio of consecutive time steps while the line rests; m : samples per spacing."""
     return 1.0 + 1.0 / (2.0 * m)
 
 
 def growing_count(duration: float, ratio: float) -> int:
-    """Return the number of steps that grow by ``ratio``; duration : of all, over the first one.
+    """Return the number of steps that grow by ``ratio``; duration : of all, over the first step.
 
-    Their sum is first (ratio^count - 1) / (ratio - 1).
+    The sum of the steps, over the first one, is (ratio^count - 1) / (ratio - 1).
     """
     return math.ceil(math.log1p(duration * (ratio - 1.0)) / math.log(ratio))
 
 
 def growing_steps(duration: float, first: float, ratio: float) -> np.ndarray:
-    """Return time steps that grow by ``ratio``, from ``first`` or less, and fill the duration."""
+    """Return time steps that grow by ``ratio``, from at most ``first``, and fill the duration."""
     if duration <= 0.0:
         return np.empty(0)
     count = growing_count(duration / first, ratio)
@@ -50,7 +50,7 @@ def growing_steps(duration: float, first: float, ratio: float) -> np.ndarray:
 
 
 def step_ends(begin: float, end: float) -> np.ndarray:
-    """Return the ends of steps from one position to another: whole samples, and the end itself."""
+    """Return the ends of steps from one position to another: whole samples, then ``end``."""
     end = snap_to_sample(end)
     low, high = min(begin, end), max(begin, end)
     inner = np.arange(math.ceil(low + MIN_PARTIAL_STEP), math.floor(high - MIN_PARTIAL_STEP) + 1.0)
@@ -58,7 +58,7 @@ def step_ends(begin: float, end: float) -> np.ndarray:
 
 
 def snap_to_sample(position: float) -> float:
-    """Return a position, rounded to a whole sample if it differs only by rounding."""
+    """Return the position, or the nearest whole sample if only rounding separates them."""
     nearest = float(round(position))
     near = abs(position - nearest) <= SNAP_TOLERANCE * max(1.0, abs(nearest))
     return nearest if near else position
@@ -78,7 +78,7 @@ def steps_along(path: Path, m: int, start: float) -> tuple[np.ndarray, np.ndarra
         else:
             place = step_ends(position, goal)
             time = np.append(_times(path, place[:-1] - start, begin, end), end)
-            place, time = _resolved(path, place, time, begin, start, min_cycle_steps(m) // 2)
+            place, time = _divide_steps(path, place, time, begin, start, min_cycle_steps(m) // 2)
         dt = float(time[-1] - (time[-2] if time.size > 1 else begin))
         position = float(place[-1])
         places.append(place)
@@ -87,7 +87,7 @@ def steps_along(path: Path, m: int, start: float) -> tuple[np.ndarray, np.ndarra
 
 
 def _times(path: Path, moved: np.ndarray, begin: float, end: float) -> np.ndarray:
-    """Return the times of given displacements, by bisection of a monotone piece of the path."""
+    """Return the times of given displacements, by bisection on a monotone piece of the path."""
     low, high = np.full(moved.size, begin), np.full(moved.size, end)
     rising = path.where(np.array([end]))[0] > path.where(np.array([begin]))[0]
     for _ in range(TIME_BISECTIONS):
@@ -97,11 +97,11 @@ def _times(path: Path, moved: np.ndarray, begin: float, end: float) -> np.ndarra
     return high
 
 
-def _resolved(
-    path: Path, place: np.ndarray, time: np.ndarray, begin: float, start: float, fewest: int
+def _divide_steps(
+    path: Path, place: np.ndarray, time: np.ndarray, begin: float, start: float, min_steps: int
 ) -> tuple[np.ndarray, np.ndarray]:
-    """Divide the steps of a piece that exceed their share of its time, equally in time."""
-    longest = (time[-1] - begin) / fewest
+    """Divide steps longer than 1/min_steps of a piece into equal times; return (places, times)."""
+    longest = (time[-1] - begin) / min_steps
     before = np.concatenate([[begin], time[:-1]])
     parts = np.maximum(np.ceil((time - before) / longest * (1.0 - 1e-12)), 1.0).astype(np.int64)
     step = np.repeat(np.arange(time.size), parts)
@@ -131,7 +131,7 @@ def oscillation_path(speed: float, amplitude: float, frequency: float, cycles: i
 
 
 def piecewise_path(times: tuple[float, ...], speeds: tuple[float, ...], m: int) -> Path:
-    """Return the path of a speed that is linear between samples in time."""
+    """Return the path of a speed that is linear between given times."""
     t, v = np.asarray(times, float), np.asarray(speeds, float)
     duration = np.diff(t)
     reached = np.append(0.0, np.cumsum(0.5 * duration * (v[:-1] + v[1:])))
@@ -139,12 +139,12 @@ def piecewise_path(times: tuple[float, ...], speeds: tuple[float, ...], m: int) 
     turning = np.flatnonzero(v[:-1] * v[1:] < 0.0)
     turns = t[turning] - v[turning] / rate[turning]
     resting = (v[:-1] == 0.0) & (v[1:] == 0.0)
-    amid = np.append(resting, False) & np.append(False, resting)
-    still = t[(v == 0.0) & ~amid]
+    inside_rest = np.append(resting, False) & np.append(False, resting)
+    stops = t[(v == 0.0) & ~inside_rest]
 
     def where(at: np.ndarray) -> np.ndarray:
         i = np.clip(np.searchsorted(t, at, side="right") - 1, 0, t.size - 2)
         since = at - t[i]
         return m * (reached[i] + since * (v[i] + 0.5 * rate[i] * since))
 
-    return Path(where, np.unique(np.concatenate([turns, still, t[:1], t[-1:]])))
+    return Path(where, np.unique(np.concatenate([turns, stops, t[:1], t[-1:]])))

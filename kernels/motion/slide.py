@@ -1,8 +1,8 @@
-"""Sliding by whole samples: with an element at every sample nothing is interpolated.
+"""Sliding by whole samples: with an element at every sample, nothing is interpolated.
 
 A step moves each element to the next sample of the line, against the motion. State and thresholds
-are kept at the samples of the stretches that can touch (stretches.py). Elements in the gaps between
-stretches decay; one ring per gap passes them from one stretch to the next.
+are stored at the samples of the stretches that can touch (stretches.py). In the gaps between
+stretches, elements only decay; one ring buffer per gap carries them from one stretch to the next.
 """
 
 from typing import NamedTuple
@@ -17,18 +17,18 @@ from .stretches import piece_bounds
 class Rings(NamedTuple):
     """Displacements of the elements that cross the gaps.
 
-    Ring s covers the gap above stretch s. The element that arrives in t steps is in slot
-    t % (gap + 1), decayed to its arrival.
+    Ring s covers the gap above stretch s. The element that arrives in step t is in slot
+    t % (gap + 1), with its displacement at the arrival.
     """
 
-    slots: np.ndarray  # of all rings
-    at: np.ndarray  # where each ring begins, and the end of the last
-    crossing: np.ndarray  # decay over each whole gap
+    slots: np.ndarray  # slots of all rings, in h
+    at: np.ndarray  # index of the first slot of each ring, and the end of the last ring
+    crossing: np.ndarray  # decay factor over each gap
 
 
 @kernel
 def start_rings(law, z, state, start, stop):
-    """Return the Rings at the start: elements in gaps decay from their present displacements."""
+    """Return the initial Rings: elements in gaps decay from their present displacements."""
     n = z.size
     lengths = np.empty(start.size, np.int64)
     for s in range(start.size):
@@ -53,7 +53,7 @@ def shift(law, z, c, d, first, rings, step):
     z : line, c : thresholds of the step before, both at the samples of the stretches; stretch s
     begins at first[s]. d : indentation at the end of the step before. step : number, from 1 on.
     """
-    if step > 1:  # the rings start with all that has left before
+    if step > 1:  # initial rings include the elements that left before
         _depart(z, c, d, first, rings, step - 1)
     for s in range(first.size - 1):
         for i in range(first[s], first[s + 1] - 1):
@@ -64,7 +64,7 @@ def shift(law, z, c, d, first, rings, step):
 
 @kernel
 def _depart(z, c, d, first, rings, step):
-    """Send elements that leave their stretches across the gaps, at the end of a step."""
+    """Put the elements that leave their stretches at the end of a step into the rings."""
     for s in range(first.size - 1):
         below = s - 1 if s > 0 else first.size - 2
         leaving = z[first[s]] - max(c[first[s]], d)

@@ -1,7 +1,7 @@
 """Stretches of a line that can touch; only their samples are marched.
 
-An element cannot touch a sample above a cap that the indentation never reaches. Between two
-stretches elements only decay (slide.py).
+An element cannot touch a sample that is higher than a cap above all indentations. Between two
+stretches, elements only decay (slide.py).
 """
 
 import numpy as np
@@ -13,7 +13,7 @@ SHORT_GAP = 16  # gaps up to this many samples are cheaper to carry along than t
 
 @kernel
 def touchable(z, cap):
-    """Return (start, stop) of the stretches of z < cap, in line order, both int64 arrays.
+    """Return (start, stop) of the stretches where z < cap, in line order, both int64 arrays.
 
     z : heights, shape (n,); z[0] must not be below cap unless all of z is.
     """
@@ -48,7 +48,7 @@ def gather(values, start, stop):
 
 @kernel
 def piece_bounds(lengths):
-    """Return the beginnings of consecutive pieces, and the end of the last."""
+    """Return the first index of each of consecutive pieces, and the end of the last one."""
     out = np.zeros(lengths.size + 1, np.int64)
     for s in range(lengths.size):
         out[s + 1] = out[s] + lengths[s]

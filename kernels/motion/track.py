@@ -1,7 +1,7 @@
-"""The line along the steps of a programme, as seen by the resting elements of a foundation.
+"""Heights and slopes of a moving line over the resting elements of a foundation, step by step.
 
-At whole samples the given line is read with an offset. At fractions it is shifted by Fourier
-(fourier.py), once for all steps of a stage with the same fraction.
+At whole samples the given line is read with an offset. At fractions of a sample it is shifted by
+Fourier (fourier.py), once for all steps of a stage with the same fraction. Stages limit the memory.
 """
 
 from collections.abc import Iterator
@@ -12,30 +12,30 @@ import numpy as np
 from .fourier import FourierShift
 from .legs import Steps
 
-MAX_SHIFTED_SAMPLES = 1 << 21  # samples of shifted lines in a stage, at most, but for one line
+MAX_SHIFTED_SAMPLES = 1 << 21  # samples of shifted lines in a stage, at most; two always fit
 MAX_SHIFTED_LINES = 512  # shifted lines in a stage, at most
 MAX_STAGE_STEPS = 1 << 18  # steps of a stage, at most
 
 
 class Track(NamedTuple):
-    """The line before the first of some steps and after each of them."""
+    """The line before the first step of a stage and after each of its steps."""
 
     z: np.ndarray  # shape (lines, 2 n): two periods of every line, heights in h
     slope: np.ndarray  # the same of its slopes, in h/dx
-    line: np.ndarray  # which of the lines, shape (S + 1,)
-    begin: np.ndarray  # at which of its samples element 0 is, shape (S + 1,)
-    dt: np.ndarray  # of the steps, in tau, shape (S,)
-    place: np.ndarray  # how far the line has moved, in dx, shape (S + 1,)
+    line: np.ndarray  # index of the shifted line, shape (S + 1,)
+    begin: np.ndarray  # sample of that line at element 0, shape (S + 1,)
+    dt: np.ndarray  # durations of the steps, in tau, shape (S,)
+    place: np.ndarray  # displacement of the line, in dx, shape (S + 1,)
     time: np.ndarray  # in tau, shape (S + 1,)
 
 
 def tracks(
     z: np.ndarray, slope: np.ndarray, m: int, steps: Steps, start: float, time: float
 ) -> Iterator[Track]:
-    """Yield the tracks of consecutive stages of the steps.
+    """Yield one Track for each of the consecutive stages of the steps.
 
-    z, slope : line, shape (n,), in h and h/dx. m : samples per spacing. start, time : before the
-    first step, in samples and in tau.
+    z, slope : line, shape (n,), in h and h/dx. m : samples per spacing. start, time : position and
+    time before the first step, in samples and in tau.
     """
     n, shifted = z.size, None
     for piece in range(0, max(steps.dt.size, 1), MAX_STAGE_STEPS):
@@ -60,7 +60,7 @@ def tracks(
 
 
 def _stages(fraction: np.ndarray, most: int) -> list[tuple[int, int]]:
-    """Return (first, last) step of stages that have at most ``most`` fractions."""
+    """Return (first, last) position of stages with at most ``most`` different fractions."""
     stages = []
     first, seen_fractions = 0, {float(fraction[0])}
     for at in np.flatnonzero(np.diff(fraction)) + 1:
