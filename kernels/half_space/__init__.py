@@ -1,10 +1,10 @@
 """The elastomer as a half-space under surfaces: contact, sliding, velocity jumps, programmes.
 
-A periodic square of N x N elements, N m x N m samples; the last axis is x, the direction of
-sliding. Units as in kernels/__init__.py, with E* in units of its relaxed value and pressures in
-units of E* h/dx, so that
+Surfaces are periodic squares of N x N elements, or N m x N m samples; the last axis is x, the
+direction of sliding. Units are those of kernels/__init__.py, with E* in units of its relaxed value
+and pressures in units of E* h/dx, so that
 
     p(q, t) = -(|q|/2) E*(t) u(q, t)   for q != 0,     mean pressure = load/N.
 
-A map of one row is a line contact in plane strain.
+A map with a single row is a line contact in plane strain.
 """

@@ -1,10 +1,10 @@
-"""A viscoelastic half-space, and one time step of it under a moving surface.
+"""A viscoelastic half-space and its time steps under a moving surface.
 
-Memory and laws belong to the elements (rheology/law.py), with A p in place of an element's force:
-the displacement of the relaxed body under the pressures. Pressures belong to the surface, which
-touches the same elements again only after a period. A step is one elastic contact of the surface
-z - w with a body K times as stiff as the relaxed one, where w is the displacement of the body
-without pressure.
+Elements have memory and a law (rheology/law.py). In place of an element's force, the law takes A p,
+the displacement of the relaxed body under the pressures p. Pressures are stored at the samples of
+the surface, which meets the same elements again only after a period. A step is one elastic contact
+of the surface z - w with a body K times as stiff as the relaxed one, where w is the displacement
+of the body without pressure.
 """
 
 from typing import Any, NamedTuple
@@ -18,21 +18,21 @@ from .contact import ElasticContact, Operator, press
 from .surface import Surface
 from .waves import half_space_stiffness
 
-# Tolerances of a contact (contact.py), relative to the displacements of its pressures. Errors of a
-# step decay in later steps: the error of mu is 3e-5 of its maximum, and 3e-6 with one pass or more.
+# Tolerances of a contact (contact.py), relative to A p. Errors of a step decay in later steps: the
+# error of mu is 3e-5 of its maximum, or 3e-6 if each step takes at least one pass.
 STEP_TOLERANCE, CONTACT_TOLERANCE = 3e-5, 1e-7
-# For Kelvin elements the tolerance is the first number times K, up to the second: the larger K is,
-# the less of a pressure lasts beyond its step. The error of mu is then 5e-5 of its maximum.
+# For Kelvin elements the tolerance is the first number times K, but at most the second: for large K
+# pressures have little effect on later steps. The error of mu is then 5e-5 of its maximum.
 TOLERANCE_PER_STIFFNESS, MAX_STEP_TOLERANCE = 1.5e-5, 3e-4
 
 
 class HalfSpace(NamedTuple):
-    """Constants of a contact: the material, the surface that is pressed on it, and the load."""
+    """Constants of a contact: the material, the surface pressed on it, and the load."""
 
-    form: Any  # of the material (rheology/forms.py)
+    form: Any  # form of the material (rheology/forms.py)
     surface: Surface
-    operator: Operator  # of the relaxed body: A over the modes (contact.py)
-    pressure: float  # mean, in E* h/dx
+    operator: Operator  # compliance A of the relaxed body for every mode (contact.py)
+    pressure: float  # mean pressure, in E* h/dx
 
     @classmethod
     def under(
@@ -40,7 +40,7 @@ class HalfSpace(NamedTuple):
     ) -> "HalfSpace":
         """Return a half-space under a load Fbar = F_N/(E* L h).
 
-        stiffness : over the modes, if it differs from the |q|/2 of a half-space.
+        stiffness : of every mode, or None for the |q|/2 of a half-space.
         """
         m, shape = surface.steps_per_spacing, surface.z.shape
         if stiffness is None:
@@ -54,20 +54,20 @@ class Body(NamedTuple):
     memory: np.ndarray  # shape (M, rows n): internal variables of the elements
     depth: np.ndarray  # shape (rows n,): A p of the last step, at the elements, in h
     p: np.ndarray  # shape (rows, n): pressures, at the samples of the surface, in E* h/dx
-    d: float  # approach: height of the mean of the surface under the mean of the body, in h
-    offset: int  # of the surface: over element i lies sample i - offset, modulo n
+    d: float  # approach: depth of the mean of the surface below the mean of the body, in h
+    offset: int  # position of the surface: sample i - offset (modulo n) lies over element i
 
 
 class Step(NamedTuple):
-    """Constants of the steps of a march in which the surface moves by one sample."""
+    """Constants of steps in which the surface moves by one sample."""
 
-    law: Any  # of the elastomer in a step (rheology)
+    law: Any  # law of the elastomer in a step (rheology/law.py)
     direction: int  # 1: towards +x, -1: towards -x
-    weight: np.ndarray  # shape (rows, n): dz/dx where the force of the step acts, in h/dx
+    weight: np.ndarray  # shape (rows, n): dz/dx at the instant when the force acts, in h/dx
 
     @classmethod
     def of(cls, form: Any, surface: Surface, speed: float) -> "Step":
-        """Return the step of sliding at a signed speed, vbar."""
+        """Return the Step of sliding at a signed speed vbar."""
         law = law_of(form, 1.0 / (surface.steps_per_spacing * abs(speed)))
         direction = 1 if speed > 0.0 else -1
         earlier = np.roll(surface.slope, -direction, axis=1)
@@ -75,7 +75,7 @@ class Step(NamedTuple):
 
 
 def step_tolerance(spectrum: Spectrum, law: Any) -> float:
-    """Return the tolerance of the contact in a step of a march of this material."""
+    """Return the tolerance of the contacts in a march of a material; law : of its steps."""
     if spectrum != KELVIN:
         return STEP_TOLERANCE
     return min(TOLERANCE_PER_STIFFNESS * law.stiffness, MAX_STEP_TOLERANCE)
@@ -84,7 +84,7 @@ def step_tolerance(spectrum: Spectrum, law: Any) -> float:
 def take_step(
     space: HalfSpace, body: Body, step: Step, tolerance: float = STEP_TOLERANCE
 ) -> tuple[Body, int]:
-    """Take a body over a step of one sample; return (body, passes). Its memory changes in place."""
+    """Advance a body by a step of one sample; return (body, passes). Memory changes in place."""
     z = space.surface.z
     offset = (body.offset + step.direction) % z.shape[1]
     return advance_body(space, body, step.law, z, offset, tolerance)
@@ -98,7 +98,7 @@ def advance_body(
     offset: int,
     tolerance: float = STEP_TOLERANCE,
 ) -> tuple[Body, int]:
-    """Take a body over a step of a law; z, offset : surface at its end; else as take_step."""
+    """Advance a body by a step of a given law, like take_step; z, offset : surface at its end."""
     w, contact = try_step(space, body, law, z, offset, tolerance)
     return body_after(body, law, w, contact, offset), contact.passes
 
@@ -106,7 +106,7 @@ def advance_body(
 def try_step(
     space: HalfSpace, body: Body, law: Any, z: np.ndarray, offset: int, tolerance: float
 ) -> tuple[np.ndarray, ElasticContact]:
-    """Return (displacements without pressure, contact) of a step, and leave the body unchanged."""
+    """Return (displacements without pressure, contact) of a step without changing the body."""
     w, gap = np.empty(body.depth.size), np.empty_like(z)
     open_gap(law, body.memory, body.depth, z, offset, w, gap)
     depth = at_samples(body.depth, body.offset, z.shape)
@@ -115,7 +115,7 @@ def try_step(
 
 
 def body_after(body: Body, law: Any, w: np.ndarray, contact: ElasticContact, offset: int) -> Body:
-    """Return the body after a step that was tried; its memory changes in place."""
+    """Return the body after a step that was tried; memory changes in place."""
     new = at_elements(contact.depth, offset)
     settle_memory(law, body.memory, w, body.depth, new)
     return Body(body.memory, new, contact.p, contact.d / law.stiffness, offset)
@@ -123,7 +123,7 @@ def body_after(body: Body, law: Any, w: np.ndarray, contact: ElasticContact, off
 
 @kernel
 def open_gap(law, memory, depth, z, offset, w, gap):
-    """Fill w, and fill gap with K (z - w) at the samples of the surface."""
+    """Fill w with displacements without pressure, and gap with K (z - w) at the samples."""
     predict(law, memory, depth, w)
     rows, n = z.shape
     for y in range(rows):
@@ -133,19 +133,19 @@ def open_gap(law, memory, depth, z, offset, w, gap):
 
 
 def at_elements(values: np.ndarray, offset: int) -> np.ndarray:
-    """Return values at the elements, shape (rows n,), from values at the samples (rows, n)."""
+    """Return values at the elements, shape (rows n,), from those at the samples (rows, n)."""
     return np.roll(values, offset, axis=1).ravel()
 
 
 def at_samples(values: np.ndarray, offset: int, shape: tuple[int, int]) -> np.ndarray:
-    """Return values at the samples of the surface, from values at the elements."""
+    """Return values at the samples of the surface, from those at the elements."""
     return np.roll(values.reshape(shape), -offset, axis=1)
 
 
 def rest_on(space: HalfSpace, stiffness: float = 1.0) -> tuple[Body, int]:
     """Return (body in equilibrium with a resting surface, passes).
 
-    stiffness : of the body, over that of the relaxed one.
+    stiffness : of the body, over that of the relaxed body.
     """
     gap = stiffness * space.surface.z
     contact = press(gap, space.pressure, space.operator, None, CONTACT_TOLERANCE)
@@ -156,11 +156,11 @@ def rest_on(space: HalfSpace, stiffness: float = 1.0) -> tuple[Body, int]:
 
 @kernel
 def settle_memory(law, memory, w, depth, new):
-    """Settle the memory of all elements."""
+    """Advance the memory of all elements over a step, in place; see ``advance_memory``."""
     advance_memory(law, memory, w, depth, new)
 
 
 @kernel
 def lasting_depth(form, memory):
-    """Return (viscosity, the part of A p that does not depend on rates)."""
+    """Return (viscosity, part of A p that does not depend on rates)."""
     return static_pressure(form, memory)

@@ -1,4 +1,4 @@
-"""One case on one surface: steady sliding, velocity jumps and relaxations, as for lines.
+"""One case on one surface: steady sliding, velocity jumps and relaxation, as for lines.
 
 Only requested quantities are computed.
 """
@@ -21,11 +21,11 @@ def run_case(
     """Compute one case on one surface; loads Fbar = F_N/(E* L h), speeds of either sign.
 
     contact_fraction : real contact area, corrected for the samples at edges (patches.py).
-    samples_per_contact : mean number of samples in a patch that is connected by sides.
+    samples_per_contact : mean number of samples in a patch, which is connected by sides.
     work : samples times passes of the operator. The relaxation curve is mu_2 plus the difference
-    between the march and its steady value. The field refine of a case is ignored.
-    stiffness : over the modes, if it differs from that of a half-space. Raises ValueError if no
-    steady state is found.
+    between mu of the march and its steady value. The field refine of a case is ignored.
+    stiffness : of every mode, or None for a half-space. Raises ValueError if no steady state is
+    found.
     """
     clock = PhaseClocks()
     space = HalfSpace.under(form_of(case.spectrum, case.scheme), surface, case.load, stiffness)
@@ -70,7 +70,7 @@ def run_case(
 def _relaxation(
     space: HalfSpace, case: Case, start: Body, two: SlidingBody, numbers: np.ndarray
 ) -> tuple[np.ndarray, int]:
-    """Return (mu at the numbered steps after the jump to the speed of ``two``, passes)."""
+    """Return (mu at the given steps after the jump to the speed of ``two``, passes)."""
     body, passes = start._replace(memory=start.memory.copy()), 0
     mu, at, tolerance = np.empty(numbers.size), 0, step_tolerance(case.spectrum, two.step.law)
     for number in range(1, int(numbers[-1]) + 1):

@@ -1,20 +1,20 @@
 """Elastic contact of a rigid surface with a body whose stiffness is known for every mode.
 
-Pressures p >= 0 of a given mean displace the body by u = -A p, A the inverse stiffness. The gap g
-is zero where the body is pressed, and not negative elsewhere:
+Pressures p >= 0 with a given mean displace the body by u = -A p, where A is the inverse stiffness.
+The gap g is zero where the body is pressed, and not negative elsewhere:
 
     g = gap + A p - d >= 0,    p >= 0,    p g = 0.
 
 The solution minimizes p A p/2 + p gap. It is found by conjugate gradients as in Polonsky and Keer,
-with two changes that halve the passes of the operator and make their number nearly independent of
-the grid:
+with two changes that halve the number of passes (applications of A) and make it nearly independent
+of the grid:
 
-- A trial step is first clipped at p = 0, and the remaining change of p is the direction. The step
-  along it is exact, even where contact begins or ends, and costs one pass.
-- Residuals are preconditioned on the contact by a stencil of five samples, which approximates |q|.
+- A trial step is first clipped at p = 0, and the remaining change of p is the direction. The exact
+  step along it costs one pass, even where contact begins or ends.
+- Residuals are preconditioned by a stencil of five samples on the contact, which approximates |q|.
 
 Source: I. A. Polonsky and L. M. Keer, Wear 231, 206 (1999), doi:10.1016/S0043-1648(99)00113-1,
-with the mean pressure given.
+for a given mean pressure.
 """
 
 from typing import NamedTuple
@@ -24,23 +24,23 @@ import numpy as np
 from ..compile.jit import kernel
 
 MAX_PASSES = 20_000
-STENCIL_CENTRE = 5.0  # its neighbours are -1; chosen by trial, for any load
-ZERO_PRESSURE = 1e-14  # relative to the mean pressure
-MIN_TRIAL_RATIO, MAX_TRIAL_RATIO = 0.3, 3.0  # between successive trial steps
-MIN_STEP_RATIO = 0.01  # of the best step to the trial step: below, the directions are restarted
+STENCIL_CENTRE = 5.0  # the neighbours are -1; found by trial, for any load
+ZERO_PRESSURE = 1e-14  # set to zero up to this share of the mean pressure
+MIN_TRIAL_RATIO, MAX_TRIAL_RATIO = 0.3, 3.0  # ratio of successive trial steps
+MIN_STEP_RATIO = 0.01  # best step over trial step; the directions are restarted below it
 
 
 class ElasticContact(NamedTuple):
     """Solution of a contact, and its cost."""
 
-    p: np.ndarray  # shape of the gap
-    depth: np.ndarray  # A p, of mean zero, the same shape
-    d: float
-    passes: int  # of the operator
+    p: np.ndarray  # pressures, shape (rows, n)
+    depth: np.ndarray  # A p, shape (rows, n), with mean zero
+    d: float  # approach
+    passes: int  # applications of A
 
 
 class Operator(NamedTuple):
-    """A over the modes, and workspace for transforms and for a solution."""
+    """The compliance A of every mode, and workspace for transforms and for a solution."""
 
     compliance: np.ndarray  # shape (rows, n//2 + 1); 0 for the mean
     stencil_scale: float  # makes the stencil nearly the inverse of A
@@ -51,9 +51,9 @@ class Operator(NamedTuple):
 
     @classmethod
     def of(cls, stiffness: np.ndarray, n: int) -> "Operator":
-        """Return the operator of a stiffness over the modes of maps (rows, n).
+        """Return the operator for the stiffness of every mode of maps (rows, n).
 
-        The stiffness of the mean is not used. Raises ValueError if another one is not positive.
+        The stiffness of the mean is not used. Raises ValueError unless all others are positive.
         """
         inner = stiffness.ravel()[1:]
         if not np.all(inner > 0.0):
@@ -64,7 +64,7 @@ class Operator(NamedTuple):
 
     @classmethod
     def inverse(cls, compliance: np.ndarray, n: int) -> "Operator":
-        """Return the operator of a compliance over the modes, 0 for the mean."""
+        """Return the operator for the compliance of every mode; 0 for the mean."""
         rows = compliance.shape[0]
         quarter = max(1, n // 4)  # for a wave of four samples the stencil is STENCIL_CENTRE - 2
         scale = 1.0 / ((STENCIL_CENTRE - 2.0) * compliance[0, quarter])
@@ -92,12 +92,12 @@ def press(
     tolerance: float,
     allowed: np.ndarray | None = None,
 ) -> ElasticContact:
-    """Solve the contact; p is in units of the stiffness times those of the gap.
+    """Solve a contact; the unit of p is that of the stiffness times that of the gap.
 
     gap : height of the rigid surface over the body without pressure, shape (rows, n).
-    mean_pressure : > 0. start : warm start, or None: allowed pressures of the same mean, and their
-    A p. tolerance : rms of g over the contact, relative to the rms of A p. allowed : mask of the
-    samples whose p may be positive, or None for all. Raises ValueError if the search does not
+    mean_pressure : > 0. start : warm start with allowed pressures of the same mean and their A p,
+    or None. tolerance : rms of g over the contact, relative to the rms of A p. allowed : mask of
+    the samples whose p may be positive, or None for all. Raises ValueError if the search does not
     converge.
     """
     allowed = np.ones(gap.shape, np.bool_) if allowed is None else allowed
@@ -108,7 +108,7 @@ def press(
     residual, change, pushed = operator.fields
     preconditioned, free = operator.preconditioned, operator.free
     change[:] = pushed[:] = 0.0
-    # Flat views of the same arrays: free samples are addressed without a division.
+    # Flat views of the same arrays: indices of free samples need no division.
     residuals, changes, pushes, pressures = (a.ravel() for a in (residual, change, pushed, p))
     d = start.d + _mean_gap(gap, depth, p, start.d)
     trial, product = 1.0, 0.0
@@ -116,7 +116,7 @@ def press(
         count, least, first, second, touching, scale = _find_free(
             gap, depth, p, allowed, d, residual, change, free
         )
-        shift = first / touching  # by rounding and clipping: d is the mean of g + d
+        shift = first / touching  # mean of g over the contact, due to rounding and clipping
         square = max(second - first * shift, 0.0)
         limit = tolerance * np.sqrt(scale)
         if square <= limit**2 * touching and least >= shift - limit:
@@ -154,8 +154,8 @@ def _mean_gap(gap, depth, p, d):
 def _find_free(gap, depth, p, allowed, d, residual, change, free):
     """Find the free samples, whose p may change, and fill residual with g minus its mean there.
 
-    residual and change become 0 elsewhere. Return (number of free samples, minimum of g outside
-    the contact, sums of g and g^2 over it, number of samples in it, mean of depth^2).
+    residual and change are set to 0 elsewhere. Return (number of free samples, minimum of 0 and of
+    g outside the contact, sums of g and g^2 over it, number of samples in it, mean of depth^2).
     """
     rows, n = p.shape
     count = touching = 0
@@ -186,7 +186,7 @@ def _find_free(gap, depth, p, allowed, d, residual, change, free):
 
 @kernel
 def _precondition(residual, p, free, stencil_scale, preconditioned):
-    """Apply the stencil to the residual and subtract its mean; p = 0 may only increase."""
+    """Apply the stencil to the residual and subtract the mean; p = 0 may only increase."""
     rows, n = p.shape
     total = 0.0
     for i in range(free.size):
@@ -204,9 +204,9 @@ def _precondition(residual, p, free, stencil_scale, preconditioned):
 
 @kernel
 def _conjugate(residual, preconditioned, free, change, pushed, product):
-    """Make change the next direction: down the preconditioned residual, conjugate to the last one.
+    """Set change to the next search direction, conjugate to the last one.
 
-    product : of the last change and its displacement, or 0 at a restart.
+    product : last change times its displacement, or 0 at a restart.
     """
     share = total = along = 0.0
     if product > 0.0:
@@ -235,7 +235,7 @@ def _clip(p, free, change, trial, mean_pressure):
 
 @kernel
 def _products(residual, change, pushed, p, free):
-    """Return (change times g, change times its displacement, largest step with p >= 0)."""
+    """Return (change times residual, change times its displacement, largest step with p >= 0)."""
     along = product = 0.0
     largest = np.inf
     for j in free:
@@ -248,7 +248,7 @@ def _products(residual, change, pushed, p, free):
 
 @kernel
 def _take_step(p, depth, change, pushed, free, step, zero):
-    """Take a step in place; return the change of the mean of A p over the contact."""
+    """Take a step in place; return the mean change of A p over the contact."""
     moved = count = 0.0
     for j in range(depth.size):
         depth[j] += step * pushed[j]

@@ -1,13 +1,13 @@
-"""Friction at the moment of a velocity jump: displacements are continuous, rates jump.
+"""Friction just after a velocity jump: displacements are continuous, and their rates jump.
 
-With a dashpot pressures follow the velocity at once. With f the part of A p that does not depend
-on rates, and eta the viscosity, on the samples that touch
+With a dashpot, pressures follow the velocity at once. Let f be the part of A p that does not depend
+on rates, and eta the viscosity. Then on the samples that touch
 
     A p = f - eta du/dt,    du/dt = -(v dz/dx + d'),    p >= 0,
 
-and p = 0 elsewhere: another contact problem, restricted to these samples. Without a dashpot mu is
-continuous and its rate jumps: a change dv of the velocity changes the rates of pressures by
-J_g A dp/dt = dv dz/dx + dd', J_g the glassy compliance, on the samples that touch.
+and p = 0 elsewhere: a contact problem restricted to these samples. Without a dashpot, mu is
+continuous and its rate jumps. If the velocity changes by dv, the rate dp/dt of the pressures on
+these samples changes according to J_g A dp/dt = dv dz/dx + dd', where J_g is the glassy compliance.
 """
 
 import numpy as np
@@ -22,9 +22,9 @@ from .sliding_body import SlidingBody
 def friction_jumps(
     space: HalfSpace, one: SlidingBody, speed: float, ratios: tuple[float, ...]
 ) -> tuple[np.ndarray, int]:
-    """Return (jumps of mu from ``speed`` to ratios times it in h/dx, passes of the operator).
+    """Return (jumps of mu in h/dx, passes) for jumps from ``speed`` to each ratio times ``speed``.
 
-    one : steady sliding at speed (vbar, signed).
+    one : steady sliding at ``speed`` (vbar, signed).
     """
     body, slope = one.body, space.surface.slope
     viscosity, lasting = lasting_depth(space.form, body.memory)
@@ -50,9 +50,9 @@ def initial_rates(
     speed: float,
     ratios: tuple[float, ...],
 ) -> tuple[np.ndarray, int]:
-    """Return (d mu/dt at t0+ in h/dx per tau, passes) after jumps from ``speed`` to ratios of it.
+    """Return (d mu/dt at t0+ in h/dx per tau, passes) for the same jumps as ``friction_jumps``.
 
-    one : steady sliding at speed, with constant mu. Rates are NaN with a dashpot.
+    one : steady sliding at ``speed``, with constant mu. Rates are NaN with a dashpot.
     """
     p, surface = one.body.p, space.surface
     if spectrum.viscosity > 0.0:
@@ -62,7 +62,7 @@ def initial_rates(
     n, m = p.shape[1], surface.steps_per_spacing
     waves = np.fft.rfft(surface.slope, axis=1) * 2j * np.pi * m * np.fft.rfftfreq(n)
     if n % 2 == 0:
-        waves[:, -1] = 0.0  # a sine with nodes at the samples has no slope there
+        waves[:, -1] = 0.0  # the derivative of the wave of two samples is zero at samples
     curving = float(np.sum(p * np.fft.irfft(waves, n, axis=1)))
     stiffening = float(np.sum(rates * surface.slope)) / glass
     return (np.array(ratios) - 1.0) * speed * (stiffening - curving) / float(p.sum()), passes
@@ -73,7 +73,7 @@ def _pressures_for(
 ) -> tuple[np.ndarray, int]:
     """Return (pressures on the touching samples, passes) with A p = depth + constant there.
 
-    Their sum is zero. They are found by conjugate gradients, to the tolerance of a contact.
+    The pressures have sum zero. They are found by conjugate gradients, to CONTACT_TOLERANCE.
     """
 
     def centred_on_contact(values: np.ndarray) -> np.ndarray:

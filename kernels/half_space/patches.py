@@ -1,8 +1,8 @@
-"""Contact patches, connected sets of touching samples with periodic neighbours, and their area.
+"""Contact patches (connected sets of touching samples on a periodic map) and their area.
 
-The number of touching samples overestimates the area at edges: by (pi - 1 + ln 2)/24 of a sample
-for each side between a touching sample and one that does not touch, averaged over the directions of
-edges.
+The number of touching samples overestimates the area. The excess, averaged over the directions of
+edges, is (pi - 1 + ln 2)/24 of a sample for each side between a touching sample and one that does
+not touch.
 Source: V. A. Yastrebov, G. Anciaux, J.-F. Molinari, Tribol. Int. 114, 161 (2017),
 doi:10.1016/j.triboint.2017.04.023.
 """
@@ -19,9 +19,9 @@ AREA_PER_EDGE = (math.pi - 1.0 + math.log(2.0)) / 24.0
 def real_contact(p: np.ndarray, sudden: float) -> float:
     """Return the real contact area over L^2.
 
-    p : pressures, shape (rows, n), periodic. sudden : share of the leading edges at which pressure
-    jumps, as with a dashpot: a sample counts there for the whole step in which it is touched, half
-    a sample too many. For a single row this is the only correction.
+    p : pressures, shape (rows, n), periodic. sudden : share of the leading edges at which the
+    pressure jumps, as with a dashpot. Samples there count for the whole step in which they are
+    touched, which is half a sample too much. For a single row this is the only correction.
     """
     touching = p > 0.0
     along = float(np.count_nonzero(touching != np.roll(touching, 1, axis=1)))
@@ -33,7 +33,7 @@ def real_contact(p: np.ndarray, sudden: float) -> float:
 def samples_per_patch(p: np.ndarray) -> float:
     """Return the mean number of samples in a contact patch; 0 without contact.
 
-    p : pressures, shape (rows, n), periodic. A patch is connected by sides, not by corners.
+    p : pressures, shape (rows, n), periodic. Samples are connected by sides, not by corners.
     """
     touching = p > 0.0
     patches = _count_patches(touching)
@@ -65,7 +65,7 @@ def _count_patches(touching):
 
 @kernel
 def _root(root, i):
-    """Return the root of the patch of sample i, and shorten the path to it."""
+    """Return the root of the patch that contains sample i, and shorten the path to it."""
     while root[i] != i:
         root[i] = root[root[i]]
         i = root[i]

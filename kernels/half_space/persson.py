@@ -1,11 +1,11 @@
-"""Persson's theory: friction and real contact area of a half-space in closed form.
+"""Persson's theory: closed-form friction and real contact area of a half-space.
 
 Source: B. N. J. Persson, J. Chem. Phys. 115, 3840 (2001), doi:10.1063/1.1388626. Conventions: the
-spectrum is two-sided, C(q) with int C d^2q = h^2, so that its integral over a patch of wave vectors
-is sum |h_q|^2; E*(omega) = E/(1 - nu^2) is that of exp(i omega t); phi runs from 0 to 2 pi. The
-contact area falls with the magnification by the diffusion of the pressure, and the share
-S = gamma + (1 - gamma) P^2 of the remaining contact is deformed, gamma = 1/2. In full contact,
-P = S = 1, friction is exact.
+spectrum C(q) is two-sided with int C d^2q = h^2, so that its integral over a region of wave vectors
+is the sum of |h_q|^2 there; E*(omega) = E/(1 - nu^2) is the modulus for exp(i omega t). As the
+magnification grows, pressures spread and the contact area P falls. The share
+S = gamma + (1 - gamma) P^2 of the remaining contact is deformed, with gamma = 1/2. In full contact,
+P = S = 1, and the friction is exact.
 """
 
 import math
@@ -16,8 +16,8 @@ import numpy as np
 from ..rheology.spectrum import Spectrum, complex_modulus
 
 GAMMA = 0.5
-QUADRANT_ANGLES = 16  # the other quadrants are images
-MAX_RINGS = 512  # for a line with more modes
+QUADRANT_ANGLES = 16  # angles per quadrant; the other quadrants follow by symmetry
+MAX_RINGS = 512  # the modes of a line are binned if there are more
 ERF = np.vectorize(math.erf, otypes=[float])
 
 
@@ -30,12 +30,12 @@ class Waves(NamedTuple):
 
 
 def waves_of_map(amplitude: np.ndarray, elements: int) -> Waves:
-    """Return the waves of a map; amplitude : as from ring_amplitudes, elements : per side."""
+    """Return the waves of a map; amplitude : from ring_amplitudes. elements : per side."""
     rows, columns = amplitude.shape
     k_y = np.fft.fftfreq(rows, 1.0 / rows)[:, None]
     k_x = np.arange(columns)[None, :]
     q = 2.0 * np.pi / elements * np.hypot(k_y, k_x).ravel()
-    both = np.where(k_x == 0, 1.0, 2.0) * amplitude**2  # modes of either sign of k_x
+    both = np.where(k_x == 0, 1.0, 2.0) * amplitude**2  # modes with both signs of k_x
     order = np.argsort(q, kind="stable")
     q_x = np.broadcast_to(2.0 * np.pi / elements * k_x, amplitude.shape).ravel()
     return Waves(q[order], q_x[order], both.ravel()[order])
@@ -44,7 +44,7 @@ def waves_of_map(amplitude: np.ndarray, elements: int) -> Waves:
 def waves_of_line(amplitude: np.ndarray, elements: int) -> Waves:
     """Return the waves of the isotropic surface whose equivalent line has these amplitudes.
 
-    C_1D = pi q C_2D (lines/equivalent.py): each ring has the mean square of a mode of the line.
+    C_1D = pi q C_2D (lines/equivalent.py): a ring of waves has the mean square of a mode.
     """
     q, power = _rings(2.0 * np.pi / elements * np.arange(1, amplitude.size + 1), 0.5 * amplitude**2)
     cosines = np.cos(0.5 * np.pi * (np.arange(QUADRANT_ANGLES) + 0.5) / QUADRANT_ANGLES)
@@ -54,7 +54,7 @@ def waves_of_line(amplitude: np.ndarray, elements: int) -> Waves:
 
 
 def _rings(q: np.ndarray, power: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Return modes, binned if there are many; a bin keeps the power and the slope of its modes."""
+    """Return (q, power), binned if there are many modes; bins keep power and mean square slope."""
     if q.size <= MAX_RINGS:
         return q, power
     band = (np.log(q / q[0]) / np.log(q[-1] / q[0]) * (MAX_RINGS - 1)).astype(np.int64)
@@ -68,14 +68,14 @@ def persson_theory(
 ) -> tuple[float, float]:
     """Return (coefficient of friction in h/dx, real contact area over the nominal one).
 
-    pressure : nominal, in E* h/dx, with the relaxed E*. speed : v tau/dx, of either sign.
+    pressure : nominal, in E* h/dx, with the relaxed E*. speed : v tau/dx, signed.
 
         G(q) = (1/8) sum_(q' <= q) q'^2 |h_q'|^2 |E*(q'_x v)/sigma_0|^2,   P = erf(1/(2 sqrt G)),
         mu = (1/2) sum q q_x |h_q|^2 Im E*(q_x v)/sigma_0 P S,   S = gamma + (1 - gamma) P^2
     """
     modulus = complex_modulus(spectrum, waves.q_x * abs(speed)) / pressure
     spread = 0.125 * np.cumsum(waves.q**2 * waves.power * np.abs(modulus) ** 2)
-    # Waves of one length are added together: all of them take the sum at the last one.
+    # All waves of one length take the sum up to the last of them.
     last = np.searchsorted(waves.q, waves.q * (1.0 + 1e-12), side="right") - 1
     contact = ERF(0.5 / np.sqrt(np.maximum(spread[last], 1e-300)))
     share = GAMMA + (1.0 - GAMMA) * contact**2

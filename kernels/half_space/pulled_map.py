@@ -22,22 +22,22 @@ from .surface import Surface
 
 
 class TriedStep(NamedTuple):
-    """A step that was tried and not accepted yet."""
+    """A step that was tried but not accepted yet."""
 
-    law: Any  # of the elastomer in it
+    law: Any  # law of the elastomer in the step
     w: np.ndarray  # displacements of the body without pressure
     contact: ElasticContact
-    offset: int  # of the surface
+    offset: int  # position of the surface after the step, in samples
 
 
 @dataclass
 class MapRig:
-    """A surface on its half-space."""
+    """Rig of a surface on a half-space."""
 
     space: HalfSpace
     shifted: ShiftedSurface
     body: Body  # after the last accepted step
-    passes: int  # of the operator, in all
+    passes: int  # of the operator, in total
     tried: TriedStep | None = None
 
 
@@ -71,16 +71,16 @@ def _patch_width(rig):
 
 
 def side_length(space: HalfSpace) -> float:
-    """Return the side of the surface along x, in dx."""
+    """Return the side length of the surface along x, in dx."""
     return space.surface.z.shape[1] / space.surface.steps_per_spacing
 
 
 def run_pulled_on_half_space(
     surface: Surface, scene: SceneCase, drive: Drive, stiffness: np.ndarray | None = None
 ) -> dict[str, np.ndarray]:
-    """Pull one map through a scene, as run_pulled a line; forces in E* L h and E* L h^2/dx.
+    """Pull one map through a scene, like run_pulled; forces in E* L h and E* L h^2/dx.
 
-    stiffness : over the modes, if it differs from that of a half-space.
+    stiffness : of every mode, or None for a half-space.
     """
     times, speed = recorded_times(scene, surface.steps_per_spacing), initial_speed(scene)
     form = form_of(scene.spectrum, scene.scheme)

@@ -1,13 +1,13 @@
-"""Response of the steps of a march to a steadily travelling wave of pressures.
+"""Response of a step of a march to a steadily travelling wave of pressures.
 
-In the frame of the surface an element comes to a sample from the sample before. A wave exp(i q x)
-of the memory is therefore multiplied by zeta = exp(i q_x delta) in a step, delta being a sample, if
-the surface moves towards +x, and by the conjugate if it moves towards -x. A law (rheology/law.py)
-is linear: under a unit force its memory is y and its displacement -J,
+In the frame of the surface, each element moves by one sample in a step. A step therefore multiplies
+a wave exp(i q x) of the memory by zeta = exp(i q_x delta), where delta is the length of a sample,
+if the surface moves towards +x, and by its conjugate if the surface moves towards -x. A law is
+linear (rheology/law.py): under a wave of unit force, its memory y and displacement -J satisfy
 
     y = T zeta y + a zeta + b,    -J = zeta (c y + e) - 1/K.
 
-T, a, b, c and e are obtained from the law by unit memory_size and forces.
+T, a, b, c and e are obtained by applying the law to unit memory and unit forces.
 """
 
 import numpy as np
@@ -19,20 +19,20 @@ from .body import settle_memory
 
 @kernel
 def predicted(law, memory, p):
-    """Return the displacements without a force in the step, shape (n,)."""
+    """Return the displacements at the end of a step without force, shape (n,)."""
     w = np.empty(p.size)
     predict(law, memory, p, w)
     return w
 
 
 def steady_response(law, count: int, zeta: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Return (J, memory) of steady waves of force one.
+    """Return (J, memory) of steady waves of unit force.
 
-    law : of steps of one sample. count : M, number of internal variables. zeta : as above, of any
-    shape. J : complex compliance over that of the relaxed body, of the same shape.
+    law : of a step of one sample. count : M, number of internal variables. zeta : as above, of any
+    shape. J : complex compliance over that of the relaxed body, of the shape of zeta.
     memory : shape (M, *shape of zeta).
     """
-    # Columns: one unit of each memory, of the old force, of the new force.
+    # Columns: a unit of each internal variable, of the old force, and of the new force.
     memory, old, new = np.eye(count, count + 2), np.zeros(count + 2), np.zeros(count + 2)
     old[count] = new[count + 1] = 1.0
     w = predicted(law, memory, old)

@@ -1,7 +1,7 @@
-"""Scenes on a half-space: a surface moves over it through a programme.
+"""Scenes on a half-space: a surface moves over it by a programme.
 
-The steps are those of a line (scene/scene_case.py). At whole samples the surface is the given one
-over other elements; between samples it is shifted along x by Fourier (motion/fourier.py).
+The steps are those of a line (scene/scene_case.py). At whole samples the given surface lies over
+other elements; between samples it is shifted along x by Fourier (motion/fourier.py).
 """
 
 import math
@@ -39,12 +39,12 @@ class ShiftedSurface:
     """A surface at any position along x."""
 
     def __init__(self, surface: Surface) -> None:
-        """Prepare shifts of a surface that is given at position zero."""
+        """Prepare shifts of a surface whose samples are given at position zero."""
         self.surface = surface
         self.at = FractionalShifts(*surface[:3]).at
 
     def slopes_over(self, place: float, offset: int) -> np.ndarray:
-        """Return the slopes at a position, over the elements of the samples at ``offset``."""
+        """Return slopes at a position, over the elements that are under the samples at ``offset``."""
         whole = math.floor(place)
         return np.roll(self.at(place - whole)[1], whole - offset, axis=1)
 
@@ -55,12 +55,12 @@ def run_scene_on_half_space(
     state: SavedState | None = None,
     stiffness: np.ndarray | None = None,
 ) -> dict[str, np.ndarray]:
-    """Take a half-space through a scene; return the requested values by name, as for a line.
+    """Run a scene on a half-space; return the requested values by name, as for a line.
 
-    trace : as for a line (scene/run.py), forces in E* L h and E* L h^2/dx. snapshots :
-    "snapshot_pressure" (frames, rows, n), in E* h/dx, at the samples of the half-space. "updates" :
-    samples times passes of the operator. stiffness : over the modes, if it differs from the |q|/2
-    of a half-space. Raises ValueError for an invalid scene, and for quantities that are not
+    trace : as for a line (scene/run.py), with forces in E* L h and E* L h^2/dx. snapshots :
+    "snapshot_pressure" (frames, rows, n), in E* h/dx, at the elements of the half-space.
+    "updates" : samples times passes of the operator. stiffness : of every mode, or None for the
+    |q|/2 of a half-space. Raises ValueError for an invalid scene, and for quantities that are not
     available on a half-space.
     """
     if state is not None or set(scene.requested) - set(HALF_SPACE_QUANTITIES):
@@ -108,7 +108,7 @@ def run_scene_on_half_space(
             k = row_of_step[step]
             record_forces(trace, k, lag, sums, body.p.size, old, body.d)
             trace.samples_per_contact[k] = samples_per_patch(body.p)
-            trace.normal_force[k] *= n / m  # the side of the surface, in dx
+            trace.normal_force[k] *= n / m  # times the side of the surface, in dx
             trace.friction_force[k] *= n / m
             if step:
                 record_motion(trace, k, lag, path, step - 1)
@@ -137,7 +137,7 @@ def initial_body(space: HalfSpace, scene: SceneCase) -> tuple[Body, int, float]:
 
 
 def _with_zero_offset(body: Body) -> Body:
-    """Return the body with its elements renumbered from the present position of the surface."""
+    """Return the body with elements renumbered so that the offset of the surface is zero."""
     rows, n = body.p.shape
     fields = [
         np.roll(values.reshape(-1, rows, n), -body.offset, axis=2).reshape(-1, rows * n)

@@ -1,22 +1,22 @@
 """Steady sliding of a half-space: the fixed point of a step of the march.
 
-Direct solution. In the frame of the surface the compliance of a step for a wave is A J(zeta),
-complex (response.py), and the contact is g = z + B p - d with B = A J. Each iteration solves an
-elastic contact with M = A |J|^2/Re J and adds the displacement (B - M) p of the last pressures to
-the heights. It multiplies the error by |1 - B/M| = sin(phi) at most, phi being the loss angle of a
-step. The result is a fixed point of the march.
+Direct solution. In the frame of the surface, a step has the complex compliance B = A J(zeta) for a
+wave (response.py), and the gap is g = z + B p - d. Each iteration solves an elastic contact with
+the real compliance M = A |J|^2/Re J and adds the displacement (B - M) p of the last pressures to
+the heights. It multiplies the error by at most |1 - B/M| = sin(phi), where phi is the loss angle of
+a step. The result is a fixed point of the march.
 
-March. It is used where phi is large: the body forgets its start as exp(-t/tau).
+March. It is used for Kelvin elements if phi is large. The body forgets its start as exp(-t/tau).
 
-Friction. The sum of p dz/dx over the samples of a step has an elastic part that vanishes only in
-the integral. At low speeds, and for a nearly elastic material, that part exceeds the rest. The
-dissipated power does not contain it:
+Friction. The sum of p dz/dx over the samples has an elastic part, which vanishes only in the
+integral. At low speeds and for nearly elastic materials, this part exceeds the rest. The dissipated
+power does not contain it:
 
     mu sigma_0 = sum A q_x E*''(q_x v) |J|^2 |p_q|^2,
 
-with |J|^2 of the step if displacements are considered exact, as in full contact and with a
-dashpot, or 1/|E*|^2 if pressures are; otherwise the mean of both is used. For a viscous step
-pressures jump at the edges of contacts, and the sum is more accurate. These choices are empirical.
+with |J|^2 of the step if displacements are considered exact, as in full contact or with a dashpot.
+Otherwise |J|^2 is replaced by its mean with 1/|E*|^2, which holds for exact pressures. In a viscous
+step, pressures jump at the edges of contacts and the sum is used. These choices are empirical.
 """
 
 import math
@@ -32,23 +32,23 @@ from .contact import ElasticContact, Operator, press
 from .response import steady_response
 from .waves import two_sided, wave_numbers
 
-STEADY_MU_CHANGE = 1e-6  # of mu, relative, per iteration or time tau, at which the search ends
-MIN_MU_CHANGE = 1e-9  # relative to the steepest slope: the error left by CONTACT_TOLERANCE
+STEADY_MU_CHANGE = 1e-6  # relative change of mu per iteration or time tau that ends the search
+MIN_MU_CHANGE = 1e-9  # error of mu due to CONTACT_TOLERANCE, over the steepest slope
 MAX_CONTACT_TOLERANCE = 1e-3  # while mu still changes
 MAX_DIRECT_ITERATIONS = 500
 MAX_MARCH_TAUS = 100  # duration of a march, in tau
-MIN_MARCHED_LOSS = 1.0  # tangent of the loss angle above which a dashpot is marched
+MIN_MARCHED_LOSS = 1.0  # tangent of the loss angle above which Kelvin elements are marched
 
 
 class SlidingBody(NamedTuple):
-    """A body under steady sliding."""
+    """A body in steady sliding."""
 
     body: Body
     step: Step
     mu: float  # in h/dx
-    step_mu: float  # mu of a step of the march
-    viscous: float  # from 0 to 1: weight of the pressure jump at leading edges
-    passes: int
+    step_mu: float  # mu as summed over the samples of a step, in h/dx
+    viscous: float  # weight of pressure jumps at leading edges, from 0 to 1
+    passes: int  # of the operator
 
 
 def slide_steadily(
@@ -77,14 +77,14 @@ def slide_steadily(
     dissipative_mu = _mu_by_dissipation(space, modulus, response, exact, body.p)
     viscous = _viscous(spectrum, surface.steps_per_spacing * speed)
     mu = dissipative_mu + viscous * (step_mu - dissipative_mu)
-    # In contacts of single samples the sum may have the wrong sign.
+    # The sum may have the wrong sign if contacts consist of single samples.
     if full or mu * dissipative_mu <= 0.0:
         mu = dissipative_mu
     return SlidingBody(body, step, mu, step_mu, viscous, passes)
 
 
 def _viscous(spectrum: Spectrum, steps: float) -> float:
-    """Return the viscous weight of a step, from 0 to 1; steps : per tau, of either sign."""
+    """Return the weight of pressure jumps, from 0 to 1; steps : number per tau, signed."""
     if spectrum.viscosity == 0.0:
         return 0.0
     modulus = complex(complex_modulus(spectrum, np.array(abs(steps))))
@@ -96,7 +96,7 @@ def _mu_by_dissipation(
 ) -> float:
     """Return mu (h/dx) from the dissipated power.
 
-    modulus : E*(q_x v) for every q_x. exact : weight of the estimate from displacements.
+    modulus : E*(q_x v) for every q_x. exact : weight of |J|^2, from 0 to 1.
     """
     q = wave_numbers(p.shape, space.surface.steps_per_spacing)[1][0]
     squares = exact * np.abs(response) ** 2 + (1.0 - exact) / np.abs(modulus) ** 2
@@ -111,12 +111,12 @@ def _is_steady(change: float, mu: float) -> bool:
 
 
 def _tolerance_at(change: float) -> float:
-    """Return the tolerance of contacts while mu still changes by ``change``."""
+    """Return the tolerance of contacts while mu changes by ``change``."""
     return max(CONTACT_TOLERANCE, min(MAX_CONTACT_TOLERANCE, change))
 
 
 def _full_contact_pressures(space: HalfSpace, response: np.ndarray) -> np.ndarray:
-    """Return the pressures of steady sliding in full contact; negative ones contradict it."""
+    """Return the pressures of steady sliding in full contact, which must all be positive."""
     z = space.surface.z
     inverse = np.zeros_like(space.operator.compliance, complex)
     inverse.ravel()[1:] = 1.0 / (space.operator.compliance * response).ravel()[1:]
@@ -124,7 +124,7 @@ def _full_contact_pressures(space: HalfSpace, response: np.ndarray) -> np.ndarra
 
 
 def _steady_body(space: HalfSpace, memory: np.ndarray, p: np.ndarray, d: float) -> Body:
-    """Return the body under steadily travelling pressures; memory : from steady_response."""
+    """Return the body under steadily travelling pressures; memory : of steady_response."""
     waves = np.fft.rfft2(p) * space.operator.compliance
     fields = [np.fft.irfft2(waves * variable, p.shape).ravel() for variable in memory]
     return Body(np.array(fields), np.fft.irfft2(waves, p.shape).ravel(), p, d, 0)
@@ -133,9 +133,9 @@ def _steady_body(space: HalfSpace, memory: np.ndarray, p: np.ndarray, d: float) 
 def _direct(
     space: HalfSpace, step: Step, response: np.ndarray, memory: np.ndarray, start: Body | None
 ) -> tuple[Body, int]:
-    """Iterate over symmetric contacts; return (body, passes).
+    """Solve for steady sliding by iterated elastic contacts; return (body, passes).
 
-    response, memory : from steady_response, for every q_x.
+    response, memory : of steady_response, for every q_x.
     """
     z, shape, compliance = space.surface.z, space.surface.z.shape, space.operator.compliance
     symmetric = compliance * (np.abs(response) ** 2 / response.real)
@@ -167,10 +167,10 @@ def _direct(
 def _marched(space: HalfSpace, step: Step, speed: float, start: Body | None) -> tuple[Body, int]:
     """March until mu is steady; return (body, passes). The deviation falls by e in a time tau.
 
-    An element meets the same sample again after a period, and remembers exp(-L/(v tau)) of it: mu
-    may rest and then change by that share of its change a period ago. It may also have one value at
-    two instants by chance. Convergence therefore requires a small range of mu over a time tau, and
-    a small remembered share of its range over a period.
+    An element meets the same sample again after a period, and remembers the share exp(-L/(v tau))
+    of its state. After a constant phase, mu may therefore change by this share of its change a
+    period ago. It may also be equal at two instants by chance. Convergence therefore requires a
+    small range of mu over a time tau, and a small remembered share of its range over a period.
     """
     surface, passes = space.surface, 0
     steepest = float(np.abs(surface.slope).max())
@@ -189,7 +189,7 @@ def _marched(space: HalfSpace, step: Step, speed: float, start: Body | None) -> 
         moved = max(np.ptp(mu[-block - 1 :]), remembered * np.ptp(mu[-period - 1 :]))
         change = float(moved) / steepest
         if _is_steady(change, mu[-1] / steepest):
-            # A jump starts from this contact.
+            # Jumps start from this contact.
             body, used = take_step(space, body, step, CONTACT_TOLERANCE)
             return body, passes + used
     raise ValueError(

@@ -1,7 +1,7 @@
-"""Rough surfaces: one band-limited periodic function, sampled m times per element spacing.
+"""Rough surfaces: band-limited periodic functions, sampled m times per element spacing.
 
-z(x, y) = sum_q h_q exp(i q r), two-sided, q = 2 pi k/L: self-affine with random phases, or the
-trigonometric polynomial through a measured map. The function does not depend on m.
+z(x, y) = sum_q h_q exp(i q r), two-sided, with q = 2 pi k/L, is self-affine with random phases, or
+the trigonometric polynomial through a measured map. The function does not depend on m.
 Source: C_2D ~ |q|^(-2(H+1)) is the spectrum whose equivalent line is that of Li et al. (2014),
 doi:10.1038/srep05795 (lines/equivalent.py).
 """
@@ -16,12 +16,12 @@ MIN_MAP_COLUMNS = 4  # of a measured map along x: fewer do not determine slopes
 
 
 class Surface(NamedTuple):
-    """A sampled rigid surface; its mean height is zero unless it was measured otherwise."""
+    """A sampled rigid surface; its mean height is zero unless a measured map has another one."""
 
-    z: np.ndarray  # shape (N m, N m), or (1, N m) of a line contact, in h
-    slope: np.ndarray  # dz/dx, the same shape, in h/dx
+    z: np.ndarray  # shape (N m, N m), or (1, N m) for a line contact, in h
+    slope: np.ndarray  # dz/dx, of the same shape, in h/dx
     steps_per_spacing: int
-    band_limited: bool = False  # whether all of its modes have q <= pi/dx
+    band_limited: bool = False  # whether all modes have q <= pi/dx
 
     @classmethod
     def from_samples(
@@ -51,7 +51,7 @@ class Surface(NamedTuple):
         elements: int,
         steps_per_spacing: int,
     ) -> "Surface":
-        """Draw a surface of random phases, which depend on N and the generator only.
+        """Draw a surface with random phases, which depend only on N and the generator.
 
         amplitudes : |h_q|, from ring_amplitudes. elements : N.
         """
@@ -65,7 +65,7 @@ class Surface(NamedTuple):
     def measured(cls, heights: np.ndarray, steps_per_spacing: int) -> "Surface":
         """Return the trigonometric polynomial through a periodic map, sampled m times as finely.
 
-        heights : shape (N, N), or (1, N) of a line contact, in h. Raises ValueError as
+        heights : shape (N, N), or (1, N) for a line contact, in h. Raises ValueError as
         from_samples does, and for fewer than MIN_MAP_COLUMNS samples along x.
         """
         flat = np.zeros_like(heights, float)
@@ -93,7 +93,7 @@ def ring_amplitudes(
 
     rolloff, cutoff : wave numbers in 2 pi/L; zero means no roll-off, and a cutoff at floor(N/2).
     normalisation : "modal" makes the sum over modes exact, sum |h_q|^2 = 1; "integral" makes the
-    integral of the spectrum over the ring 1 instead.
+    integral of the spectrum over the ring equal to 1 instead.
     Raises ValueError as the amplitudes of lines do (lines/self_affine.py).
     """
     highest = elements // 2
@@ -123,7 +123,7 @@ def rms_slope_of(amplitudes: np.ndarray, elements: int) -> float:
 def map_amplitudes(heights: np.ndarray) -> np.ndarray:
     """Return the amplitudes |h_q| of the modes of a periodic map, in the order of ring_amplitudes.
 
-    heights : shape (N, N), or (1, N) of a line contact; their mean is ignored.
+    heights : shape (N, N), or (1, N) for a line contact; their mean is ignored.
     """
     amplitudes = np.abs(_modes(heights))
     amplitudes[0, 0] = 0.0
@@ -133,7 +133,7 @@ def map_amplitudes(heights: np.ndarray) -> np.ndarray:
 def _modes(heights: np.ndarray) -> np.ndarray:
     """Return the modes of a periodic map, in the order of ring_amplitudes."""
     rows, columns = heights.shape
-    # The two signs of a wave of two samples coincide and share its amplitude.
+    # For waves of two samples, both signs of k coincide and share the amplitude.
     spectrum = np.fft.rfft2(heights) / heights.size
     if columns % 2 == 0:
         spectrum[:, -1] *= 0.5
@@ -153,12 +153,12 @@ def _wave_indices(rows: int, highest: int) -> tuple[np.ndarray, np.ndarray]:
 
 
 def _multiplicity(highest: int) -> np.ndarray:
-    """Return the number of two-sided modes per mode of a column: 2 for both signs of k_x, or 1."""
+    """Return the number of two-sided modes per stored mode, by column: 1 for k_x = 0, else 2."""
     return np.where(np.arange(highest + 1) == 0, 1.0, 2.0)
 
 
 def _sampled(modes: np.ndarray, elements: int, m: int) -> tuple[np.ndarray, np.ndarray]:
-    """Return heights and slopes of a function with these modes, in the order of ring_amplitudes.
+    """Return (heights, slopes) of the function with these modes, in the order of ring_amplitudes.
 
     Modes with k_x = 0 and k_y < 0 are ignored: they are the conjugates of those with k_y > 0.
     """

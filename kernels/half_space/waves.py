@@ -8,13 +8,13 @@ import numpy as np
 
 
 def wave_numbers(shape: tuple[int, int], steps_per_spacing: int) -> tuple[np.ndarray, np.ndarray]:
-    """Return q_y as a column and q_x >= 0 as a row, in 1/dx, of a map of this shape."""
+    """Return (q_y as a column, q_x >= 0 as a row) for maps of a shape, in 1/dx."""
     scale = 2.0 * np.pi * steps_per_spacing
     return scale * np.fft.fftfreq(shape[0])[:, None], scale * np.fft.rfftfreq(shape[1])[None, :]
 
 
 def half_space_stiffness(shape: tuple[int, int], steps_per_spacing: int) -> np.ndarray:
-    """Return |q|/2, the stiffness of the relaxed half-space in E* h/dx per h, over the modes."""
+    """Return |q|/2, the stiffness of a relaxed half-space for every mode, in E* h/dx per h."""
     return 0.5 * np.hypot(*wave_numbers(shape, steps_per_spacing))
 
 
