@@ -1,8 +1,8 @@
-"""Cache of machine code: a private folder for each state of the sources, a file for each kernel.
+"""Cache of machine code: a private folder per version of the sources, with a file per kernel.
 
-A hash over all sources names it, because numba does not notice edits in functions that are called.
-Files have checksums: a damaged one or a full disk costs a compilation, never an error. While one
-process compiles a kernel, the others wait. A wheel may bring machine code for x86-64-v3.
+The folder is named by a hash of all sources, because numba does not notice edits in called
+functions. Files have checksums: a damaged file or a full disk causes a compilation, not an error.
+While one process compiles a kernel, others wait. A wheel may contain machine code for x86-64-v3.
 """
 
 import atexit
@@ -32,12 +32,12 @@ CACHE_NAME = "elastomer-friction"
 COMPILER = f"numba{numba.__version__}cp{sys.version_info.major}{sys.version_info.minor}"
 V3 = "x86-64-v3"
 V3_FEATURES = {"avx2", "bmi", "bmi2", "f16c", "fma", "lzcnt", "movbe", "popcnt", "sse4.2", "xsave"}
-WAITING_EVENT = f"{CACHE_NAME}:waiting"  # kind of numba event: waiting for a compiling process
-LOCK_SECONDS, LOCK_POLL_SECONDS = 120.0, 0.05  # patience with a process that compiles a kernel
+WAITING_EVENT = f"{CACHE_NAME}:waiting"  # numba event: waiting for another process to compile
+LOCK_SECONDS, LOCK_POLL_SECONDS = 120.0, 0.05  # maximum wait and polling interval
 
 
 def source_hash() -> str:
-    """Return a short hash (hexadecimal) over all source files of kernels."""
+    """Return a short hash (hexadecimal) of all source files of kernels."""
     package = Path(__file__).parents[1]
     digest = hashlib.sha256()
     for source in sorted(package.rglob("*.py")):
@@ -46,10 +46,10 @@ def source_hash() -> str:
 
 
 def cache_folder() -> str:
-    """Return a folder that no other user can write to: their machine code must not be run.
+    """Return a cache folder that no other user can write to, so that no foreign code is run.
 
-    It lies below NUMBA_CACHE_DIR, XDG_CACHE_HOME or the temporary files. If that is unsafe or
-    read-only, it is a temporary folder that is removed at the end of this process.
+    It is below NUMBA_CACHE_DIR, XDG_CACHE_HOME or the directory of temporary files. If that place
+    is unsafe or read-only, return a temporary folder that is removed at the end of this process.
     """
     shared = Path(tempfile.gettempdir(), f"{CACHE_NAME}-{os.getuid()}")
     base = os.environ.get("NUMBA_CACHE_DIR") or os.environ.get("XDG_CACHE_HOME") or shared
@@ -67,13 +67,13 @@ def cache_folder() -> str:
 
 
 def _safe_folder(base: Path) -> Path:
-    """Return our folder in ``base``, created if necessary. Raises OSError if it is unsafe."""
+    """Return the cache folder in ``base``, created if needed. Raises OSError if it is unsafe."""
     base.mkdir(mode=0o700, parents=True, exist_ok=True)
     parent = Path(base, CACHE_NAME).resolve()
     parent.mkdir(mode=0o700, exist_ok=True)
-    for folder in (parent, *parent.parents):  # may be open to the group of a user (umask 002)
+    for folder in (parent, *parent.parents):  # the group may have write access (umask 002)
         status = folder.stat()
-        if status.st_uid not in (0, os.getuid()):  # the owner can rename entries, sticky or not
+        if status.st_uid not in (0, os.getuid()):  # owners can rename entries even if sticky
             raise PermissionError(errno.EPERM, "belongs to another user", str(folder))
         if status.st_mode & stat.S_IWOTH and not status.st_mode & stat.S_ISVTX:
             raise PermissionError(errno.EPERM, "can be written to by anyone", str(folder))
@@ -87,9 +87,9 @@ def _safe_folder(base: Path) -> Path:
 
 
 def select_processor() -> None:
-    """Compile for x86-64-v3 if a wheel has such machine code and this processor runs it.
+    """Compile for x86-64-v3 if a wheel contains such machine code and this processor supports it.
 
-    Child processes inherit the variables, and remove them on a node whose processor does not fit.
+    Child processes inherit the environment variables; on an unsuitable processor they remove them.
     """
     fits = {name for name, present in get_host_cpu_features().items() if present} >= V3_FEATURES
     requested = os.environ.get("NUMBA_CPU_NAME")
@@ -106,14 +106,14 @@ select_processor()
 
 
 class KernelCache(NullCache, CompileResultCacheImpl):
-    """Machine code of one function on disk; numba converts it to data and back."""
+    """Cache of the machine code of one function on disk; numba serializes the code."""
 
     def __init__(self, function: Callable) -> None:
         self.function = function
         self.file: IO[bytes] | None = None  # locked while this process compiles
 
     def load_overload(self, sig: Any, target_context: Any) -> Any:
-        """Return the compiled function for a signature, or None after locking its file."""
+        """Return the compiled function for a signature, or lock its file and return None."""
         target_context.refresh()
         name = self._file_name(sig, target_context.codegen())
         self.path = Path(CACHE_FOLDER, name)
@@ -121,13 +121,13 @@ class KernelCache(NullCache, CompileResultCacheImpl):
             if overload := self._load(path, target_context):
                 return overload
         self.file = _locked(self.path)
-        overload = self._load(self.path, target_context)  # of another process
+        overload = self._load(self.path, target_context)  # another process may have saved it
         if overload and self.file:
             self.file.close()
         return overload
 
     def save_overload(self, sig: Any, cres: Any) -> None:
-        """Store a compiled function; warn if the disk refuses it."""
+        """Store a compiled function; warn if that fails."""
         try:
             content = dumps(self.reduce(cres))
             with self.file or self.path.open("ab") as file:
@@ -152,7 +152,7 @@ class KernelCache(NullCache, CompileResultCacheImpl):
 
 
 def _locked(path: Path) -> IO[bytes] | None:
-    """Return the open file ``path``, locked until it is closed; None if it cannot be locked."""
+    """Open a file and lock it until it is closed; return None if it cannot be locked."""
     end = time.monotonic() + LOCK_SECONDS
     with contextlib.ExitStack() as stack, contextlib.suppress(OSError):
         path.parent.mkdir(exist_ok=True)

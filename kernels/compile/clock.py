@@ -1,4 +1,4 @@
-"""CPU time of computing, without that of compilation."""
+"""CPU time of a thread without the time for compilation."""
 
 import threading
 import time
@@ -7,7 +7,7 @@ from numba.core import event
 
 
 class _CompilerClock(event.Listener, threading.local):
-    """CPU seconds of each thread for loading and compiling kernels."""
+    """CPU seconds that each thread spends on loading and compiling kernels."""
 
     depth = 0  # of nested compilations
     seconds = 0.0
@@ -24,9 +24,9 @@ class _CompilerClock(event.Listener, threading.local):
 
 
 _compiler_clock = _CompilerClock()
-event.register("numba:compiler_lock", _compiler_clock)  # held to load or to compile a kernel
+event.register("numba:compiler_lock", _compiler_clock)  # held while a kernel is loaded or compiled
 
 
 def computing_seconds() -> float:
-    """Return the CPU seconds of this thread without those for loading and compiling kernels."""
+    """Return the CPU seconds of this thread, except for loading and compiling kernels."""
     return time.thread_time() - _compiler_clock.seconds

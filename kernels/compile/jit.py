@@ -1,7 +1,7 @@
-"""Decorators of kernels: compilation, linking into callers, dispatch on the type of an argument.
+"""Decorators of kernels: compilation, linking into callers, and dispatch on an argument's type.
 
-A kernel that another kernel calls gets no machine code: it is translated, optimised and linked into
-its caller. A numba without the private names below compiles it in the usual, slower way.
+A kernel called by another kernel has no machine code of its own: it is translated, optimised and
+linked into its caller. If numba lacks the private names below, it compiles in a slower way.
 """
 
 import functools
@@ -27,7 +27,7 @@ class _LinkedLibrary(JITCodeLibrary):
 
     def _finalize_final_module(self) -> None:
         if hasattr(self, "_finalized"):
-            self._finalized = True  # without making machine code
+            self._finalized = True  # without generating machine code
         else:
             super()._finalize_final_module()
 
@@ -45,24 +45,24 @@ class _LinkedCompiler(Compiler):
 
 NUMBA_OPTIONS = {
     "nogil": True,  # a scheduler must be able to reach a worker while a kernel runs
-    "no_cfunc_wrapper": True,  # no kernel is called from C; saves a tenth of the compile time
+    "no_cfunc_wrapper": True,  # kernels are not called from C; saves a tenth of the compile time
     "error_model": "numpy",  # division by zero gives inf as in numpy, loops stay vectorizable
 }
-UNCOUNTED = {}  # count no references to arrays
+UNCOUNTED = {}  # options that disable reference counts of arrays
 if hasattr(DefaultOptions, "_nrt"):
-    NUMBA_OPTIONS["_nrt"] = True  # whatever the caller that is compiled first does
+    NUMBA_OPTIONS["_nrt"] = True  # whichever caller is compiled first
     UNCOUNTED["_nrt"] = False
 LINKED = NUMBA_OPTIONS | {"no_cpython_wrapper": True, "pipeline_class": _LinkedCompiler}
 
 
 def kernel(function: Callable, **options: bool) -> Callable:
-    """Compile a function. Under NUMBA_DISABLE_JIT=1 this decorator and those below do nothing."""
+    """Compile a function. With NUMBA_DISABLE_JIT=1 this decorator and those below do nothing."""
     compiled = numba.njit(**NUMBA_OPTIONS | UNCOUNTED if options else NUMBA_OPTIONS)(function)
     if compiled is not function:
         linked = numba.njit(**LINKED | options)(function)
 
         def call_template(arguments: Any, keywords: dict[str, Any]) -> Any:
-            # Compiling for every constant argument takes a fifth more time and gains no speed.
+            # Specializing for constant arguments takes a fifth more time and gains no speed.
             general = {name: types.unliteral(kind) for name, kind in keywords.items()}
             return linked.get_call_template([types.unliteral(k) for k in arguments], general)
 
@@ -76,9 +76,9 @@ def kernel(function: Callable, **options: bool) -> Callable:
 
 
 def refcount_free_kernel(function: Callable) -> Callable:
-    """Compile a function that neither makes nor returns an array, without reference counts.
+    """Compile a function without reference counts; it must not create or return an array.
 
-    Counting references can take as long as stepping hundreds of elements. numba refuses new arrays.
+    Counting references can take as long as stepping hundreds of elements. numba rejects new arrays.
     """
     return kernel(function, **UNCOUNTED)
 
@@ -86,22 +86,22 @@ def refcount_free_kernel(function: Callable) -> Callable:
 def inlined_kernel(function: Callable) -> Callable:
     """Compile a refcount-free function into each of its callers, whatever its length.
 
-    Passing many arrays takes longer than a short loop. Long loops are faster on their own.
+    Passing many arrays takes longer than a short loop. Long loops are faster if not inlined.
     """
     return kernel(function, **UNCOUNTED, forceinline=True)
 
 
 def jitable(function: Callable) -> Callable:
-    """Let kernels compile a function that Python calls as it is, with any arguments."""
+    """Allow kernels to call a function; Python calls it uncompiled, with arguments of any type."""
     return register_jitable(**LINKED)(function)
 
 
 class dispatch_on_type:
     """Function with a separate body for each NamedTuple type of its first argument.
 
-    It decorates a declaration, and ``.register(type)`` a body, as in functools.singledispatch.
-    Kernels are compiled for the types they are called with: bodies of other types leave nothing in
-    their machine code. Bodies belong in this package, whose files name the cache folder.
+    It decorates a declaration, and ``.register(type)`` decorates a body, as in
+    functools.singledispatch. Machine code contains only the bodies for the types of the call.
+    Bodies must be in this package, because its files determine the name of the cache folder.
     """
 
     def __init__(self, declaration: Callable, **options: bool) -> None:
@@ -115,15 +115,15 @@ class dispatch_on_type:
 
     @classmethod
     def refcount_free(cls, declaration: Callable) -> "dispatch_on_type":
-        """Decorate a declaration whose bodies are compiled as ``refcount_free_kernel`` does."""
+        """Decorate a declaration whose bodies are compiled like a ``refcount_free_kernel``."""
         return cls(declaration, **UNCOUNTED)
 
     def __call__(self, first: Any, *others: Any) -> Any:
-        """Run the body for the type of ``first``. Raises TypeError without one."""
+        """Run the body for the type of ``first``. Raises TypeError if there is none."""
         if type(first) not in self.bodies:
             raise TypeError(f"{self.name} is not defined for {type(first).__name__}")
         return self.bodies[type(first)](first, *others)
 
     def register(self, argument_type: type) -> Callable[[Callable], Callable]:
-        """Return a decorator that makes a function the body for a type."""
+        """Return a decorator that registers a function as the body for a type."""
         return functools.partial(self.bodies.setdefault, argument_type)

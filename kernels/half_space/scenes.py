@@ -44,7 +44,7 @@ class ShiftedSurface:
         self.at = FractionalShifts(*surface[:3]).at
 
     def slopes_over(self, place: float, offset: int) -> np.ndarray:
-        """Return slopes at a position, over the elements that are under the samples at ``offset``."""
+        """Return the slopes at a position, over the elements under the samples at ``offset``."""
         whole = math.floor(place)
         return np.roll(self.at(place - whole)[1], whole - offset, axis=1)
 

@@ -1,6 +1,6 @@
 """Scenes: a line taken through a programme, with any material, control and start.
 
-Recorders are chosen by type: quantities that a scene does not request are not compiled.
+Recorders dispatch on types, so quantities that a scene does not request are not compiled.
 """
 
 from .energy import ENERGIES

@@ -1,8 +1,8 @@
 """Mean friction over the cycles of an oscillation, from all of their steps.
 
-It is the mean friction force over the mean normal force: under a constant normal force the time
-average of mu. The average runs over the later half of the cycles, because the first ones still
-depend on the start.
+It is the ratio of the mean friction force to the mean normal force, which is the time average of mu
+under a constant normal force. The mean is taken over the second half of the cycles, because the
+first cycles depend on the start.
 """
 
 from typing import NamedTuple
@@ -17,15 +17,15 @@ from .scene_case import SceneCase
 class AveragingWindow(NamedTuple):
     """Impulses of normal force and friction over consecutive steps, recorded or not."""
 
-    after: int  # number of the step before the first of them
-    last: int
+    after: int  # number of the step before the first step in the window
+    last: int  # number of the last step in the window
     sums: np.ndarray  # of normal force and friction, shape (2,); their ratio is in h/dx
 
 
 def averaging_window(scene: SceneCase, steps: Steps) -> AveragingWindow | None:
-    """Return the later half of the last oscillation's cycles, or None if that is not requested.
+    """Return the second half of the cycles of the last oscillation, or None if not requested.
 
-    The middle one of an odd number of cycles is included. Raises ValueError if no leg oscillates.
+    The middle cycle of an odd number is included. Raises ValueError if no leg oscillates.
     """
     if "cycle_mean" not in scene.requested:
         return None
@@ -40,7 +40,7 @@ def averaging_window(scene: SceneCase, steps: Steps) -> AveragingWindow | None:
 
 
 def cycle_mean(window: AveragingWindow | None) -> dict[str, np.ndarray]:
-    """Return mean friction over mean normal force in a window, by name, in h/dx."""
+    """Return the mean friction over the mean normal force in a window, by name, in h/dx."""
     if window is None:
         return {}
     normal, friction = window.sums
@@ -49,6 +49,6 @@ def cycle_mean(window: AveragingWindow | None) -> dict[str, np.ndarray]:
 
 @kernel
 def add_impulses(window, sums, dt):
-    """Add the impulses of a step; sums : of eq. 5 (model/friction.py)."""
+    """Add the impulses of a step; sums : from weighted_sums (model/friction.py)."""
     window.sums[0] += dt * sums[0]
     window.sums[1] += dt * sums[1]

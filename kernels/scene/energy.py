@@ -1,4 +1,4 @@
-"""Work, stored and dissipated energy of the elements, step by step.
+"""Work, stored energy and dissipated energy of the elements, step by step.
 
 The units of the retardation form (rheology/retardation.py) store y^2 / (2 J) and dissipate
 lambda/J times the square of their rate; the glassy spring stores J_g p^2 / 2. These energies are
@@ -6,10 +6,10 @@ exact for the force that the scheme assumes within a step. Then
 
     work = change of stored energy + dissipated energy + closing work,
 
-where the closing work is the work of the line over gaps that close within a step: a force counts
-for the whole step in which an element is touched. With a dashpot as the only branch the balance
-closes to rounding, and the closing work falls as the step; with a glassy modulus both fall as its
-square.
+where the closing work is the work of the line over gaps that close within a step, because a force
+counts for the whole step in which an element is touched. With a dashpot as the only branch, the
+balance holds to rounding and the closing work is of first order in the step. With a glassy modulus,
+the error of the balance and the closing work are of second order.
 Source: R. M. Christensen, Theory of Viscoelasticity, 2nd ed. (Academic Press, 1982), ch. 3.
 """
 
@@ -28,12 +28,12 @@ class EnergyRecord(NamedTuple):
 
     energies: np.ndarray  # shape (4, recorded), as named by ENERGIES, in 4 G L h^2; all but the
     # first are sums since the start
-    sums: np.ndarray  # dissipated, work, closing work until now, in 4 G dx h^2
+    sums: np.ndarray  # dissipated energy, work, closing work since the start, in 4 G dx h^2
 
 
 @kernel
 def stored_energy(form, memory, p):
-    """Return the energy that the elements store, in 4 G L h^2.
+    """Return the stored energy of the elements, in 4 G L h^2.
 
     form : of the material, a Retardation. memory : shape (K, n), p : shape (n,).
     """
@@ -50,7 +50,7 @@ def stored_energy(form, memory, p):
 
 @kernel
 def record_energies(record, k, form, memory, p):
-    """Record the energies of a step in column k; memory, p : at its end."""
+    """Record the energies of a step in column k; memory, p : at the end of the step."""
     record.energies[0, k] = stored_energy(form, memory, p)
     for entry in range(3):
         record.energies[entry + 1, k] = record.sums[entry] / p.size
@@ -58,10 +58,10 @@ def record_energies(record, k, form, memory, p):
 
 @kernel
 def add_energies(form, law, dt, memory, p, new, work, closing, sums):
-    """Add the energies of a step, before its memory settles, to running sums.
+    """Add the energies of a step to the running sums; memory : before the step.
 
-    p, new : forces of the last step and of this one, shape (n,). work, closing : distance by which
-    the line pressed each element further, and its part that closed a gap, in h, shape (n,).
+    p, new : forces of the last step and of this one, shape (n,). work : distance by which the line
+    moved towards each element, closing : part of it that closed a gap, in h, both of shape (n,).
     """
     share = 0.5 * law.linear
     for i in range(p.size):
@@ -74,7 +74,7 @@ def add_energies(form, law, dt, memory, p, new, work, closing, sums):
 
 @kernel
 def _dissipated(form, law, dt, k, y, p, new):
-    """Return the energy that units k dissipate in a step, lambda/J int (dy/dt)^2 dt.
+    """Return the energy dissipated by units k in a step, lambda/J int (dy/dt)^2 dt.
 
     Under a linear force dy/dt = r + q exp(-t / lambda). Its mean square is the square of its mean
     plus its variance, which for x = dt / lambda is q^2 (1 - E)^2 (coth(x/2) / 2 - 1/x) / x.

@@ -39,8 +39,8 @@ def relaxed_elements(
 ) -> Elements:
     """Return elements in equilibrium with a line at rest.
 
-    z : line, shape (n,), in h. load : n Fbar, or NaN where the indentation d (in h) is given.
-    stiffness : of the elements, over the relaxed one.
+    z : line, shape (n,), in h. load : n Fbar, or NaN if the indentation d (in h) is given.
+    stiffness : of the elements, over the relaxed stiffness.
     """
     if not math.isnan(load):
         d, _ = solve_indentation(z, load / stiffness, z.min() + load / (stiffness * z.size))
@@ -54,9 +54,9 @@ def relaxed_elements(
 def fresh_elements(
     form: Form, spectrum: Spectrum, z: np.ndarray, load: float, d: float
 ) -> Elements:
-    """Return elements at the moment at which the line is pressed on; z, load, d : as above.
+    """Return elements just after sudden pressing; z, load, d : as for relaxed_elements.
 
-    Raises ValueError for a material with a dashpot: it carries any load at no indentation.
+    Raises ValueError for a material with a dashpot; see ``glassy_stiffness``.
     """
     elements = relaxed_elements(form, z, load, d, glassy_stiffness(spectrum))
     charge_branches(form, elements.memory)
@@ -64,9 +64,9 @@ def fresh_elements(
 
 
 def glassy_stiffness(spectrum: Spectrum) -> float:
-    """Return the stiffness under sudden loading, over the relaxed one.
+    """Return the stiffness under sudden loading, over the relaxed stiffness.
 
-    Raises ValueError for a material with a dashpot: it carries any load at no indentation.
+    Raises ValueError for a material with a dashpot, which carries any load at zero indentation.
     """
     if spectrum.viscosity > 0.0:
         raise ValueError('start = "fresh": a dashpot carries any load at first, at no indentation')
@@ -74,7 +74,7 @@ def glassy_stiffness(spectrum: Spectrum) -> float:
 
 
 def charge_branches(form: Form, memory: np.ndarray) -> None:
-    """Load all branches as by sudden pressing; memory : of elements at rest, changed in place."""
+    """Load all branches as in sudden pressing; memory : of elements at rest, changed in place."""
     if isinstance(form, Retardation):
         memory[:] = 0.0
     else:
@@ -84,7 +84,7 @@ def charge_branches(form: Form, memory: np.ndarray) -> None:
 def steady_elements(
     scheme: str, spectrum: Spectrum, z: np.ndarray, speed: float, load: float, d: float
 ) -> Elements:
-    """Return elements under steady sliding; z, load, d : as for relaxed_elements.
+    """Return elements in steady sliding; z, load, d : as for relaxed_elements.
 
     speed : signed, in samples per tau.
     """
@@ -97,7 +97,7 @@ def steady_elements(
 
 
 def _steady_kelvin(scheme: str, z: np.ndarray, speed: float, load: float, d: float) -> Elements:
-    """Return Kelvin elements under steady sliding, by the sweep of model/steady.py."""
+    """Return Kelvin elements in steady sliding, by the sweep of model/steady.py."""
     law = SCHEMES[scheme](1.0 / abs(speed))
     along = z if speed > 0.0 else np.ascontiguousarray(z[::-1])
     w = np.zeros_like(z)

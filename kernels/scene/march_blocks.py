@@ -1,16 +1,16 @@
-"""March of the elements that can touch, of Prony series, through a programme.
+"""March through a programme of the elements with Prony series that can touch.
 
 An element is never pulled up, so it cannot touch where the line lies above a cap that exceeds the
-indentation. Elements are stepped in blocks where part of the line is below the cap; the memory of
-all others is divided by its decay (rheology/scaled_units.py) and needs no step. If the indentation
-passes the cap, more blocks are added in the same step. The choice of blocks changes no bit.
+indentation. Only blocks with part of the line below the cap are stepped. The memory of the others
+needs no step because it is stored divided by its decay (rheology/scaled_units.py). If the
+indentation exceeds the cap, more blocks are added in the same step. Results do not depend on the
+choice of blocks, to the bit.
 
-A step is one pass over the blocks, and as many passes over their thresholds as balance the load.
-The first pass computes the forces from the thresholds of the last step, adds them to the memory,
-predicts the memory in the new step and fills the new thresholds. At the end of a leg the memory is
-unscaled, so that a programme that is cut between legs resumes bit for bit.
-
-Tests compare it with the march of all elements (march_elements.py).
+A step takes one pass over the blocks, and then passes over their thresholds that balance the load.
+The pass over the blocks computes the forces from the thresholds of the last step, adds them to the
+memory, predicts the memory in the new step and fills the new thresholds. At the end of a leg the
+memory is unscaled, so that a programme cut between legs resumes bit for bit.
+Tests compare this march with that of all elements (march_elements.py).
 """
 
 from typing import Any, NamedTuple
@@ -51,12 +51,12 @@ from .spring_rows import (
 
 CELL_SAMPLES = 16  # per stored minimum of the line
 MAX_SHIFT_SAMPLES = 16  # shift of the line after which blocks are chosen again
-CAP_MARGIN = 0.02  # from the indentation to the cap, over the indentation
+CAP_MARGIN = 0.02  # distance of the cap from the indentation, over the indentation
 AFTER_ALL_STEPS = 2**62
 
 
 class ElementBlocks(NamedTuple):
-    """Memory of elements in blocks; elements that never touch fill up the last block."""
+    """Memory of elements in blocks; the last block is padded with elements that never touch."""
 
     memory: np.ndarray  # scaled, shape (blocks, K, BLOCK_ELEMENTS)
     known_steps: np.ndarray  # shape (blocks,): last step included in the memory
@@ -64,20 +64,20 @@ class ElementBlocks(NamedTuple):
 
 
 class BlockElements(NamedTuple):
-    """Elements in blocks after a step whose forces their memory may not include yet."""
+    """Elements in blocks after a step; their memory may not yet include the forces of that step."""
 
     blocks: ElementBlocks
-    c: np.ndarray  # thresholds in it, shape (blocks, BLOCK_ELEMENTS); infinite where none can touch
-    last: Indenter
+    c: np.ndarray  # thresholds of the step, shape (blocks, BLOCK_ELEMENTS); inf: cannot touch
+    last: Indenter  # of the step
     d: float  # in h
 
 
 class Choice(NamedTuple):
     """Choice of the blocks that can touch, and its range of validity."""
 
-    begin: int  # sample over element 0 where they were chosen, or -1
-    cap: float  # elements of other blocks do not touch below this indentation, in h
-    chosen_d: float  # indentation before the step in which they were chosen
+    begin: int  # sample over element 0 when the blocks were chosen, or -1
+    cap: float  # maximum indentation at which other blocks cannot touch, in h
+    chosen_d: float  # indentation before the step in which the blocks were chosen, in h
     block_count: int
 
 
@@ -87,9 +87,9 @@ class BlockMarch(NamedTuple):
     form: Retardation
     control: Any  # determines the indentation (model/balance.py)
     track: Track
-    done: int  # steps before the track
+    done: int  # number of steps before the track
     all_blocks: bool  # whether all blocks are stepped
-    lowest: np.ndarray  # minima of all lines, per cell
+    lowest: np.ndarray  # minimum over all lines in each cell
     blocks: ElementBlocks
     rows: SpringRows  # thresholds of blocks; the chosen ones come first
     constants: np.ndarray  # of the law of the last step, as fill_law leaves them
@@ -101,17 +101,17 @@ class BlockMarch(NamedTuple):
 class Progress(NamedTuple):
     """Progress of a march."""
 
-    passes: int  # over the thresholds
+    passes: int  # over the thresholds, in total
     old: float  # indentation before the last step, in h
-    d: float  # after it
-    last: Indenter
+    d: float  # indentation after the last step, in h
+    last: Indenter  # of the last step
     law: tuple[float, float, float]  # of the last step, as fill_law returns it
     choice: Choice
 
 
 @kernel
 def in_blocks(elements, done):
-    """Return the BlockElements of Elements, after a number of steps."""
+    """Return Elements as BlockElements; done : number of steps before."""
     units, n = elements.memory.shape
     count = (n + BLOCK_ELEMENTS - 1) // BLOCK_ELEMENTS
     memory, c = np.zeros((count, units, BLOCK_ELEMENTS)), np.full((count, BLOCK_ELEMENTS), np.inf)
@@ -125,7 +125,7 @@ def in_blocks(elements, done):
 
 @kernel
 def elements_of(state, n):
-    """Return the n Elements of BlockElements."""
+    """Return n elements in BlockElements as Elements."""
     p = _forces(state.c, state.last)[:n]
     return Elements(_memory(state.blocks, p), p, state.d)
 
@@ -155,7 +155,7 @@ def _memory(blocks, p):
 
 @inlined_kernel
 def _unscaled(scale, fresh, scaled, p):
-    """Return unscaled memory that includes the force p of the last step."""
+    """Return the unscaled memory, including the force p of the last step."""
     y = scale * scaled - fresh * p
     return y if abs(y) > MIN_MAGNITUDE else 0.0
 
@@ -176,10 +176,10 @@ def march_blocks(
     snapshots,
     window,
 ):
-    """Take BlockElements along a track; return (state, passes).
+    """March BlockElements along a track; return (state, passes).
 
-    form : a Retardation. ends : increasing numbers of the steps at which legs end. The other
-    arguments are those of ``march_elements``. The arrays of the state are changed.
+    form : a Retardation. state : its arrays are changed. ends : numbers of the steps at which legs
+    end, increasing. The other arguments are those of ``march_elements``.
     """
     blocks, c, last, d = state
     n, s, rows = track.z.shape[1] // 2, 0, spring_rows_of(c)
@@ -229,13 +229,13 @@ def march_blocks(
 
 @inlined_kernel
 def _step_number(numbers, k):
-    """Return step number k of an array, or one above all steps at its end."""
+    """Return step number k of an array, or AFTER_ALL_STEPS at the end of the array."""
     return numbers[k] if k < numbers.size else AFTER_ALL_STEPS
 
 
 @inlined_kernel
 def _march(march, now, s, until):
-    """March from step s of the track to another step; return Progress."""
+    """March from step s of the track to step ``until``; return the new Progress."""
     dt, constants = march.track.dt, march.constants
     passes, old, d, last, law_numbers, choice = now
     for t in range(s, until):
@@ -250,9 +250,9 @@ def _march(march, now, s, until):
 
 @inlined_kernel
 def _step(march, law, t, old, last, choice):
-    """Take the blocks that can touch over step t; return (d, passes, Choice).
+    """Advance the blocks that can touch by step t; return (d, passes, Choice).
 
-    old : indentation before it. last : Indenter of the last step. The new thresholds fill the rows.
+    old : indentation before. last : Indenter of the last step. The rows get the new thresholds.
     """
     track, rows, lowest = march.track, march.rows, march.lowest
     n, begin = track.z.shape[1] // 2, track.begin[t + 1]
@@ -272,7 +272,7 @@ def _step(march, law, t, old, last, choice):
 
 @inlined_kernel
 def _balance(march, law, t, old, last, count):
-    """Return (d, passes) of a step of the first ``count`` chosen blocks."""
+    """Fill the thresholds of the first ``count`` chosen blocks; return (d, passes) of the step."""
     (memory, known_steps, scales), settling, track = march.blocks, march.settling, march.track
     c, some, sums, evaluation = march.rows
     rows, begin = SpringRows(c, some[:count], sums, evaluation), track.begin[t + 1]
@@ -290,7 +290,7 @@ def _balance(march, law, t, old, last, count):
 
 @kernel
 def _lowest(z):
-    """Return the minimum over all lines in each cell of two periods; z : of a Track."""
+    """Return the minimum over all lines in each cell of the two periods; z : of a Track."""
     lowest = np.full((z.shape[1] + CELL_SAMPLES - 1) // CELL_SAMPLES, np.inf)
     for line in range(z.shape[0]):
         for j in range(z.shape[1]):
@@ -313,14 +313,14 @@ def cap_over(d, before, lowest):
 
 @inlined_kernel
 def round_apart(one, other, n):
-    """Return the distance of two samples in a period of n."""
+    """Return the distance between two samples on a period of n samples."""
     apart = abs(one - other)
     return min(apart, n - apart)
 
 
 @inlined_kernel
 def can_touch(lowest, begin, b, n, cap):
-    """Return whether the line is below the cap over block b, up to the maximum shift."""
+    """Return whether part of the line is below the cap over block b, for all shifts allowed."""
     first = (begin + b * BLOCK_ELEMENTS - MAX_SHIFT_SAMPLES) % n
     last = min(first + BLOCK_ELEMENTS + 2 * MAX_SHIFT_SAMPLES, 2 * n) - 1
     below = False
@@ -331,7 +331,7 @@ def can_touch(lowest, begin, b, n, cap):
 
 @inlined_kernel
 def _choose(rows, lowest, begin, n, cap, level):
-    """List the blocks that can touch, or did in the last step; return their number."""
+    """List the blocks that can touch or did touch in the last step; return their number."""
     count = 0
     for b in range(rows.c.shape[0]):
         chosen = can_touch(lowest, begin, b, n, cap)
@@ -348,7 +348,7 @@ def _choose(rows, lowest, begin, n, cap, level):
 
 @kernel
 def _unscale(blocks, p, step):
-    """Unscale the memory of all blocks and include the last step; p : its forces."""
+    """Unscale the memory of all blocks and add the forces p of the last step."""
     memory, known_steps, scales = blocks
     rescale_blocks(scales, memory, known_steps, np.arange(known_steps.size), step)
     for b in range(known_steps.size):
@@ -363,7 +363,7 @@ def _unscale(blocks, p, step):
 
 @inlined_kernel
 def _record_trace(trace, k, march, now, s):
-    """Record the trace of the last of s steps in row k."""
+    """Record the trace of the last of s steps of the track in row k."""
     lag, track = now.law[1], march.track
     sums, count = _sums(march, now, s)
     record_forces(trace, k, lag, sums, track.z.shape[1] // 2, now.old, now.d)
@@ -376,8 +376,8 @@ def _record_trace(trace, k, march, now, s):
 def _sums(march, now, s):
     """Return (sums of eq. 5, number of stored depths) of the last of s steps (model/friction.py).
 
-    Sums are by columns, as in add_overlap. The workspace depths holds the depths of all elements in
-    rows with contact, and one zero for the rows between them, which separates contact patches.
+    Sums are by columns, as in add_overlap. The workspace ``depths`` gets the depths of all elements
+    in rows with contact, and one zero for the rows between them, which separates contact patches.
     """
     track, rows, slope, depths = march.track, march.rows, march.settling, march.depths
     (stiffness, lag, _), n, sums = now.law, track.z.shape[1] // 2, rows.sums
@@ -415,7 +415,7 @@ def _sums(march, now, s):
 
 @kernel
 def _record_snapshot(snapshots, frame, blocks, step, p, z, d, stiffness):
-    """Record line and elements at the end of a step, whose forces no memory includes yet."""
+    """Record line and elements after a step; the memory does not include its forces p yet."""
     rescale_blocks(
         blocks.scales, blocks.memory, blocks.known_steps, np.arange(blocks.known_steps.size), step
     )

@@ -1,8 +1,8 @@
-"""March of all elements of a line through a programme, over a foundation at rest.
+"""March of all elements of a foundation at rest under a line that moves through a programme.
 
-It takes any material with internal variables, any control and any motion. It is the reference of
-march_blocks.py, which steps only elements of Prony series that can touch. Laws, controls and
-recorders dispatch on their types: recorders that are not requested are not compiled.
+It supports any material with internal variables, any control and any motion. It is the reference
+for march_blocks.py, which steps only elements that can touch, with Prony series. Laws, controls and
+recorders dispatch on their types, so recorders that are not requested are not compiled.
 """
 
 import numpy as np
@@ -31,13 +31,13 @@ def march_elements(
     snapshots,
     window,
 ):
-    """Take elements along a track; return (elements, passes) at its end.
+    """March elements along a track; return (elements, passes) at its end.
 
-    form : of the material (rheology/law.py). control : determines the indentation (control).
-    track : the line at every step (motion/track.py). elements : before the first step; their
-    arrays are not changed. done : number of steps before this track.
-    recorded, frames : increasing numbers of the steps recorded in trace, energies and lengths, and
-    in snapshots, each a recorder or None. window : an AveragingWindow or None.
+    form : of the material (rheology/law.py). control : determines the indentation (control/).
+    track : line at every step (motion/track.py). elements : before the first step; their arrays
+    are not changed. done : number of steps before this track.
+    recorded : numbers of the steps recorded in trace, energies and lengths, increasing. frames :
+    the same for snapshots. Each of these recorders may be None. window : AveragingWindow or None.
     passes : over the thresholds, in all steps.
     """
     n = elements.p.size
@@ -81,7 +81,7 @@ def march_elements(
 
 @kernel
 def _record_step(k, form, law, track, s, old, d, memory, p, trace, energies, lengths):
-    """Record a step as number k; its memory has settled."""
+    """Record a step in row k; memory, p : at the end of the step."""
     n = p.size
     if trace is not None:
         before = line_at_step(track.slope, track, s, n)
@@ -96,7 +96,7 @@ def _record_step(k, form, law, track, s, old, d, memory, p, trace, energies, len
 
 @kernel
 def first_after(numbers, done):
-    """Return the index of the first of increasing numbers above ``done``."""
+    """Return the index of the first number above ``done``; numbers : increasing."""
     k = 0
     while k < numbers.size and numbers[k] <= done:
         k += 1
@@ -112,7 +112,7 @@ def line_at_step(values, track, s, n):
 
 @kernel
 def add_step_energies(form, law, energies, track, s, memory, p, new, w, old, d):
-    """Add the energies of a step with known forces, before its memory settles."""
+    """Add the energies of a step with the forces ``new``; memory, p : before the step."""
     n = p.size
     before, after = line_at_step(track.z, track, s, n), line_at_step(track.z, track, s + 1, n)
     u = displacement(form, memory, p)

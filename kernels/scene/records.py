@@ -1,4 +1,4 @@
-"""Recorders of a march: traces, lengths of contacts, snapshots; compiled only if requested.
+"""Recorders of a march: traces, contact lengths, snapshots; compiled only if requested.
 
 A recorder is a NamedTuple of arrays that a march fills, or None.
 """
@@ -15,8 +15,8 @@ from .samples import samples_per_contact
 class Trace(NamedTuple):
     """Values at the recorded steps, all of shape (recorded,).
 
-    Forces of a step act at its lag before its end, and so do the indentation, the time and the
-    distance given here, which are interpolated. mu is NaN where nothing touches.
+    The force of a step acts before the end of the step, by its lag. Indentation, time and distance
+    are interpolated to that instant. mu is NaN if nothing touches.
     """
 
     mu: np.ndarray  # in h/dx
@@ -35,14 +35,14 @@ MOTION_TRACES = TRACES[-3:]  # equal for all lines with the same motion
 
 
 class ContactLengths(NamedTuple):
-    """Histogram of the lengths of contacts over the recorded steps."""
+    """Histogram of contact lengths over the recorded steps."""
 
     edges: np.ndarray  # of the bins, in samples, shape (bins + 1,), increasing
     counts: np.ndarray  # shape (bins,); a length on an edge counts in the bin above it
 
 
 class Snapshots(NamedTuple):
-    """The line and the elements at the end of some steps, at the elements of the foundation."""
+    """Heights of the line and displacements, both at the elements, at the end of some steps."""
 
     height: np.ndarray  # of the line over the undeformed foundation, in h, shape (frames, n)
     displacement: np.ndarray  # of the elements, in h, shape (frames, n)
@@ -50,10 +50,10 @@ class Snapshots(NamedTuple):
 
 @kernel
 def record_trace(trace, k, lag, before, now, old, new, p):
-    """Record values of a step in row k.
+    """Record the values of a step in row k.
 
-    before, now : slopes before and after it, in h/dx. old, new : indentation before and after it,
-    in h. p : forces of its elements. Slopes and forces have the shape (n,).
+    before, now : slopes before and after the step, in h/dx. old, new : indentation before and after
+    the step, in h. p : forces of the elements. Slopes and forces have the shape (n,).
     """
     sums = weighted_sums(-p, None, now + lag * (before - now), 0.0)
     record_forces(trace, k, lag, sums, p.size, old, new)
@@ -62,7 +62,7 @@ def record_trace(trace, k, lag, before, now, old, new, p):
 
 @inlined_kernel
 def record_forces(trace, k, lag, sums, n, old, new):
-    """Record the sums of eq. 5 over n elements (model/friction.py); the rest as record_trace."""
+    """Record the sums of eq. 5 over n elements (weighted_sums); else like record_trace."""
     normal, tangential, touching = sums
     trace.mu[k] = tangential / normal if normal > 0.0 else np.nan
     trace.indentation[k] = new + lag * (old - new)
@@ -73,7 +73,7 @@ def record_forces(trace, k, lag, sums, n, old, new):
 
 @inlined_kernel
 def record_motion(trace, k, lag, track, s):
-    """Record when and where the force of step s of a track acts, and the velocity of the step."""
+    """Record the time and distance at which the force of step s acts, and the velocity."""
     moved = track.place[s + 1] - track.place[s]
     trace.time[k] = track.time[s + 1] - lag * track.dt[s]
     trace.distance[k] = track.place[s + 1] - lag * moved
@@ -82,7 +82,7 @@ def record_motion(trace, k, lag, track, s):
 
 @kernel
 def count_lengths(lengths, p):
-    """Count the contacts: runs of pressed elements, across the end of the period too."""
+    """Count the contacts, which are runs of pressed elements on the periodic line."""
     n = p.size
     free = 0
     while free < n and p[free] > 0.0:
@@ -109,7 +109,7 @@ def _count_contact(lengths, length):
 
 @kernel
 def record_snapshot(snapshots, k, z, d, u):
-    """Record line and displacements, shape (n,), at the end of a step, in h."""
+    """Record line and displacements at the end of a step, both in h, of shape (n,)."""
     for i in range(u.size):
         snapshots.height[k, i] = z[i] - d
         snapshots.displacement[k, i] = u[i]

@@ -1,4 +1,4 @@
-"""One realization of a scene: a line taken through it, and the requested values."""
+"""One realization of a scene: the march of a line through it, and the requested values."""
 
 import numpy as np
 
@@ -28,10 +28,10 @@ from .scene_case import ZERO_ORIGIN, SavedState, SceneCase, check_scene, indenta
 
 
 class Recorders:
-    """The recorders of a scene; those that are not requested are None."""
+    """Recorders of a scene; those that are not requested are None."""
 
     def __init__(self, scene: SceneCase, line: Line, steps: Steps) -> None:
-        """Make room for all requested values."""
+        """Allocate the arrays of all requested values."""
         requested, count, n = scene.requested, scene.recorded.size, line.z.size
         self.recorded, self.frames = scene.recorded, scene.frames
         self.trace = Trace(*np.empty((len(TRACES), count))) if "trace" in requested else None
@@ -50,9 +50,9 @@ class Recorders:
     def record_start(
         self, form: Form, line: Line, track: Track, elements: Elements, lag: float, speed: float
     ) -> None:
-        """Record the start itself where step 0 is requested.
+        """Record the start if step 0 is requested.
 
-        lag : signed, of the steady step before it. speed : at which the programme begins.
+        lag : of the steady step before the start, signed. speed : initial speed of the programme.
         """
         z, slope = (values[track.line[0], track.begin[0] :][: line.z.size] for values in track[:2])
         memory, p, d = elements
@@ -93,23 +93,23 @@ class Recorders:
 def run_scene(
     line: Line, scene: SceneCase, state: SavedState | None = None
 ) -> dict[str, np.ndarray]:
-    """Take one line through a scene; return the requested values by name.
+    """March one line through a scene; return the requested values by name.
 
-    state : from which to resume, instead of the start of the scene; step numbers count from there.
+    The argument ``state`` replaces the start of the scene; step numbers then count from there.
 
     trace : "trace_mu" (h/dx), "trace_indentation" (h over the mean line), "trace_normal_force"
     (4 G L h), "trace_friction_force" (4 G L h^2/dx), "trace_contact_fraction", and the motion of
     this line: "trace_time" (tau), "trace_distance" (dx), "trace_velocity" (dx/tau), each
-    (recorded,). mu is NaN where nothing touches; the start has the velocity that follows.
+    (recorded,). mu is NaN if nothing touches; step 0 has the initial velocity of the programme.
     energy : "stored_energy", "dissipated_energy", "work", "closing_work" (4 G L h^2), (recorded,);
-    all but the first are sums from the start.
-    cycle_mean : "mu_cycle_mean", mean friction over mean normal force (h/dx) in the later half of
+    all but the first are sums since the start.
+    cycle_mean : "mu_cycle_mean", mean friction over mean normal force (h/dx) in the second half of
     the cycles of the last oscillation.
     contact_lengths : "contact_length" (bins,), mean number of contacts over the recorded steps.
     snapshots : "snapshot_height" (line over the undeformed foundation) and
     "snapshot_displacement" (of the elements), (frames, n), in h.
     state : the fields of SavedState as "state_memory", "state_p", ….
-    "updates" : number of element updates of a march that steps all elements.
+    "updates" : number of element updates, as if all elements were stepped.
     Raises ValueError for an invalid scene.
     """
     m, z, slope = line.steps_per_spacing, line.z, line.slope

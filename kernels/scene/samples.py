@@ -9,18 +9,18 @@ from ..compile.jit import kernel, refcount_free_kernel
 def samples_per_contact(force):
     """Return the load-weighted median width of contact patches, in samples.
 
-    force : of every sample, positive where it touches, shape (n,), periodic, in any unit. A patch
-    is a run of touching samples; patches up to the median width carry half of the load. The result
-    is n in full contact, and 0 without contact.
+    force : of every sample, positive in contact, shape (n,), periodic, in any unit. A patch is a
+    run of touching samples. Patches up to the median width carry at least half of the load. The
+    result is n in full contact, and 0 without contact.
     """
     return median_patch_width(force, np.zeros(force.size))
 
 
 @refcount_free_kernel
 def median_patch_width(force, load_of_width):
-    """Return the samples per contact, as samples_per_contact does, without allocating an array.
+    """Return the result of samples_per_contact without allocating an array.
 
-    load_of_width : workspace, shape (n,) or more, all zero before and after.
+    load_of_width : workspace, shape (n,) or more; zero before and after the call.
     """
     n, total, load = force.size, 0.0, 0.0
     first_run = run = widest = 0
@@ -37,7 +37,7 @@ def median_patch_width(force, load_of_width):
         elif run > 0:
             load_of_width[run] += load
             total, widest, run, load = total + load, max(widest, run), 0, 0.0
-    for f in force[:first_run]:  # across the end of the period
+    for f in force[:first_run]:  # continue across the end of the period
         run += 1
         load += f
     load_of_width[run] += load

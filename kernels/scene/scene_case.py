@@ -1,4 +1,4 @@
-"""Description of a scene: a material, a programme of motion, a control, a start."""
+"""Description of a scene: material, programme of motion, control and start."""
 
 import math
 from typing import NamedTuple
@@ -29,19 +29,19 @@ class SceneCase(NamedTuple):
     spectrum: Spectrum  # of the elastomer
     scheme: str  # "exponential" or "implicit-euler"
     programme: Programme
-    load: float  # Fbar = F_N / (4 G L h); NaN where the indentation is prescribed
+    load: float  # Fbar = F_N / (4 G L h); NaN if the indentation is prescribed
     indentation: tuple[tuple[float, ...], tuple[float, ...]] | float | None
-    # None: constant force. A number: constant, in h over the mean line. (times, values): d(t),
-    # linear in between, followed at the steps of the programme and, at rest, at its own times too.
+    # None: constant force. A number: constant, in h over the mean line. (times, values): piecewise
+    # linear d(t), evaluated at the steps of the programme and, at rest, at these times too.
     start: str  # one of SCENE_STARTS
     requested: tuple[str, ...]  # some of SCENE_QUANTITIES
-    recorded: np.ndarray  # numbers of the steps with a trace; 0 is the start
+    recorded: np.ndarray  # numbers of the recorded steps, increasing; 0 is the start
     edges: np.ndarray  # of the bins of contact lengths, shape (bins + 1,), in dx
-    frames: np.ndarray  # numbers of the steps with a snapshot; 0 is the start
+    frames: np.ndarray  # numbers of the steps with a snapshot, increasing; 0 is the start
 
 
 class Origin(NamedTuple):
-    """Start of a programme: all that determines its steps apart from the programme."""
+    """Start of a programme: determines the time steps together with the programme."""
 
     position: float = 0.0  # of the line, in samples
     speed: float = 0.0  # of the leg before, in dx/tau
@@ -52,10 +52,10 @@ ZERO_ORIGIN = Origin()
 
 
 class SavedState(NamedTuple):
-    """State from which a programme resumes, bit for bit."""
+    """State from which a programme resumes bit for bit."""
 
     memory: np.ndarray  # internal variables of the elements, shape (M, n)
-    p: np.ndarray  # shape (n,): their forces
+    p: np.ndarray  # forces of the elements, shape (n,), in 4 G dx h
     d: float  # indentation, in h over the deepest point of the line
     position: float  # of the line, in samples
     time: float  # in tau
@@ -70,8 +70,8 @@ class SavedState(NamedTuple):
 def scene_steps(scene: SceneCase, steps_per_spacing: int, origin: Origin = ZERO_ORIGIN) -> Steps:
     """Return all time steps of a scene that begins at ``origin``; steps_per_spacing : m.
 
-    Raises ValueError as steps_of, for a programme without steps, and for more steps than
-    MAX_PROGRAMME_STEPS.
+    Raises ValueError as steps_of does, for a programme without steps, and for more than
+    MAX_PROGRAMME_STEPS steps.
     """
     position, speed, time = origin
     shortest = min_step(scene.spectrum)
@@ -89,7 +89,7 @@ def scene_steps(scene: SceneCase, steps_per_spacing: int, origin: Origin = ZERO_
 
 
 def _split_at_rest(steps: Steps, position: float, times: np.ndarray) -> Steps:
-    """Return the steps, with those at rest split at the given times."""
+    """Return the steps after splitting those at rest at the given times."""
     end = np.cumsum(steps.dt)
     resting = steps.position == np.append(position, steps.position[:-1])
     times = times[(times > 0.0) & (times < end[-1])]
@@ -104,7 +104,7 @@ def _split_at_rest(steps: Steps, position: float, times: np.ndarray) -> Steps:
 
 
 def indentation_at(scene: SceneCase, times: np.ndarray, datum: float) -> np.ndarray:
-    """Return the prescribed indentation over the deepest point, in h; times in tau; same shape.
+    """Return the prescribed indentation over the deepest point, in h, at times in tau.
 
     datum : height of the deepest point over the mean line, in h.
     """
@@ -131,7 +131,7 @@ def check_scene(scene: SceneCase, steps: Steps, resumed: bool) -> None:
 
 
 def _check_control(scene: SceneCase, resumed: bool) -> None:
-    """Raise ValueError for an invalid load, indentation or first speed."""
+    """Raise ValueError for an invalid load or first speed, or for both load and indentation."""
     if scene.indentation is None:
         check_range("load", scene.load, LOAD_LIMITS)
     elif not math.isnan(scene.load):

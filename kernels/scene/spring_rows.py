@@ -1,6 +1,6 @@
-"""The thresholds of elements in rows of BLOCK_ELEMENTS, with some rows left out.
+"""Elements in rows of BLOCK_ELEMENTS, as springs with thresholds, with some rows left out.
 
-The elements of rows that are left out do not touch below some bound of the indentation. The load is
+The elements of rows that are left out cannot touch up to some bound of the indentation. The load is
 balanced as in model/contact.py.
 """
 
@@ -14,36 +14,36 @@ from ..rheology.scaled_units import BLOCK_ELEMENTS
 
 SUM_COLUMNS = BLOCK_ELEMENTS // 4
 
-# Evaluations of rows: one record, changed in place.
+# Evaluations of the load at indentations: one record, changed in place.
 EVALUATION = np.dtype(
     [
         ("highest_d", np.float64),  # highest indentation so far
         ("d", np.float64),  # last indentation; NaN before the first
-        ("overlap", np.float64),  # sum of depths there
-        ("touching", np.float64),  # number of elements that touch there
+        ("overlap", np.float64),  # sum of depths at d, in h
+        ("touching", np.float64),  # number of touching elements at d
     ]
 )
 
 
 class SpringRows(NamedTuple):
-    """Elements in rows, all of the stiffness 1."""
+    """Elements in rows, all with stiffness 1."""
 
     c: np.ndarray  # shape (rows, BLOCK_ELEMENTS): thresholds z_i - w_i, in h; inf: no element
-    some: np.ndarray  # numbers of the rows that are not left out, ascending
+    some: np.ndarray  # indices of the rows that are not left out, ascending
     sums: np.ndarray  # workspace, shape (3, SUM_COLUMNS)
     evaluation: np.ndarray  # EVALUATION, shape (1,)
 
 
 @kernel
 def spring_rows_of(c):
-    """Return SpringRows of thresholds, with room for their other arrays."""
+    """Return SpringRows with thresholds c; allocate the other arrays."""
     rows, sums = np.empty(c.shape[0], np.int64), np.empty((3, SUM_COLUMNS))
     return SpringRows(c, rows, sums, np.empty(1, EVALUATION))
 
 
 @inlined_kernel
 def forget_evaluation(rows):
-    """Discard the evaluation of rows after their thresholds have changed."""
+    """Discard the last evaluation after a change of thresholds."""
     evaluation = rows.evaluation[0]
     evaluation["highest_d"], evaluation["d"] = -np.inf, np.nan
 
@@ -52,8 +52,8 @@ def forget_evaluation(rows):
 def add_overlap(rows, row, d):
     """Add depths and the number of touching elements of a row to the column sums.
 
-    Columns let the compiler vectorize the loop; four parts of the row are added together because
-    storing the sums takes as long as everything else. A row without contact changes no bit.
+    Columns let the compiler vectorize the loop. Four parts of the row are added before the sums are
+    stored, because storing takes as long as everything else. A row without contact changes no bit.
     """
     c, sums = rows.c, rows.sums
     for i in range(SUM_COLUMNS):
@@ -69,7 +69,7 @@ def add_overlap(rows, row, d):
 
 @inlined_kernel
 def fold(sums):
-    """Add up the columns of every row of sums, in the first column."""
+    """Sum the columns of every row of ``sums`` into its first column."""
     half = SUM_COLUMNS // 2
     while half > 0:
         for row in range(sums.shape[0]):
