@@ -119,7 +119,7 @@ class dispatch_on_type:
         return cls(declaration, **UNCOUNTED)
 
     def __call__(self, first: Any, *others: Any) -> Any:
-        """Run the body for the type of ``first``. Raises TypeError if there is none."""
+        """Run the body for the type of ``first``. Raises TypeError for types without one."""
         if type(first) not in self.bodies:
             raise TypeError(f"{self.name} is not defined for {type(first).__name__}")
         return self.bodies[type(first)](first, *others)

@@ -1,8 +1,8 @@
-"""Print the machine code of kernels as counts and digests: with all effects loaded, or none.
+"""Print counts and digests of the machine code of kernels, with all effects loaded or none.
 
     python -m tests.kernels.listing bare|whole
 
-Names of functions and addresses of constants are left out: they hold hashes.
+Names of functions and addresses of constants are masked because they contain hashes.
 """
 
 import hashlib
@@ -17,7 +17,7 @@ import numpy as np
 
 
 def instructions(function: Callable, *arguments: object) -> list[str]:
-    """Return the machine instructions of a kernel, compiled anew for arguments of these types."""
+    """Return the machine instructions of a kernel, compiled for arguments of these types."""
     from elastomer_friction.kernels.compile.jit import NUMBA_OPTIONS
 
     compiled = numba.njit(**NUMBA_OPTIONS)(getattr(function, "py_func", function))
@@ -28,7 +28,7 @@ def instructions(function: Callable, *arguments: object) -> list[str]:
 
 
 def listings() -> dict[str, list[str]]:
-    """Return the instructions of kernels of which every effect is off."""
+    """Return the instructions of kernels with every effect off, by name."""
     from elastomer_friction.kernels.model.force import ConstantForce
     from elastomer_friction.kernels.model.march import march
     from elastomer_friction.kernels.model.steady import steady_sliding
@@ -60,7 +60,7 @@ def listings() -> dict[str, list[str]]:
 
 
 def main(loaded: str) -> None:
-    """Print the listings as JSON; ``bare`` imports nothing but what they name."""
+    """Print the listings as JSON; with "bare", import only the modules that they need."""
     if loaded == "bare":
         for name in ("", ".kernels", ".kernels.scene"):
             name = f"elastomer_friction{name}"

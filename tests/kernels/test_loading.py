@@ -1,4 +1,4 @@
-"""All machine code of a case exists after loading; a second process compiles half of it."""
+"""Loading provides all machine code of a case; a second process compiles half of it."""
 
 import signal
 import subprocess
@@ -35,7 +35,7 @@ def test_the_second_process_compiles_what_the_first_one_needs():
 
 @pytest.fixture
 def helpers(monkeypatch, tmp_path):
-    """Let loading compute nothing and helpers only wait; return all that were started."""
+    """Make loading compute nothing and helpers only wait; return the list of started helpers."""
     started = []
     usual = subprocess.Popen
 

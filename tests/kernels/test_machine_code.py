@@ -1,4 +1,4 @@
-"""What is not asked for is not in the machine code: effects, recorders."""
+"""Machine code contains no effects or recorders that are not requested."""
 
 import ast
 import inspect
@@ -38,12 +38,12 @@ pytestmark = [
 
 
 def listing(loaded, cache):
-    """Return what tests.kernels.listing prints, of kernels that are all compiled anew."""
+    """Return the output of tests.kernels.listing for kernels compiled with an empty cache."""
     return json.loads(printed("-m", "tests.kernels.listing", loaded, NUMBA_CACHE_DIR=str(cache)))
 
 
 def test_effects_that_are_there_but_off_leave_nothing_in_the_machine_code(tmp_path):
-    """The march, the steady state and the general path without and with all other files."""
+    """Compare the march, the steady state and march_elements without and with all other files."""
     bare, whole = (listing(loaded, tmp_path / loaded) for loaded in ("bare", "whole"))
     assert not set(EFFECTS) & set(bare["modules"])
     assert set(EFFECTS) <= set(whole["modules"])
@@ -53,7 +53,7 @@ def test_effects_that_are_there_but_off_leave_nothing_in_the_machine_code(tmp_pa
 
 
 class WithoutRecorders(ast.NodeTransformer):
-    """Take out of ``march_elements`` all that has to do with recorders, and the decorator."""
+    """Transformer that removes recorders and decorators from ``march_elements``."""
 
     def visit_FunctionDef(self, node):
         node.decorator_list = []

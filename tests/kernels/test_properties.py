@@ -1,8 +1,8 @@
-"""Properties that hold for every body and material: steady states, jumps and marches in one table.
+"""Properties that hold for every body and material: steady states, jumps and marches.
 
 Bodies are a line whose elements are all stepped, a line in blocks, the quick path of Kelvin
-elements, a half-space, and line and half-space behind a spring. A row of the table is a property, a
-body and a material; tolerances belong to the body.
+elements, a half-space, and a line and a half-space pulled through a spring. Each test combines a
+property, a body and a material; tolerances belong to the body.
 """
 
 import math
@@ -26,23 +26,23 @@ from tests.kernels.scene.given import ANY_MOTION, EVERY_LEG, MATERIALS, PULLS, a
 from tests.sizes import size
 
 M, LOAD, SPEED = 4, 0.3, 0.7
-SIDE = size(8, 6)  # of a map, in elements
+SIDE = size(8, 6)  # side of a map, in elements
 RECORDED = np.array([1, 2, 5, 13])
 ALL = Quantities(initial_rate=True)
 
 
 def line(shift=0.0):
-    """Return a line; a shift in spacings turns its phases, so that samples round differently."""
+    """Return a line, shifted by a number of spacings through its phases, which changes rounding."""
     return line_of(size(60, 20), shift, M)
 
 
 def short_line():
-    """Return a line for pulls, whose steps are tried several times."""
+    """Return a short line for pulls, because their steps are tried several times."""
     return a_line(20)
 
 
 def surface(shift=0.0):
-    """Return a map; a shift is by whole spacings along x, and by five samples across."""
+    """Return a map, shifted by whole spacings along x and by five samples across."""
     drawn = Surface.drawn(np.random.default_rng(1), ring_amplitudes(0.7, SIDE), SIDE, M)
     moved = (np.roll(field, (5 if shift else 0, int(shift) * M), (0, 1)) for field in drawn[:2])
     return Surface.from_samples(*moved, M)
@@ -55,13 +55,13 @@ def mirrored(body):
 
 
 def taller(body, factor):
-    """Return a line or map with all heights multiplied."""
+    """Return a line or map with all heights multiplied by a factor."""
     tall = body._replace(z=factor * body.z, slope=factor * body.slope)
     return tall._replace(datum=factor * body.datum) if isinstance(body, Line) else tall
 
 
 def reversed_leg(leg):
-    """Return a leg in the other direction."""
+    """Return a leg with all speeds reversed."""
     if isinstance(leg, Slide):
         return Slide(-leg.speed, leg.distance)
     if isinstance(leg, Ramp):
@@ -87,11 +87,11 @@ CASE_BODIES = {
     "map": CaseBody(surface, run_case_on_map, tuple(MATERIALS), {"abs": 1e-7}, {"abs": 1e-6}),
 }
 CASES = [(name, material) for name, body in CASE_BODIES.items() for material in body.materials]
-REVERSIBLE = [row for row in CASES if row[0] != "quick line"]  # which slides one way
+REVERSIBLE = [row for row in CASES if row[0] != "quick line"]  # slides in one direction
 
 
 def case_of(name, material, requested=ALL, geometry=None, **changes):
-    """Return the Outcome of one case of a body and a material."""
+    """Return the Outcome of one case for a body and a material."""
     body, spectrum = CASE_BODIES[name], MATERIALS.get(material, material)
     case = Case(LOAD, SPEED, (1.2,), (RECORDED,), "exponential", spectrum, refine=False)
     geometry = body.geometry() if geometry is None else geometry
@@ -99,7 +99,7 @@ def case_of(name, material, requested=ALL, geometry=None, **changes):
 
 
 def assert_same_outcome(found, expected, name, sign=1.0):
-    """Assert that two outcomes agree to the tolerances of a body; sign : of their friction."""
+    """Assert that outcomes agree within the tolerances of a body; sign : of their friction."""
     body = CASE_BODIES[name]
     assert found.mu_1 == pytest.approx(sign * expected.mu_1, **body.mu)
     assert found.mu_2 == pytest.approx(sign * expected.mu_2, **body.mu)
@@ -146,7 +146,7 @@ def test_heights_and_loads_scale_together_bit_for_bit(name, material, power):
 
 
 def rearranged(spectrum):
-    """Return the same material with its branches in another order, and with one of them split."""
+    """Return a material with its branches in another order, and with one branch split."""
     (a, b, c), (s, t, u), viscosity = spectrum
     permuted = Spectrum((c, a, b), (u, s, t), viscosity)
     return permuted, Spectrum((0.25 * a, b, 0.75 * a, c), (s, t, s, u), viscosity)
@@ -154,7 +154,7 @@ def rearranged(spectrum):
 
 @pytest.mark.parametrize("name", ["line", "map"])
 def test_order_and_splitting_of_branches_change_nothing(name):
-    """No bit on a line; on a map the complex modulus sums the branches in their order."""
+    """Bits are equal on a line; on a map, the complex modulus sums the branches in order."""
     plain = case_of(name, "prony")
     for spectrum in rearranged(MATERIALS["prony"]):
         actual = case_of(name, spectrum)
@@ -171,7 +171,7 @@ STEADY = Quantities(jump=False, relaxation=False)
 
 @pytest.mark.parametrize(("name", "material"), CASES)
 def test_only_requested_quantities_are_computed(name, material):
-    """A quantity does not depend on the other requested ones."""
+    """A quantity does not depend on the other requested quantities."""
     everything, steady = case_of(name, material), case_of(name, material, STEADY)
     jump = case_of(name, material, Quantities(steady=False, relaxation=False))
     assert np.isnan(steady.jump).all()
@@ -186,7 +186,7 @@ def test_only_requested_quantities_are_computed(name, material):
 
 @pytest.mark.parametrize("name", CASE_BODIES)
 def test_slow_friction_is_linear_in_the_speed_and_the_same_for_all_materials(name):
-    """mu/(v tau) depends on the loss at low frequencies only, which tau determines."""
+    """mu/(v tau) depends only on the loss at low frequencies, which is determined by tau."""
     slow = [
         [case_of(name, material, STEADY, speed=v).mu_1 / v for v in (1e-6, 2e-6)]
         for material in CASE_BODIES[name].materials
@@ -208,10 +208,10 @@ class MarchBody(NamedTuple):
     """Marches of a body through programmes, with tolerances of friction."""
 
     geometry: Callable[..., Any]
-    run: Callable[..., dict[str, np.ndarray]]  # of geometry and scene
+    run: Callable[..., dict[str, np.ndarray]]  # function of geometry and scene
     scheme: str
     steady: float  # relative change of mu during steady sliding
-    indentation: float  # and of the indentation
+    indentation: float  # relative change of the indentation during steady sliding
     mirror: float  # difference of mu and distance under reflection
     forces: float  # relative error of the normal force
 
@@ -223,7 +223,7 @@ def pull_line(body, scene):
 
 
 def pull_map(body, scene, stiffness=None):
-    """Pull a map as a line."""
+    """Pull a map in the same way as a line."""
     scale = LOAD * math.sqrt(np.mean(body.slope**2))
     drive = Drive(*(scale * np.array((2.0, 0.1, 0.05))))
     return run_pulled_on_half_space(body, scene, drive, stiffness)
@@ -247,7 +247,7 @@ ON_LINES = ("elements", "blocks")
 
 
 def march_of(name, legs, material, geometry=None, **changes):
-    """Return the values of a march of a body and a material."""
+    """Return the values of a march for a body and a material."""
     body, spectrum = MARCH_BODIES[name], MATERIALS.get(material, material)
     scene = a_scene(legs, spectrum, M, **{"scheme": body.scheme} | changes)
     return body.run(body.geometry() if geometry is None else geometry, scene)
@@ -275,7 +275,7 @@ def test_a_mirror_image_marches_the_other_way(name, material):
     signs = {"mu": -1.0, "distance": -1.0, "contact_fraction": 1.0, "indentation": 1.0}
     for trace, sign in signs.items():
         actual, expected = back[f"trace_{trace}"], sign * there[f"trace_{trace}"]
-        one_sample = 1.01 / image.z.size if trace == "contact_fraction" else 0.0  # at its verge
+        one_sample = 1.01 / image.z.size if trace == "contact_fraction" else 0.0  # may differ
         atol = max(body.mirror, one_sample if name == "map" else 0.0)
         np.testing.assert_allclose(actual, expected, rtol=0, atol=atol, err_msg=trace)
 
@@ -338,7 +338,7 @@ def test_order_and_splitting_of_branches_change_no_bit_of_a_march(name):
             np.testing.assert_array_equal(values, plain[key], err_msg=key)
 
 
-EQUALLY_STIFF = {  # marches of a line and of a map, and the largest difference of a trace
+EQUALLY_STIFF = {  # legs, marches of line and map, maximum difference of a trace
     "moved": (EVERY_LEG, run_scene, run_scene_on_half_space, 6e-5),
     "pulled": ((Slide(1.3, 3.0), Hold(0.5), Slide(2.0, 2.0)), pull_line, pull_map, 1e-3),
 }
@@ -349,7 +349,7 @@ EQUALLY_STIFF = {  # marches of a line and of a map, and the largest difference 
 )
 @pytest.mark.parametrize("material", MATERIALS)
 def test_a_half_space_of_equal_stiffness_marches_as_the_line(material, name, start):
-    """Only the mean of u differs; samples per contact are a median on lines, a mean on maps."""
+    """Only the mean of u and samples per contact (median or mean) are defined differently."""
     (legs, on_line, on_map, atol), line = EQUALLY_STIFF[name], a_line(12)
     surface = Surface.from_samples((line.z + line.datum)[None], line.slope[None], M)
     requested = ("trace", "cycle_mean") if name == "moved" else ("trace",)

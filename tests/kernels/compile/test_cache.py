@@ -1,4 +1,4 @@
-"""Where machine code is cached: a folder per state of all sources, of our own."""
+"""Folder of cached machine code: one per version of the sources, private to the user."""
 
 import os
 import shutil
@@ -14,7 +14,7 @@ HASH = cache.source_hash()
 
 @pytest.fixture
 def sources(tmp_path, monkeypatch):
-    """Let cache.py believe that the package lives in a copy."""
+    """Make cache.py use a copy of the package, and return the folder of the copy."""
     copy = tmp_path / "kernels"
     shutil.copytree(
         Path(cache.__file__).parents[1], copy, ignore=shutil.ignore_patterns("__pycache__")
@@ -25,7 +25,7 @@ def sources(tmp_path, monkeypatch):
 
 @pytest.fixture
 def home(tmp_path, monkeypatch):
-    """Return the home of caches."""
+    """Set XDG_CACHE_HOME to a folder that does not exist yet, and return it."""
     folder = tmp_path / "home"
     monkeypatch.delenv("NUMBA_CACHE_DIR", raising=False)
     monkeypatch.setenv("XDG_CACHE_HOME", str(folder))
@@ -84,7 +84,7 @@ def test_without_a_cache_home_it_is_a_folder_of_our_own_on_this_machine(
 
 @pytest.fixture
 def shipped(tmp_path, monkeypatch):
-    """Let this be installed from a wheel with machine code."""
+    """Simulate an installation from a wheel with machine code."""
     (tmp_path / "shipped" / cache.COMPILER).mkdir(parents=True)
     monkeypatch.setattr(cache, "SHIPPED", tmp_path / "shipped")
 
@@ -97,7 +97,7 @@ def test_machine_code_of_a_wheel_serves_who_has_that_processor_and_numba(
     shipped, monkeypatch, lacking
 ):
     for name in ("NUMBA_CPU_NAME", "NUMBA_CPU_FEATURES"):
-        monkeypatch.setenv(name, "generic")  # and so as it was, after this test
+        monkeypatch.setenv(name, "generic")  # so that the variable is restored after this test
         if lacking != "a user's choice":
             del os.environ[name]
     monkeypatch.setattr(numba.config, "reload_config", lambda: None)
@@ -106,13 +106,13 @@ def test_machine_code_of_a_wheel_serves_who_has_that_processor_and_numba(
     monkeypatch.setattr(cache, "get_host_cpu_features", lambda: features)
     cache.select_processor()
     assert os.environ.get("NUMBA_CPU_NAME") == LEFT[lacking]
-    monkeypatch.setattr(cache, "get_host_cpu_features", dict)  # of a node that it is inherited by
+    monkeypatch.setattr(cache, "get_host_cpu_features", dict)  # as on a node without these features
     cache.select_processor()
     assert os.environ.get("NUMBA_CPU_NAME") != cache.V3
 
 
 def open_to_the_group(home):
-    """Leave a home and a cache as umask 002 and an earlier version made them."""
+    """Create a home and a cache folder with group write access, as umask 002 does."""
     folder = home / "elastomer-friction"
     folder.mkdir(parents=True)
     (folder / "planted").write_text("who knows what")
@@ -122,7 +122,7 @@ def open_to_the_group(home):
 
 
 def linked(home):
-    """Let the home be a link, as where homes lie on another disk."""
+    """Make the home a link, as if it were on another disk."""
     real = home.with_name("real")
     real.mkdir(mode=0o755)
     home.symlink_to(real)
@@ -130,7 +130,7 @@ def linked(home):
 
 
 def linked_within(home):
-    """Let our folder in the home be a link."""
+    """Make the cache folder in the home a link."""
     real = home.with_name("real")
     real.mkdir(mode=0o755)
     home.mkdir()
@@ -140,48 +140,48 @@ def linked_within(home):
 
 @pytest.mark.parametrize("made", [open_to_the_group, linked, linked_within])
 def test_usual_homes_work_and_the_folder_is_ours_alone_from_then_on(home, made):
-    own = made(home)
+    folder = made(home)
     previous = os.umask(0o002)
     try:
-        assert Path(cache.cache_folder()) == own / HASH
+        assert Path(cache.cache_folder()) == folder / HASH
     finally:
         os.umask(previous)
-    assert own.stat().st_mode & 0o777 == 0o700
-    assert [path.name for path in own.iterdir()] == [HASH]
+    assert folder.stat().st_mode & 0o777 == 0o700
+    assert [path.name for path in folder.iterdir()] == [HASH]
 
 
 def by_a_file(home):
-    """Let there be a file."""
+    """Create a file in place of the home."""
     home.write_text("not a folder")
 
 
 def open_to_all(home):
-    """Let anyone exchange what lies in the home."""
+    """Give everyone write access to the home."""
     home.mkdir()
     home.chmod(0o777)
 
 
 def above(home):
-    """Let anyone exchange the home itself."""
+    """Give everyone write access to the parent of the home."""
     home.mkdir()
     home.parent.chmod(0o777)
 
 
 def of_another_user(home):
-    """Let the home, as one among the temporary files, be made by someone else before us."""
+    """Create a home that belongs to another user, as can happen among temporary files."""
     home.mkdir(mode=0o755)
     os.chown(home, 54321, -1)
 
 
 def sticky_of_another_user(home):
-    """Let the home be sticky, and its owner someone else, who may rename our folder in it."""
+    """Create a sticky home whose owner is another user, who may rename folders in it."""
     home.mkdir()
     home.chmod(0o1777)
     os.chown(home, 54321, -1)
 
 
 def ours_of_another_user(home):
-    """Let our own folder be made by someone else, where anyone may make one."""
+    """Create a cache folder that belongs to another user, in a home open to everyone."""
     home.mkdir()
     home.chmod(0o1777)
     (home / "elastomer-friction").mkdir()
@@ -189,7 +189,7 @@ def ours_of_another_user(home):
 
 
 def linked_elsewhere(home):
-    """Let the home be a link to where anyone may exchange things."""
+    """Make the home a link to a folder to which everyone has write access."""
     real = home.with_name("real")
     real.mkdir()
     real.chmod(0o777)
@@ -202,7 +202,7 @@ UNSAFE += [of_another_user, sticky_of_another_user, ours_of_another_user]
 
 @pytest.mark.parametrize("spoil", UNSAFE)
 def test_machine_code_of_others_is_not_run(home, monkeypatch, capsys, spoil):
-    """It is kept in a private folder then, with one line, and processes we start find it there."""
+    """A private folder is used instead, with one line on stderr; child processes use it too."""
     if "user" in spoil.__name__ and os.getuid() != 0:
         pytest.skip("only root can give a folder away")
     spoil(home)
@@ -213,7 +213,7 @@ def test_machine_code_of_others_is_not_run(home, monkeypatch, capsys, spoil):
     assert private.stat().st_mode & 0o777 == 0o700
     (line,) = capsys.readouterr().err.splitlines()
     assert line.startswith(f"machine code is kept for this run alone: {home.parent}")
-    assert Path(cache.cache_folder()) == folder  # as a process that this one starts
+    assert Path(cache.cache_folder()) == folder  # as in a child process
     assert capsys.readouterr().err == ""
     os.environ.pop("NUMBA_CACHE_DIR")
     shutil.rmtree(private)

@@ -1,4 +1,4 @@
-"""Machine code on disk is used if it is sound and made again if not; no disk fault is fatal."""
+"""Cached machine code is used if it is intact, and compiled again if not; no fault is fatal."""
 
 import signal
 from pathlib import Path
@@ -17,25 +17,25 @@ CACHE_FOLDER = "elastomer_friction.kernels.compile.cache.CACHE_FOLDER"
 
 
 def twice(x):
-    """Return 2 x; it compiles fast."""
+    """Return 2 x; a kernel that compiles fast."""
     return 2.0 * x
 
 
 @pytest.fixture(autouse=True)
 def compiled(monkeypatch):
-    """Compile under NUMBA_DISABLE_JIT=1 too."""
+    """Enable compilation under NUMBA_DISABLE_JIT=1 too."""
     monkeypatch.setattr(numba.config, "DISABLE_JIT", 0)
 
 
 @pytest.fixture
 def folder(tmp_path, monkeypatch):
-    """Keep machine code in an empty folder."""
+    """Use an empty cache folder, and return it."""
     monkeypatch.setattr(CACHE_FOLDER, str(tmp_path))
     return tmp_path
 
 
 def hits():
-    """Compile the kernel as a new process does; return how often machine code was loaded."""
+    """Compile the kernel as a new process does; return the number of cache hits."""
     compiled = kernel(twice)
     assert compiled(21.0) == 42.0
     return sum(compiled.stats.cache_hits.values())
@@ -102,7 +102,7 @@ def test_functions_that_differ_in_enclosed_variables_are_not_confused(folder):
     assert [scaled(2.0)(1.0), scaled(3.0)(1.0)] == [2.0, 3.0]
 
 
-# Compiles the kernel above, and holds while it does so until a file appears.
+# Compiles the kernel above, but pauses in the compilation until a file appears.
 HOLDER = """
 import sys, time
 from pathlib import Path
@@ -127,7 +127,7 @@ with event.install_listener("numba:compile", Slow()):
 
 @pytest.fixture
 def waiting(folder, tmp_path):
-    """Yield (the process that compiles, a thread that needs the same kernel, what it found)."""
+    """Yield (compiling process, thread waiting for the same kernel, cache hits of the thread)."""
     if PLAIN_PYTHON:
         pytest.skip("NUMBA_DISABLE_JIT=1: nothing compiled")
     actual = []
@@ -178,7 +178,7 @@ def test_machine_code_of_a_wheel_is_used_where_it_lies(folder, tmp_path, monkeyp
     assert list(tmp_path.iterdir()) == []
 
 
-# Takes a private name from numba, as a later version may do, and calls kernels.
+# Removes a private name of numba, as a later version may do, and calls kernels.
 FALLBACK = """
 import builtins, sys
 missing, usual = sys.argv[1], builtins.hasattr

@@ -1,4 +1,4 @@
-"""The clock of computing stands still while kernels are compiled."""
+"""The clock of computing time does not run while kernels are compiled."""
 
 import time
 from threading import Thread
@@ -19,7 +19,7 @@ def compile_two():
 
 @pytest.mark.skipif(PLAIN_PYTHON, reason="NUMBA_DISABLE_JIT=1: nothing compiled")
 def test_it_stands_still_while_kernels_are_compiled():
-    with garbage_collection_paused():  # that of other tests would count as computing
+    with garbage_collection_paused():  # garbage of other tests would count as computing
         start, computing = time.thread_time(), computing_seconds()
         compile_two()
         used, total = computing_seconds() - computing, time.thread_time() - start

@@ -1,4 +1,4 @@
-"""Compilation: it computes what Python computes, goes by types, links kernels into callers."""
+"""Compilation of kernels: same results as Python, dispatch on types, linking into callers."""
 
 import sys
 from pathlib import Path
@@ -21,7 +21,7 @@ compiled_only = pytest.mark.skipif(PLAIN_PYTHON, reason="NUMBA_DISABLE_JIT=1: no
 
 @compiled_only
 def test_kernels_release_the_interpreter():
-    """A scheduler must be able to talk to a worker while a kernel runs."""
+    """A scheduler must be able to reach a worker while a kernel runs."""
     ours = "elastomer_friction.kernels"
     modules = [module for name, module in sys.modules.items() if name.startswith(ours)]
     actual = [v for module in modules for v in vars(module).values() if isinstance(v, Dispatcher)]
@@ -30,12 +30,12 @@ def test_kernels_release_the_interpreter():
 
 
 def numbers():
-    """Return all numbers of four cases on a small line, exactly."""
+    """Return all numbers of four cases on a small line, in exact hexadecimal form."""
     lines = []
     for scheme in SCHEMES:
         for rate in (True, False):
-            asked, case = Quantities(indentation_rate=rate), CASE._replace(scheme=scheme)
-            actual = run_case(line_of(elements=60), case, asked)
+            requested, case = Quantities(indentation_rate=rate), CASE._replace(scheme=scheme)
+            actual = run_case(line_of(elements=60), case, requested)
             one = [actual.mu_1, actual.indentation, actual.contact_fraction]
             for values in (one, actual.mu_2, actual.jump, *actual.curves):
                 lines.append(" ".join(float(value).hex() for value in values))
@@ -62,7 +62,7 @@ class Scaled(NamedTuple):
 
 
 class Shifted(NamedTuple):
-    """Another toy law, of other numbers."""
+    """Another toy law, with other fields."""
 
     first: float
     second: float
@@ -76,7 +76,7 @@ class Unknown(NamedTuple):
 
 @dispatch_on_type
 def change(law, u):
-    """Return u changed."""
+    """Return u, changed by the law."""
 
 
 @change.register(Scaled)
@@ -91,7 +91,7 @@ def _shift(law, u):
 
 @kernel
 def changed_twice(law, u):
-    """Return u changed twice."""
+    """Return u, changed twice by the law."""
     return change(law, change(law, u))
 
 
@@ -111,7 +111,7 @@ def test_a_type_without_a_body_is_refused():
 
 @dispatch_on_type
 def note(law, number, flag):
-    """Return a number."""
+    """Return ``number`` or 0."""
 
 
 @note.register(Scaled)
@@ -121,12 +121,12 @@ def _note(law, number, flag):
 
 @kernel
 def chosen(law, number, flag):
-    """Return a number, of one type whatever is known of it."""
+    """Return ``number`` or 0; compiled for one type, with constant arguments too."""
     return note(law, number, flag)
 
 
 def begun_with_constants(law, count):
-    """Return what a variable that begins with a constant, and constants, come to."""
+    """Return a number after calls with constants and with a variable that starts as one."""
     number, flag = 0, True
     for _ in range(count):
         number = chosen(law, number + 1, flag) + chosen(law, 2, True) + chosen(law, 0, False)
@@ -136,8 +136,8 @@ def begun_with_constants(law, count):
 
 @compiled_only
 def test_a_constant_is_no_type_of_its_own():
-    assert numba.njit(begun_with_constants)(Scaled(1.0), 3) == 9  # not from the cache on the disk
-    (signature,) = chosen.get_overload.__self__.nopython_signatures  # of what is linked in
+    assert numba.njit(begun_with_constants)(Scaled(1.0), 3) == 9  # not from the cache on disk
+    (signature,) = chosen.get_overload.__self__.nopython_signatures  # of the linked function
     assert signature.args[1:] == (numba.int64, numba.boolean)
 
 
@@ -152,7 +152,7 @@ def test_bodies_are_compiled_with_the_flags_of_kernels_whoever_calls(compiled):
 
 
 class Pair(NamedTuple):
-    """Arrays that are passed on."""
+    """Arrays that kernels pass to other kernels."""
 
     first: np.ndarray
     second: np.ndarray
@@ -170,7 +170,7 @@ def _weigh(pair, i):
 
 @kernel
 def lowest(values):
-    """Return the number of the lowest value, which numpy refuses to tell of none."""
+    """Return the index of the lowest value; numpy raises an error for no values."""
     return np.argmin(values)
 
 
@@ -185,13 +185,13 @@ def total(pair):
 
 @kernel
 def both(pair):
-    """Return what two others give."""
+    """Return the results of two other kernels."""
     return total(pair), lowest(pair.first)
 
 
 @kernel
 def twice(pair):
-    """Return twice the sum: another caller."""
+    """Return twice the weighted sum; another caller of ``total``."""
     return 2.0 * total(pair)
 
 

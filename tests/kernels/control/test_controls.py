@@ -1,4 +1,4 @@
-"""What a march is controlled by: a force, a force by eq. 3 as printed, an indentation."""
+"""Controls of a march: a force, a force by eq. 3 as printed, an indentation."""
 
 import numpy as np
 import pytest
@@ -32,7 +32,7 @@ RINGS = Rings(NONE, np.array([0, 18, 36]), NONE)  # over two gaps of 17 samples
 
 
 def state(seed=1):
-    """Return z, the thresholds at the end of a step and its d; some samples touch."""
+    """Return (z, thresholds, d) at the end of a step; some samples touch."""
     z, c = np.random.default_rng(seed).normal(size=(2, 50))
     return z, c, 0.2
 
@@ -41,7 +41,7 @@ def test_elements_are_held_that_come_straight_from_contact():
     _, c, d = state()
     held = balance_history(PrintedForce(1.0), c, d, FIRST, RINGS)
     expected = np.append(c[1:] < d, False)
-    expected[19] = False  # what arrives there has crossed the gap between the stretches
+    expected[19] = False  # its element has crossed the gap between the stretches
     np.testing.assert_array_equal(held, expected)
     assert 5 < held.sum() < 45
 

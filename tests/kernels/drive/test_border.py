@@ -1,4 +1,4 @@
-"""Stability of steady sliding on a spring, against the prediction from velocity steps."""
+"""Stability of steady sliding on a spring, against predictions from velocity steps."""
 
 import math
 
@@ -14,8 +14,8 @@ from tests.kernels.scene.given import SOLID, a_scene
 from tests.sizes import PLAIN_PYTHON
 
 M, LOAD = 4, 0.1
-SPEED = 50.0  # five spacings in the time of the branch: friction falls
-ROLLOFF = 50  # spacings: longest wave, so that a long line averages over many
+SPEED = 50.0  # five spacings per relaxation time of the branch: velocity weakening
+ROLLOFF = 50  # longest wave, in spacings; a long line averages over many such waves
 
 
 def a_long_line(elements, seed=100):
@@ -25,7 +25,7 @@ def a_long_line(elements, seed=100):
 
 
 def response(lines):
-    """Return (t, d mu/d ln v) after small steps of the velocity up and down, and its end."""
+    """Return (t, d mu/d ln v, limit) after small velocity steps up and down."""
     ratios, distance = (1.05, 0.95), 12.0 * SOLID.times[0] * SPEED
 
     def mu(line, *legs):
@@ -44,9 +44,9 @@ def response(lines):
 
 
 def force_after_a_pulse(line, stiffness, distance):
-    """Return the response of the drive's force to a faster or slower motion over one spacing.
+    """Return the response of the drive's force to a change of speed over one spacing.
 
-    Forces are subtracted at the same place of the drive, which removes the noise of the line.
+    It is the difference of forces at equal positions of the drive, which removes the line's noise.
     """
     forces = []
     for r in (1.005, 0.995):
@@ -67,9 +67,9 @@ def fitted_rate_state(distance, step):
 
 
 def critical_stiffness(t, step, end):
-    """Return k_c/F_N: a root of k + s F_N T(s) = 0 on the imaginary axis, s = i w.
+    """Return (k_c/F_N, w) where k + s F_N T(s) = 0 has a root on the imaginary axis, s = i w.
 
-    T(s) = s/v times the Laplace transform of the response to a step.
+    T(s) is s/v times the Laplace transform of the response to a step.
     """
     w = np.geomspace(0.5, 20.0, 400) / SOLID.times[0]
     rest = np.trapezoid(np.exp(-1j * np.outer(w, t)) * (step - end), t, axis=1)
@@ -101,7 +101,7 @@ def test_steady_sliding_is_stable_above_the_stiffness_predicted_from_velocity_st
     soft, stiff = growth(0.75 * critical), growth(1.3 * critical)
     assert soft > 2.0
     assert stiff < 0.5
-    # D_c in k_c = -(d mu/d ln v) F_N/D_c is that of a velocity step, not v t_b of the branch.
+    # In k_c = -(d mu/d ln v) F_N/D_c, D_c is that of a velocity step, not v t_b of the branch.
     a, b, length = fitted_rate_state(SPEED * t, step)
     assert (b - a) / length == pytest.approx(critical, rel=0.2)
     assert length < 0.75 * SPEED * SOLID.times[0]

@@ -1,4 +1,4 @@
-"""A slider on a spring: rigid drives, work, order, stick and slip, and both bodies."""
+"""A slider on a spring: stiff drives, work, order of convergence, stick-slip, and rigs."""
 
 import math
 
@@ -23,7 +23,7 @@ def scale_of(line):
 
 
 def pulled(line, programme, drive, spectrum=SOLID, m=M, **changes):
-    """Pull a line; stiffness, mass and damping are over load times rms slope."""
+    """Pull a line; drive : stiffness, mass and damping over load times rms slope."""
     scene = a_scene(programme, spectrum, m, **changes)
     return run_pulled(line, scene, Drive(*(scale_of(line) * np.array(drive))))
 
@@ -44,7 +44,7 @@ def test_steady_sliding_equals_that_of_a_line_that_is_moved(spectrum):
 
 @ANY_MATERIAL
 def test_a_stiff_drive_takes_the_slider_along(spectrum):
-    """The pulled line follows the line that is moved, to the errors of its steps."""
+    """The pulled line agrees with a line moved directly, to discretization errors."""
     legs = (Sampled((0.0, 1.0, 2.0, 4.0, 6.0), (2.0, 2.0, 1.0, 3.0, -1.0)),)
     at = np.linspace(0.1, 5.7, 100)
 
@@ -123,11 +123,11 @@ def test_stick_and_slip_occurs_only_below_the_critical_stiffness():
     assert steady["drive_swing"] < 0.02 * slipping["drive_swing"]
     assert steady["peak_velocity"] < 1.1 * speeds[1] < 2.0 * speeds[1] < slipping["peak_velocity"]
     assert np.isnan(steady["slip_period"])
-    # Between slips the spring stretches nearly at the velocity of the drive.
+    # Between slips the spring extends at nearly the velocity of the drive.
     swing = float(slipping["drive_swing"]) * LOAD
     loading = swing / (0.3 * critical * scale_of(line) * speeds[1])
     assert 0.2 * loading < float(slipping["slip_period"]) < 4.0 * loading
-    assert SLIP_ENDS not in steady["slip_event_kind"]  # it breaks loose once and keeps sliding
+    assert SLIP_ENDS not in steady["slip_event_kind"]  # it breaks loose once, then slides on
     time, kind = slipping["slip_event_time"], slipping["slip_event_kind"]
     begins, ends = (time[kind == event] for event in (SLIP_BEGINS, SLIP_ENDS))
     assert (begins[: ends.size] < ends).all()
@@ -138,9 +138,9 @@ def test_stick_and_slip_occurs_only_below_the_critical_stiffness():
 
 @pytest.mark.skipif(PLAIN_PYTHON, reason="NUMBA_DISABLE_JIT=1: six ways of 400 spacings")
 def test_stick_and_slip_without_a_mass_converges_at_second_order():
-    """A wave jumps by its length; the errors of its force are those of the samples.
+    """The line is one wave, which jumps by its length.
 
-    Each jump is one slip, whatever its number of steps.
+    Each jump is one slip, however many steps it takes.
     """
     speed, length = 30.0, 8
 
@@ -188,7 +188,7 @@ def test_a_slider_on_a_stiff_drive_turns_with_it():
 
 @pytest.mark.parametrize("amplitude", [1.5, 8.0])
 def test_a_mass_that_rings_about_steady_sliding_does_not_slip(amplitude):
-    """Friction is negligible: the speed is V + A V cos(w t), w^2 = k/M, nearly to the end."""
+    """Friction is negligible: the speed is nearly V + A V cos(w t) throughout, w^2 = k/M."""
     line, speed, frequency, stiffness = a_line(12, m=16), 2.0, 4.0, 1e3
     swings = Sampled((0.0, 1e-3, 40.0), ((1.0 - amplitude) * speed, speed, speed))
     drive = stiffness, stiffness / frequency**2
@@ -200,7 +200,7 @@ def test_a_mass_that_rings_about_steady_sliding_does_not_slip(amplitude):
 
 
 def test_values_at_the_end_of_a_hold_belong_to_the_hold():
-    """With a dashpot friction jumps when the drive moves again; the hold must not include it."""
+    """With a dashpot, friction jumps when the drive moves again, which is after the hold."""
     legs = (Slide(1.3, 3.0), Hold(30.0), Slide(1.3, 3.0))
     line = a_line(20)
     scene = a_scene(legs, KELVIN, M)
@@ -236,7 +236,7 @@ def test_both_schemes_have_the_same_limit():
 
 @ANY_MATERIAL
 def test_elements_that_cannot_touch_change_rounding_only(monkeypatch, spectrum):
-    """A slider that nearly sticks amplifies rounding."""
+    """The tolerance is wide because a slider that nearly sticks amplifies rounding."""
     line = a_line(20)
 
     def traces():

@@ -29,12 +29,12 @@ STEADY = Quantities(jump=False, relaxation=False)
 
 
 def centred(n: int) -> np.ndarray:
-    """Return distances from the middle, which lies between two samples, in samples."""
+    """Return distances from the midpoint between the two central samples, in samples."""
     return np.arange(n) - 0.5 * (n - 1)
 
 
 def sphere(n: int, side: float, radius: float = 1.0) -> Surface:
-    """Return (x^2 + y^2)/(2 R) on a square of n elements; lengths in the unit of side."""
+    """Return the surface (x^2 + y^2)/(2 R) on n x n elements; lengths in the unit of side."""
     x = centred(n) * side / n
     z = (x[:, None] ** 2 + x[None, :] ** 2) / (2.0 * radius)
     return Surface.from_samples(z, np.broadcast_to(x / radius * side / n, z.shape), 1)
@@ -51,7 +51,7 @@ def elastic_loss(p: np.ndarray, m: int, loss) -> float:
 
 
 def test_a_sphere_has_the_pressures_of_hertz() -> None:
-    """Side 10 contact radii; the radius of the sphere, E* and the side are 1, 1 and n samples."""
+    """The side is 10 contact radii; the radius of the sphere and E* are 1."""
     errors = []
     for n in (32, 64, 128):
         side, a = 10.0, 1.0
@@ -68,7 +68,7 @@ def test_a_sphere_has_the_pressures_of_hertz() -> None:
 
 
 def test_a_wave_has_the_pressures_of_westergaard() -> None:
-    """Line contact: one row, plane strain."""
+    """A map of one row is a line contact in plane strain."""
     errors = []
     for n in (64, 256):
         x = centred(n) / n
@@ -98,7 +98,7 @@ def test_two_waves_close_at_the_pressure_of_johnson_greenwood_and_higginson(
 
 
 def test_slow_friction_is_the_loss_of_the_elastic_contact() -> None:
-    """mu/(v tau) is 1/R for a sphere, and agrees with the march for a rough surface."""
+    """mu/(v tau) is 1/R for a sphere, and that of the march for a rough surface."""
     errors = []
     for n in (64, 128):
         side = 6.0
@@ -123,7 +123,7 @@ def steadily(surface: Surface, load: float, speed: float, spectrum: Spectrum) ->
     ("time", "peak"), [(1e-9, 60.32), (0.009, 78.74), (0.045, 84.72), (2.0, 85.31)]
 )
 def test_rolling_cylinders_have_the_pressures_of_wang_and_knothe(time: float, peak: float) -> None:
-    """Both R = 100 mm, G = 1143 N/mm^2, nu = 0.4, f = 1, 600 N/mm, 1000 mm/s: one body of E*/2."""
+    """R = 100 mm, G = 1143 N/mm^2, nu = 0.4, f = 1 (both), 600 N/mm, 1000 mm/s: a body of E*/2."""
     n, dx, radius, stiffness = 1024, 0.25, 50.0, 0.5 * 2.0 * (1143.0 / 2.0) / (1.0 - 0.4)
     x = centred(n) * dx
     surface = Surface.from_samples((x**2 / (2.0 * radius))[None], (x / radius * dx)[None], 1)
@@ -134,7 +134,7 @@ def test_rolling_cylinders_have_the_pressures_of_wang_and_knothe(time: float, pe
 
 @pytest.mark.parametrize("spectrum", [KELVIN, BRANCHES], ids=["kelvin", "branches"])
 def test_the_work_of_friction_is_the_dissipation(spectrum: Spectrum) -> None:
-    """The dissipation is a sum over modes of the displacements, to errors of the samples."""
+    """The dissipation, a sum over modes of displacements, agrees to discretization errors."""
     apart = []
     for m in (4, 8):
         surface = rough(16, m)
@@ -158,7 +158,7 @@ def displacement_of(spectrum: Spectrum, body, surface: Surface) -> np.ndarray:
 
 
 def test_the_direct_solution_is_a_fixed_point_of_the_march() -> None:
-    """The direct solution of many decades is a fixed point of the march."""
+    """Branches with times over many decades need the direct solution."""
     wide = Spectrum((3.0, 10.0, 2.0), (1e-2, 1.0, 1e3), 0.0)
     curve = run_case(
         rough(16, 4),
@@ -176,22 +176,22 @@ def test_the_direct_solution_is_a_fixed_point_of_the_march() -> None:
 def test_a_sphere_of_one_branch_has_the_friction_of_carbone_and_putignano(
     speed: float, side: float, mu: float, within: float
 ) -> None:
-    """R = 1 cm, E = 1 MPa and a branch of 9 MPa and 1 ms, nu = 0.3, 0.15 N.
+    """R = 1 cm, E = 1 MPa, nu = 0.3, one branch of 9 MPa and 1 ms, load 0.15 N.
 
-    speed : v 10 ms/a_0, side : in a_0, the elastic contact radius.
+    speed : v 10 ms/a_0. side : over a_0, the elastic contact radius.
     """
     radius, modulus, n = 0.01, 1e6 / (1.0 - 0.3**2), 512
     a = (3.0 * 0.15 * radius / (4.0 * modulus)) ** (1.0 / 3.0)
     surface = sphere(n, side * a, radius)
     dx = side * a / n
-    load = 0.15 / (modulus * side * a)  # in m, as the heights are
+    load = 0.15 / (modulus * side * a)  # in m, like the heights
     result = steadily(surface, load, speed * a / 0.01 * 1e-3 / dx, Spectrum((9.0,), (1.0,), 0.0))
     assert result.mu / dx == pytest.approx(mu, rel=within)
 
 
 @pytest.mark.exhaustive
 def test_friction_does_not_depend_on_the_number_of_rolloff_lengths() -> None:
-    """At one nominal pressure, 1 and 4 lengths to a side: within the scatter of surfaces."""
+    """Sides of 1 and 4 roll-off lengths agree at one pressure, within the scatter of surfaces."""
     means = []
     for lengths, seeds in ((1, 16), (4, 4)):
         elements = 16 * lengths

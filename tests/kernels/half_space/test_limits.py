@@ -1,4 +1,4 @@
-"""Limits of the half-space: full contact and the foundation."""
+"""Limits of the half-space: full contact and the foundation of independent elements."""
 
 import numpy as np
 import pytest
@@ -40,7 +40,7 @@ def rough(elements: int, m: int, cutoff: int = 0, seed: int = 1) -> Surface:
 
 
 def closed_friction(surface: Surface, spectrum: Spectrum, speed: float, load: float) -> float:
-    """Return the sum of (|q|/2) q_x E''(q_x v) |h_q|^2 over the mean pressure: full contact."""
+    """Return mu in full contact: sum (|q|/2) q_x E''(q_x v) |h_q|^2 over the mean pressure."""
     m, shape = surface.steps_per_spacing, surface.z.shape
     q_y, q_x = wave_numbers(shape, m)
     power = np.abs(np.fft.rfft2(surface.z) / surface.z.size) ** 2 * two_sided(shape)
@@ -54,7 +54,7 @@ def closed_friction(surface: Surface, spectrum: Spectrum, speed: float, load: fl
         (KELVIN, 1.9),
         (BRANCHES, 1.9),
         (BOTH, 1.6),
-    ],  # with a dashpot branches reach second order late (prony)
+    ],  # with a dashpot, branches reach second order only for fine steps (prony.py)
     ids=["kelvin", "branches", "both"],
 )
 def test_friction_in_full_contact_is_the_closed_form_to_second_order(
@@ -75,7 +75,7 @@ def test_friction_in_full_contact_is_the_closed_form_to_second_order(
 
 
 def line_and_surfaces() -> tuple[Line, list[Surface]]:
-    """Return a line, and surfaces that are uniform across it: one row and a square."""
+    """Return a line and surfaces that are uniform across it: a single row and a square."""
     amplitude = np.array([1.0, 0.5, 0.3, 0.2, 0.0, 0.0, 0.0, 0.0])
     line = Line.self_affine(amplitude, np.arange(8.0), 16, 4)
     fields = [(line.z + line.datum)[None], line.slope[None]]
@@ -86,16 +86,16 @@ def line_and_surfaces() -> tuple[Line, list[Surface]]:
 
 
 def equal_stiffness(surface: Surface, elements: int = 16) -> np.ndarray:
-    """Return 1/L for every wave, in place of |q|/2."""
+    """Return the stiffness 1/L for every wave, in place of |q|/2."""
     rows, n = surface.z.shape
     return np.full((rows, n // 2 + 1), 1.0 / elements)
 
 
 @pytest.mark.parametrize("spectrum", [BRANCHES, BOTH], ids=["branches", "both"])
 def test_a_half_space_of_equal_stiffness_is_the_foundation(spectrum: Spectrum) -> None:
-    """Friction, indentation and relaxation agree with a line whose elements have all branches.
+    """Friction, indentation and relaxation agree with a line of elements with all branches.
 
-    So does the initial rate; with a dashpot mu jumps and has none.
+    The initial rate agrees too; with a dashpot it is NaN because mu jumps.
     """
     line, surfaces = line_and_surfaces()
     case = Case(0.3, 0.7, (1.2, -0.8), (STEPS, STEPS), "exponential", spectrum, refine=False)
@@ -118,7 +118,7 @@ def test_a_half_space_of_equal_stiffness_is_the_foundation(spectrum: Spectrum) -
 
 
 def test_kelvin_elements_of_equal_stiffness_are_the_foundation() -> None:
-    """Steady pressures and the jump are summed over samples as on the half-space."""
+    """Pressures and jumps of the line are summed over samples, as on the half-space."""
     line, surfaces = line_and_surfaces()
     load, speed, ratio = 0.3, 0.7, 1.2
     law = exponential(1.0 / (4 * speed))
@@ -139,7 +139,7 @@ def test_kelvin_elements_of_equal_stiffness_are_the_foundation() -> None:
         sliding = slide_steadily(space, KELVIN, speed)
         assert sliding.step_mu == pytest.approx(mu, abs=1e-6)
         assert np.mean(sliding.body.p > 0.0) == np.mean(touching)
-        assert result.mu_1 == pytest.approx(mu, rel=0.02)  # the foundation's edges are sharp
+        assert result.mu_1 == pytest.approx(mu, rel=0.02)  # edges of the foundation are sharp
         assert 0.8 < result.contact_fraction / np.mean(touching) < 1.0
         assert result.indentation + load == pytest.approx(state.d + line.datum, abs=1e-6)
         assert result.jump[0] == pytest.approx(instant[1] - instant[0], abs=1e-6)
@@ -147,7 +147,7 @@ def test_kelvin_elements_of_equal_stiffness_are_the_foundation() -> None:
 
 @pytest.mark.parametrize(("elements", "seed", "load"), [(8, 9, 0.1), (8, 11, 0.05)])
 def test_the_result_of_a_march_is_steady(elements: int, seed: int, load: float) -> None:
-    """In these cases mu has one value twice, or rests until contacts return after a period."""
+    """In these cases mu is equal at two instants, or constant until contacts return."""
     surface, speed = rough(elements, 4, seed=seed), 10.0 / np.pi
     space = HalfSpace.under(form_of(KELVIN, "exponential"), surface, load)
     result = slide_steadily(space, KELVIN, speed)
@@ -158,7 +158,7 @@ def test_the_result_of_a_march_is_steady(elements: int, seed: int, load: float) 
 
 
 def test_few_passes_per_step_give_the_friction_of_many() -> None:
-    """Compared over 2.5 tau after a velocity step; the first steps take more passes."""
+    """Runs are compared over 2.5 tau after a velocity step; first steps take more passes."""
     surface, speed = rough(32, 4), 10.0 / np.pi
     amplitudes = ring_amplitudes(0.7, 32)
     load = 0.3 * rms_slope_of(amplitudes, 32) * 32.0
@@ -179,7 +179,7 @@ def test_few_passes_per_step_give_the_friction_of_many() -> None:
 
 @pytest.mark.skipif(PLAIN_PYTHON, reason="NUMBA_DISABLE_JIT=1: 30 million samples")
 def test_a_contact_with_stalling_directions_is_solved() -> None:
-    """H = 0.8, x = 30, one of 1296 maps of the study bodies: no convergence in 20 000 passes."""
+    """One of 1296 maps in the study bodies (H = 0.8, x = 30) took more than 20 000 passes."""
     surface = Surface.drawn(line_generator(3, 0.8, 32, 8), ring_amplitudes(0.8, 32, 2), 32, 4)
     case = Case(1.5, 9.60000000000582, (1.0,), (), "exponential")
     result = run_case(surface, case, Quantities(jump=False, relaxation=False))

@@ -12,8 +12,8 @@ from tests.kernels.half_space.test_limits import rough
 
 def test_patches_are_connected_by_periodic_sides() -> None:
     p = np.zeros((4, 6))
-    p[0, 0] = p[0, 5] = p[3, 0] = 1.0  # one, round both edges
-    p[2, 2] = p[1, 3] = 2.0  # two: only corners meet
+    p[0, 0] = p[0, 5] = p[3, 0] = 1.0  # one patch across both edges
+    p[2, 2] = p[1, 3] = 2.0  # two patches that meet at a corner
     assert samples_per_patch(p) == 5.0 / 3.0
     assert samples_per_patch(np.zeros((4, 4))) == 0.0
     assert samples_per_patch(np.ones((4, 4))) == 16.0

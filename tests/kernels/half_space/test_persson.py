@@ -43,7 +43,7 @@ def test_the_area_at_light_loads_is_linear():
 
 @pytest.mark.parametrize("load", [0.01, 0.2])
 def test_a_line_represents_its_equivalent_surface(load):
-    """They differ by the number of modes in a ring: 8 for the longest wave, not 2 pi."""
+    """They differ by the number of modes in a ring, which is 8 for the longest wave, not 2 pi."""
     n = 128
     line = persson_theory(waves_of_line(amplitudes(0.3, n), n), KELVIN, load, 0.3)
     ring = persson_theory(waves_of_map(ring_amplitudes(0.3, n), n), KELVIN, load, 0.3)

@@ -1,4 +1,4 @@
-"""Scenes on a half-space, against cases."""
+"""Scenes on a half-space, compared with cases."""
 
 import numpy as np
 import pytest
@@ -18,7 +18,7 @@ def test_a_velocity_step_agrees_with_a_case():
     whole = run_case(surface, case, Quantities())
     legs = (Slide(0.7, 2.0), Slide(0.84, float(steps[-1]) / M))
     result = run_scene_on_half_space(surface, a_scene(legs, PRONY, M))["trace_mu"]
-    steady = result[0]  # mu of a step of the march
+    steady = result[0]  # mu of a step in the march
     np.testing.assert_allclose(result[: 2 * M + 1], steady, rtol=1e-5)
     rise = whole.curves[0] - whole.curves[0][0]
     np.testing.assert_allclose(result[2 * M + 1 :] - result[2 * M + 1], rise, atol=1e-5)

@@ -1,4 +1,4 @@
-"""Steps are counted without an array of them: exactly, or by a bound near it."""
+"""Numbers of steps are computed without the steps: exactly, or as a close upper bound."""
 
 import numpy as np
 import pytest
@@ -35,7 +35,7 @@ BOUNDED = st.one_of(
 
 
 def counted(programme, m, position):
-    """Return the numbers of the steps of each leg, one by one."""
+    """Return the number of steps of each leg, counted from the steps."""
     return np.bincount(steps_of(programme, m, position).leg, minlength=len(programme))
 
 

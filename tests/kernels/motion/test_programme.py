@@ -1,4 +1,4 @@
-"""Programmes of motion: where the line is at the end of every step, and when."""
+"""Programmes of motion: position of the line and time at the end of every step."""
 
 import math
 
@@ -66,7 +66,7 @@ def test_steps_lost_in_rounding_are_refused():
 
 
 def distances(steps, start=0.0):
-    """Return by how many samples each step moves the line."""
+    """Return the distance of each step, in samples."""
     return np.diff(np.append(start, steps.position))
 
 
@@ -95,7 +95,7 @@ def test_a_slide_between_fractions_takes_its_time_in_steps_of_about_a_sample(
     assert steps.position[-1] == pytest.approx(start + math.copysign(distance * M, speed), abs=1e-8)
     assert steps.dt.sum() == pytest.approx(distance / abs(speed), rel=1e-6)
     np.testing.assert_allclose(moved, speed * M * steps.dt, rtol=1e-9)
-    # Whole samples nearer than a quarter to an end are passed by: at one end, or at both at once.
+    # Whole samples within a quarter of a sample of an end are skipped: at one end, or at both.
     assert np.abs(moved).max() <= (1.25 if moved.size > 1 else 1.5) + 1e-6
     assert np.abs(moved).min() >= min(0.25, distance * M) - 1e-6
     assert np.all(steps.position[:-1] % 1.0 == 0.0)

@@ -1,4 +1,4 @@
-"""Where every element is after any way along the line, stage by stage, and what is left of it."""
+"""Sliding and tracks: positions of the elements after every step, and their displacements."""
 
 import numpy as np
 import pytest
@@ -40,12 +40,12 @@ def test_a_gap_is_left_out_from_one_sample_beyond_a_short_one(gap):
 
 
 LAW = Kelvin(0.97, 1.0 / 0.03, 0.5)
-ELEMENTS, STEPS = 400, 450  # more than once round
-CAPS = {"few": 0.01, "pieces": 0.1, "half": 0.5, "all": 1.0}  # share of the line below
+ELEMENTS, STEPS = 400, 450  # more than one period
+CAPS = {"few": 0.01, "pieces": 0.1, "half": 0.5, "all": 1.0}  # share of the line below the cap
 
 
 def sliding(z, state, cap, depth):
-    """Yield the thresholds, at all samples that can touch, of each step at given depths."""
+    """Yield (thresholds, heights) at all samples that can touch, for each step at given depths."""
     start, stop = touchable(z, cap)
     first, rings = piece_bounds(stop - start), start_rings(LAW, z, state, start, stop)
     low = np.minimum(gather(z, start, stop), cap)
@@ -63,7 +63,7 @@ def where(z, cap):
 
 
 def scene_of(share):
-    """Return a line, a state without contact, a cap."""
+    """Return (line, state without contact, cap); share : of the line below the cap."""
     z, _ = random_line(ELEMENTS, 0.0, 1, seed=2)
     w = np.random.default_rng(3).uniform(-1.0, 0.0, ELEMENTS)
     return z, State(w, -10.0), np.quantile(z, share) if share < 1.0 else np.inf
@@ -71,7 +71,7 @@ def scene_of(share):
 
 @pytest.fixture(params=CAPS)
 def scene(request):
-    """Return the scene of one cap."""
+    """Return the scene for one cap."""
     return scene_of(CAPS[request.param])
 
 
@@ -83,18 +83,18 @@ def test_what_decays_away_in_a_gap_is_zero_and_no_subnormal_number():
 
 
 def test_elements_that_touched_go_on_from_the_line(scene):
-    """Every element is carried in a loop of its own, with no stretch and no ring."""
+    """The reference steps every element in a loop, without stretches or rings."""
     z, state, cap = scene
     highest = min(cap, z.max())
 
     def depth(step):
         return highest * (0.5 + 0.4 * np.sin(0.7 * step))
 
-    at, u = where(z, cap), np.minimum(state.w, z - state.d)  # by sample of the line
+    at, u = where(z, cap), np.minimum(state.w, z - state.d)  # at the samples of the line
     touched = 0
     for step, (c, low) in enumerate(sliding(z, state, cap, depth), 1):
         w = LAW.decay * np.roll(u, -1)
-        # What lies above the cap in short gaps is carried along as if it lay at the cap.
+        # In short gaps, heights above the cap are replaced by the cap.
         np.testing.assert_allclose((low - c)[z[at] < cap], w[at][z[at] < cap], atol=1e-12)
         u = np.minimum(w, z - depth(step))
         touched += np.sum(u < w)
@@ -104,7 +104,7 @@ def test_elements_that_touched_go_on_from_the_line(scene):
 @pytest.mark.parametrize("fraction", [0.3, 0.5, 1.0])
 @pytest.mark.parametrize(("elements", "m"), [(16, 1), (16, 3), (15, 1)])
 def test_the_shift_is_that_of_every_mode(elements, m, fraction):
-    """With one sample to a spacing an even line has a wave of two samples."""
+    """With one sample per spacing, a line of even length has a wave of two samples."""
     phases = draw_phases(np.random.default_rng(1), elements)
     amplitude = amplitudes(0.5, elements)
     q = 2.0 * np.pi * mode_numbers(elements) / elements
@@ -118,7 +118,7 @@ PROGRAMME = (Slide(1.0, 3.3), Hold(1.0), Oscillation(0.0, 0.2, 0.3, 1), Slide(-2
 
 
 def lines(z, slope, m, steps, start):
-    """Return heights and slopes after every step, as concatenated from all stages."""
+    """Return heights and slopes after every step, concatenated over all stages."""
     rows = []
     for track in tracks(z, slope, m, steps, start, 1.5):
         for s in range(0 if not rows else 1, track.dt.size + 1):

@@ -1,4 +1,4 @@
-"""What all laws share: they are reached by their types, and what they leave decays to zero."""
+"""Properties of all laws: dispatch on types, and decay to zero without subnormal numbers."""
 
 import ast
 import shutil
@@ -27,9 +27,9 @@ ROOT = Path(__file__).resolve().parents[3]
 
 
 class Squared(NamedTuple):
-    """A law of a new file, which no file of kernels knows."""
+    """A law in a new file, which no file of kernels imports."""
 
-    root: float  # of the decay
+    root: float  # square root of the decay
     stiffness: float
     lag: float
 
@@ -40,7 +40,7 @@ def _reach(law, u):
 
 
 def slide(marches):
-    """Return what each law and control give, and how often anything was compiled for it."""
+    """Return (results for each law and control, number of compilations)."""
     kelvin, squared = Kelvin(0.25, 4.0 / 3.0, 0.5), Squared(0.5, 4.0 / 3.0, 0.5)
     pairs = (kelvin, PrintedForce), (kelvin, ConstantForce), (squared, ConstantForce)
     z, numbers = np.array([3.0, 1.0, 0.0, 2.0]), []
@@ -48,7 +48,7 @@ def slide(marches):
         (w, d), _ = steady_sliding(law, z, 4.0)
         actual = [*w, d]
         if k < marches:
-            start = State(0.5 * w, d)  # it has to settle
+            start = State(0.5 * w, d)  # not steady, so that the march changes it
             mu, depth, *_ = march(law, control(4.0), z, z - 1.5, start, np.array([2]), 4.0)
             actual += [*mu, *depth]
         numbers.append([float(number) for number in actual])
@@ -56,24 +56,24 @@ def slide(marches):
 
 
 @pytest.mark.skipif(PLAIN_PYTHON, reason="NUMBA_DISABLE_JIT=1: nothing compiled")
-@sweep("marches", 0, 3)  # a march is long to compile, for the new law above all
+@sweep("marches", 0, 3)  # compiling a march takes long, especially for the new law
 def test_a_second_process_compiles_nothing_whatever_the_law_and_the_control(tmp_path, marches):
-    """Of the law of a new file neither; its numbers are those of the Kelvin element."""
+    """This includes the law in a new file, whose numbers are those of the Kelvin element."""
     cache = tmp_path / "cache"
     shutil.copytree(CACHE_FOLDER, cache, ignore=shutil.ignore_patterns("*.tmp*"))
     code = f"from tests.kernels.rheology import test_law; print(test_law.slide({marches}))"
     (numbers, misses), second = (
         ast.literal_eval(printed("-c", code, NUMBA_CACHE_DIR=str(cache))) for _ in range(2)
     )
-    assert misses >= max(1, marches - 1)  # the new law at least
+    assert misses >= max(1, marches - 1)  # at least for the new law
     assert second == (numbers, 0)
     as_printed, kelvin, squared = numbers
-    assert (as_printed != kelvin) == (marches > 0)  # the control plays a part in marches alone
+    assert (as_printed != kelvin) == (marches > 0)  # the control matters only in marches
     assert squared == kelvin[: len(squared)]
 
 
 def test_decay_never_leaves_subnormal_numbers():
-    """Where decay > 1/2 the smallest subnormal times decay rounds back to itself, for ever."""
+    """If decay > 1/2, the smallest subnormal number times decay rounds to itself forever."""
     products = []
 
     class Watched(float):

@@ -1,4 +1,4 @@
-"""Materials, lines and scenes that the tests of scenes share."""
+"""Materials, lines and scenes shared by the tests of scenes."""
 
 import math
 
@@ -16,7 +16,7 @@ PRONY = Spectrum((30.0, 5.0, 2.0), (0.01, 0.05, 0.225), 0.0)
 DAMPED = Spectrum((3.0, 1.0), (0.2, 0.1), 0.3)  # branches and a dashpot
 MATERIALS = {"kelvin": KELVIN, "solid": SOLID, "prony": PRONY, "damped": DAMPED}
 
-EVERY_LEG = (  # every kind of leg, with ends between samples
+EVERY_LEG = (  # every kind of leg, some ending between samples
     Slide(0.5, 4.3),
     Hold(2.0),
     Slide(-0.8, 3.0),
@@ -25,7 +25,7 @@ EVERY_LEG = (  # every kind of leg, with ends between samples
     Sampled((0.0, 3.0, 5.0, 7.0), (0.7, 0.0, 0.0, -0.4)),
 )
 
-PULLS = (  # of a drive, there and back
+PULLS = (  # legs of a drive, forwards and backwards
     Slide(1.3, 4.0),
     Hold(0.7),
     Slide(2.0, 3.0),
@@ -43,7 +43,7 @@ def a_line(elements=None, hurst=0.7, m=4, seed=3):
 
 
 def a_scene(programme, spectrum=KELVIN, m=4, **changes):
-    """Return a scene at F̄ = 0.3 or a given indentation, with every step recorded."""
+    """Return a scene with F̄ = 0.3 or a given indentation, and with every step recorded."""
     values = {
         "spectrum": spectrum,
         "scheme": "exponential",

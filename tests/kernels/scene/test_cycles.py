@@ -1,4 +1,4 @@
-"""Mean friction over cycles: against sums over all steps, and against theory in full contact."""
+"""Mean friction over cycles, against sums over all steps and theory in full contact."""
 
 import math
 
@@ -12,21 +12,21 @@ from elastomer_friction.kernels.scene import SCENE_QUANTITIES, run_scene, scene_
 from tests.kernels.scene.given import MATERIALS, PRONY, a_line, a_scene
 from tests.sizes import size
 
-Q = 2.0 * math.pi / 16.0  # wave number of a line of one wave, in 1/dx
-DEEP = 30.0  # an indentation at which all of it touches, in h
+Q = 2.0 * math.pi / 16.0  # wave number of a line with one wave, in 1/dx
+DEEP = 30.0  # indentation of full contact, in h
 
 
 def bessel(n, x):
-    """Return J_n(x) by its integral: trapezoids over a period, exact to rounding."""
+    """Return J_n(x) by the trapezoidal rule over a period, exact to rounding."""
     angle = 2.0 * math.pi * np.arange(256) / 256
     return np.mean(np.cos(n * angle - x * np.sin(angle)))
 
 
 def mean_in_full_contact(spectrum, speed, amplitude, omega):
-    """Return mean friction (h/dx) of a wave cos Q x that moves by v t + a sin(omega t).
+    """Return the mean friction (h/dx) of a wave cos Q x that moves by v t + a sin(omega t).
 
-    The wave is exp(-i Q X) = sum J_n(Q a) exp(-i (Q v + n omega) t), and each of its frequencies
-    rubs alone: F_x = Q/2 sum J_n(Q a)^2 G''(Q v + n omega)/G.
+    The wave is exp(-i Q X) = sum J_n(Q a) exp(-i (Q v + n omega) t). Its frequencies contribute
+    independently: F_x = Q/2 sum J_n(Q a)^2 G''(Q v + n omega)/G.
     """
     n = np.arange(-60, 61)
     weight = np.array([bessel(order, Q * amplitude) for order in n]) ** 2

@@ -1,4 +1,4 @@
-"""The work balance of programmes, and the dissipation of one unit against quadrature."""
+"""Energy balance of programmes, and the dissipation of a step against quadrature."""
 
 import itertools
 
@@ -24,7 +24,7 @@ PROGRAMMES = {
 
 
 def balance(result):
-    """Return (work - change of stored - dissipated, closing work, dissipated), cumulative."""
+    """Return (work - change of stored - dissipated, closing work, dissipated), all cumulative."""
     change = result["stored_energy"] - result["stored_energy"][0]
     missing = result["work"] - change - result["dissipated_energy"]
     return missing, result["closing_work"], result["dissipated_energy"]
@@ -76,7 +76,7 @@ def missing_work(name, programme, refinements, seeds):
 @pytest.mark.parametrize(("name", "order"), [("solid", 1.5), ("damped", 0.8)])
 @pytest.mark.parametrize("programme", PROGRAMMES)
 def test_the_balance_closes_at_second_order_with_a_glassy_modulus(programme, name, order):
-    """With a dashpot and branches the order is one, because forces jump at touch-down."""
+    """With a dashpot and branches, the order is one because forces jump at touch-down."""
     refinements = np.array([4, 8, 16, 32])[: size(4, 2)]
     errors = missing_work(name, programme, refinements, size(3, 1))
     assert observed_order(refinements, errors) > size(order, 0.3)
@@ -93,7 +93,7 @@ def test_a_relaxed_line_at_rest_does_no_work():
 @pytest.mark.parametrize("name", MATERIALS)
 @pytest.mark.parametrize("dt", [1e-6, 0.03, 50.0])
 def test_a_step_dissipates_the_integral_of_the_rates(name, dt):
-    """lambda/J int (dy/dt)^2 dt of every unit, under the force that the scheme assumes."""
+    """Integrate lambda/J (dy/dt)^2 over a step for every unit, under the force of the scheme."""
     form = FORMS_BY_SCHEME["exponential"](MATERIALS[name])
     law = law_of(form, dt)
     rng = np.random.default_rng(1)
@@ -105,8 +105,8 @@ def test_a_step_dissipates_the_integral_of_the_rates(name, dt):
     nodes, weights = np.polynomial.legendre.leggauss(40)
     for compliance, time, y in zip(form.compliances, form.times, memory, strict=True):
         slope = (new - begun) / dt
-        steady = -compliance * (begun - time * slope)  # what y tends to, at the start
-        # Parts between which the exponential is smooth, whatever the step.
+        steady = -compliance * (begun - time * slope)  # limit of y under the force at the start
+        # The exponential is smooth within each of these parts, for any step.
         edges = np.unique(np.minimum(np.array([0.0, 1.0, 4.0, 16.0, 40.0, np.inf]) * time, dt))
         for a, b in itertools.pairwise(edges):
             t = 0.5 * (a + b) + 0.5 * (b - a) * nodes[:, None]

@@ -1,4 +1,4 @@
-"""Scenes with a known answer: moduli, relaxation and creep of the material."""
+"""Scenes with known results: moduli, relaxation and creep of the material."""
 
 import math
 
@@ -14,11 +14,11 @@ from tests.convergence import observed_order
 from tests.kernels.scene.given import MATERIALS, PRONY, SOLID, a_line, a_scene
 from tests.sizes import size
 
-Q = 2.0 * np.pi / 16  # of the wave that is pressed in
+Q = 2.0 * np.pi / 16  # wave number of the indenting wave, in 1/dx
 
 
 def response(spectrum, omega, m, cycles, samples=0.03):
-    """Return F_x over X, in 4 G L h^2/dx per dx, of a small oscillation in full contact."""
+    """Return F_x/X of a small oscillation in full contact, in 4 G L h^2/dx per dx."""
     amplitude = samples / m
     x = np.arange(16 * m) / m
     line = Line.from_samples(np.cos(Q * x), -Q * np.sin(Q * x), m)
@@ -31,7 +31,7 @@ def response(spectrum, omega, m, cycles, samples=0.03):
     return complex(*measured) / amplitude
 
 
-CYCLES = {3.0: 6, 30.0: 24}  # by omega
+CYCLES = {3.0: 6, 30.0: 24}  # number of cycles by omega
 
 
 def errors_of_moduli(spectrum, refinements):
@@ -43,16 +43,16 @@ def errors_of_moduli(spectrum, refinements):
 
 @pytest.mark.parametrize("name", MATERIALS)
 def test_a_small_oscillation_in_full_contact_shows_the_complex_modulus(name):
-    """At second order; motion of 0.03 samples."""
+    """The amplitude is 0.03 samples; errors are of second order."""
     errors = errors_of_moduli(MATERIALS[name], (4, 8)[: size(2, 1)])
     assert errors[0].max() < 5e-3
-    # With a dashpot beside branches the order is lower where one of them is a few steps long.
+    # With a dashpot and branches, the order is lower if a branch's time is a few steps.
     fall = 0.6 if name == "damped" else 0.35
     assert (errors[-1] < size(fall, 1.1) * errors[0]).all()
 
 
 def relaxation_errors(spectrum, refinements, scheme="exponential"):
-    """Return the largest error of F = mean(d - z) G(t) in a hold at constant indentation."""
+    """Return the maximum error of F = mean(d - z) G(t) in a hold at constant indentation."""
     errors = []
     for m in refinements:
         line = a_line(8, 0.7, m, 1)
@@ -66,7 +66,7 @@ def relaxation_errors(spectrum, refinements, scheme="exponential"):
 
 
 def test_stress_relaxes_as_the_modulus_at_second_order():
-    """At constant indentation from the first moment on; exact in the relaxation form."""
+    """The indentation is constant from the start; the relaxation form is exact."""
     assert relaxation_errors(PRONY, [2], "implicit-euler") < 1e-11
     refinements = np.array([2, 4, 8, 16])
     errors = relaxation_errors(PRONY, refinements)

@@ -1,4 +1,4 @@
-"""Scenes in blocks, against the march of all elements."""
+"""March in blocks, against the march of all elements."""
 
 import gc
 
@@ -26,7 +26,7 @@ MOTIONS = {
 
 
 def both(monkeypatch, line, scene):
-    """Return the values of a scene by the march in blocks and by that of all elements."""
+    """Return the values of a scene by the march in blocks and by the march of all elements."""
     result = run_scene(line, scene)
     with monkeypatch.context() as patch:
         patch.setattr(run, "Retardation", RelaxationForm)
@@ -34,7 +34,7 @@ def both(monkeypatch, line, scene):
 
 
 def assert_equal(result, plain):
-    """Assert that values agree to rounding, with a wider tolerance for a sum over all steps."""
+    """Assert that values agree to rounding; sums over all steps have a wider tolerance."""
     for name, values in plain.items():
         scale = np.nanmax(np.abs(values), initial=0.0)
         tolerance = 1e-12 if name == "closing_work" else 1e-13
@@ -46,7 +46,7 @@ def assert_equal(result, plain):
 @pytest.mark.parametrize("motion", MOTIONS)
 @pytest.mark.parametrize("name", [*MATERIALS, "wide"])
 def test_a_march_of_few_blocks_equals_that_of_all_elements(monkeypatch, name, motion):
-    """Most of the long line cannot touch."""
+    """Most elements of the long line cannot touch."""
     spectrum = MATERIALS.get(name, WIDE)
     line = a_line(size(400, 40))
     scene = a_scene(
@@ -78,7 +78,7 @@ def test_all_quantities_equal_those_of_the_march_of_all_elements(
 
 @pytest.mark.parametrize("motion", MOTIONS)
 def test_the_choice_of_blocks_changes_no_bit(monkeypatch, motion):
-    """Energies need all blocks, and shorter stages choose other blocks."""
+    """Energies need all blocks, and shorter stages lead to other choices."""
     line = a_line(size(400, 40))
     scene = a_scene(MOTIONS[motion], WIDE, load=0.05, start="relaxed", requested=("trace", "state"))
     few = run_scene(line, scene)

@@ -1,4 +1,4 @@
-"""March of all elements through programmes: against other marches, schemes and finer steps."""
+"""March of all elements through programmes, against other marches, schemes and finer steps."""
 
 import numpy as np
 import pytest
@@ -13,7 +13,7 @@ from tests.sizes import size
 
 
 def after_a_jump(scheme, ratio, steps):
-    """Return mu and indentation of Kelvin elements by the general path, and by the march."""
+    """Return (mu, indentation) of Kelvin elements by ``run_scene`` and by ``march``."""
     line = a_line()
     n, m = line.z.size, line.steps_per_spacing
     before, after = (SCHEMES[scheme](1.0 / (m * v)) for v in (0.5, 0.5 * ratio))
@@ -22,7 +22,7 @@ def after_a_jump(scheme, ratio, steps):
     weight = lagged_slope(line.slope, after.lag)
     control = ConstantForce(0.3 * n)
     mu, d, _, _ = march(after, control, line.z, weight, state, numbers, np.inf)
-    # One step at the old speed stays in the steady state.
+    # The first step, at the old speed, stays in the steady state.
     programme = (Slide(0.5, 1.0 / m), Slide(0.5 * ratio, numbers.size / m))
     result = trace(line, programme, KELVIN, scheme=scheme)
     acting = d + after.lag * (np.append(state.d, d[:-1]) - d)
@@ -40,7 +40,7 @@ def test_kelvin_elements_after_a_jump_follow_the_march_to_rounding(scheme, ratio
 def gaps_of_schemes(name, refinements, seeds):
     """Return rms differences of mu(t) between both schemes, shape (refinements, seeds).
 
-    Over a start from rest, a hold, a reversal and a ramp: they share the contact step alone.
+    Over a start from rest, a hold, a reversal and a ramp. They share only the contact step.
     """
     programme = (
         Slide(4.0, 2.0),
@@ -70,9 +70,9 @@ def test_both_schemes_agree_at_second_order(name):
 
 
 def errors_over_time(name, refinements):
-    """Return rms errors of mu(t), over its rms, of some lines: (refinements, lines).
+    """Return rms errors of mu(t) over its rms, shape (refinements, lines).
 
-    From rest and over a step of velocity, against a march four times as fine as the last one.
+    The line starts from rest and has a velocity step. The reference has four times finer steps.
     """
     curves, lines = [], size(3, 1)
     for m in (*refinements, 4 * refinements[-1]):

@@ -1,4 +1,4 @@
-"""Scenes: their start, their steps and their records."""
+"""Scenes: initial states, steps and recorded values."""
 
 import itertools
 import math
@@ -77,7 +77,7 @@ def test_steps_at_rest_end_at_the_times_of_the_indentation_history():
     steps, plain = scene_steps(scene, M), steps_of(scene.programme, M)
     end = np.cumsum(steps.dt)
     assert np.abs(end - 2.7).min() < 1e-12
-    assert end.size == plain.dt.size + 1  # 0.3 lies within the slide, 9 beyond the end
+    assert end.size == plain.dt.size + 1  # 0.3 is during the slide, 9 after the end
     np.testing.assert_allclose(end[[3, -1]], np.cumsum(plain.dt)[[3, -1]], rtol=1e-13)
     np.testing.assert_array_equal(steps.position[:4], plain.position[:4])
     np.testing.assert_array_equal(steps.dt[:4], plain.dt[:4])
@@ -218,7 +218,7 @@ def test_snapshots_show_the_line_pressed_into_the_elements(start):
     assert gap.min() > -1e-12
     touching = np.mean(gap < 1e-12, axis=1)
     np.testing.assert_allclose(touching, result["trace_contact_fraction"][frames])
-    for frame, step in ((0, 0), (1, 1), (2, 5)):  # whole samples: the line itself, less d
+    for frame, step in ((0, 0), (1, 1), (2, 5)):  # whole samples: the given line, less d
         np.testing.assert_allclose(np.ptp(np.roll(LINE.z, step) - height[frame]), 0.0, atol=1e-12)
 
 

@@ -1,4 +1,4 @@
-"""Velocity jumps for the tests of the active-set march."""
+"""Velocity jumps for tests of the active-set march."""
 
 from typing import NamedTuple
 
@@ -35,7 +35,7 @@ class Jump(NamedTuple):
 
 
 def setting_of(jump, elements, seed=1, line=None):
-    """Return (JumpProblem, load)."""
+    """Return (JumpProblem, load) of a Jump."""
     z, slope = random_line(elements, jump.hurst, jump.m, seed) if line is None else line
     load = jump.load * z.size
     laws = [SCHEMES[jump.scheme](np.pi / (jump.m * jump.x * r)) for r in (1.0, jump.ratio)]
@@ -49,13 +49,13 @@ def setting_of(jump, elements, seed=1, line=None):
 
 
 def steady_state_of(z, law, state):
-    """Return a State as the SteadyState of a march."""
+    """Return the SteadyState of a march for a State."""
     w, d = state
     u = np.minimum(w, z - d)
     above = np.append(np.arange(SPAN, z.size, SPAN), 0)
     entered = np.full(z.size // SPAN + 1, np.nan)
     entered[: above.size] = u[above]
-    thresholds = thresholds_of(z, z, 1.0, law.stiffness)  # of contact: at any speed and slopes
+    thresholds = thresholds_of(z, z, 1.0, law.stiffness)  # speed and slopes do not matter
     return SteadyState(decay_factors(law), thresholds.contact, entered, d)
 
 
@@ -70,7 +70,7 @@ def states_of(setting):
 
 
 def size_of_jump(setting, jump, load):
-    """Return the jump of mu, without sign."""
+    """Return the absolute jump of mu."""
     v, start = jump.x / np.pi, states_of(setting)[0]
     before, after = (
         quadrature(setting.z, setting.slope, *start, v, speed, load)[0]
@@ -83,7 +83,7 @@ def dense(setting, load, kept_steps):
     """Return (deviation of mu from its steady value at v2, indentation) by the plain march."""
     law, (one, (w, d)) = setting.law, states_of(setting)
     weight = lagged_slope(setting.slope, law.lag)
-    # A cap leaves out samples that cannot touch, where small displacements would lose digits.
+    # The cap excludes samples that cannot touch, where small displacements would lose digits.
     for cap in (1.02 * max(one.d, d), 1.001 * max(one.d, load)):
         mu, indentation, _, inside = march(
             law, ConstantForce(load), setting.z, weight, one, kept_steps, cap
@@ -95,7 +95,7 @@ def dense(setting, load, kept_steps):
 
 
 def rounding_of_mu(setting, load):
-    """Return the rounding error of mu, from overlaps that are differences of heights."""
+    """Return the rounding error of mu, which comes from overlaps as differences of heights."""
     w, d = states_of(setting)[1]
     touching = (setting.z - w < d).sum()
     overlap = load / setting.law.stiffness / touching

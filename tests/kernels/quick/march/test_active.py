@@ -1,4 +1,4 @@
-"""The active-set march against the plain march, with and without shorter lists, and its work."""
+"""The active-set march, with and without shortened lists: agreement with the plain march, work."""
 
 import itertools
 from functools import partial
@@ -49,7 +49,7 @@ REGIMES = [
 
 
 def assert_same(setting, load, jump, kept_steps, margins=BOUND_MARGINS):
-    """Compare with the plain march, to 1e-9 of the jump plus the rounding of mu."""
+    """Compare with the plain march to 1e-9 of the jump plus the rounding of mu."""
     mu, d, settled, _, inside = active_march(setting, ConstantForce(load), kept_steps, margins)
     assert inside
     deviation, expected = dense(setting, load, kept_steps)
@@ -68,7 +68,7 @@ def test_equals_the_plain_march_in_every_regime(hurst, scheme):
 
 
 def marched(setting, control, steps, shortening=True, margin=0.1):
-    """Return (mu, indentation, inside, work) of a march, with or without shorter lists."""
+    """Return (mu, indentation, inside, work) of a march with or without shortened lists."""
     start = setting.start
     guess = predict_first_indentation(control, setting)
     bounds = initial_bounds(setting, guess, margin)
@@ -101,10 +101,10 @@ def marched(setting, control, steps, shortening=True, margin=0.1):
     margin=st.sampled_from([0.0, 1e-3, 0.05, 0.1, 0.3, 0.5]),
 )
 def test_small_lines(elements, seed, hurst, m, load, x, ratio, scheme, margin):
-    """A march may fail, for the plain march to take over, but never gives different numbers.
+    """A march may fail, and the plain march takes over, but it never gives different numbers.
 
-    The same holds if lists are shortened as early as possible, however often the march has to
-    return to longer ones; it succeeds if its initial bounds hold.
+    The same holds if lists are shortened as early as possible and the march has to return to longer
+    ones any number of times. It then succeeds if its initial bounds hold.
     """
     jump = Jump(hurst, m, 10.0**load, 10.0**x, ratio, scheme)
     setting, load = setting_of(jump, max(elements, -(-4 // m)), seed)
@@ -137,7 +137,7 @@ def test_shorter_lists_save_work():
 
 
 def test_a_restarted_march_shortens_its_lists_too():
-    """At H = 1 and large x, d comes to rest and moves again when a higher asperity lands."""
+    """At H = 1 and large x, d becomes constant and changes again when a higher asperity lands."""
     setting, load = setting_of(Jump(1.0, 4, 0.025, size(3e3, 150.0), 0.8), size(2000, 100))
     steps = size(10_000, 500)
     march_with = partial(active_march, setting, ConstantForce(load), np.array([steps]))
