@@ -89,7 +89,7 @@ def _safe_folder(base: Path) -> Path:
 def select_processor() -> None:
     """Compile for x86-64-v3 if a wheel contains such machine code and this processor supports it.
 
-    Child processes inherit the environment variables; on an unsuitable processor they remove them.
+    Child processes inherit the environment variables, and remove them on an unsuitable processor.
     """
     fits = {name for name, present in get_host_cpu_features().items() if present} >= V3_FEATURES
     requested = os.environ.get("NUMBA_CPU_NAME")
@@ -120,7 +120,7 @@ class KernelCache(NullCache, CompileResultCacheImpl):
         for path in (SHIPPED / name, self.path):
             if overload := self._load(path, target_context):
                 return overload
-        self.file = _locked(self.path)
+        self.file = _open_locked(self.path)
         overload = self._load(self.path, target_context)  # another process may have saved it
         if overload and self.file:
             self.file.close()
@@ -151,7 +151,7 @@ class KernelCache(NullCache, CompileResultCacheImpl):
         return None
 
 
-def _locked(path: Path) -> IO[bytes] | None:
+def _open_locked(path: Path) -> IO[bytes] | None:
     """Open a file and lock it until it is closed; return None if it cannot be locked."""
     end = time.monotonic() + LOCK_SECONDS
     with contextlib.ExitStack() as stack, contextlib.suppress(OSError):

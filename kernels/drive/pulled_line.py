@@ -32,18 +32,18 @@ def run_pulled(line: Line, scene: SceneCase, drive: Drive) -> dict[str, np.ndarr
     m, n = line.steps_per_spacing, line.z.size
     times, speed = recorded_times(scene, m), initial_speed(scene)
     form = form_of(scene.spectrum, scene.scheme)
-    begin = initial_state(line, scene, form)
+    initial = initial_state(line, scene, form)
     control, placed = ConstantForce(scene.load * n), shiftable_line(line.z, line.slope, float(m))
-    elements = Elements(begin.memory, begin.p, begin.d)
+    elements = Elements(initial.memory, initial.p, initial.d)
     rig_of = block_rig if isinstance(form, Retardation) else plain_rig
     rig = rig_of(form, control, placed, elements)
     sign, slope = (-1 if speed < 0.0 else 1), line.slope
     if speed:
         earlier = np.roll(line.slope, -sign)
         slope = slope + law_of(form, 1.0 / (m * abs(speed))).lag * (earlier - slope)
-    normal, tangential, touching = weighted_sums(-begin.p, None, slope, 0.0)
+    normal, tangential, touching = weighted_sums(-initial.p, None, slope, 0.0)
     means = normal / n, tangential / n, touching / n
-    forces = tangential / normal, begin.d, *means, samples_per_contact(begin.p)
+    forces = tangential / normal, initial.d, *means, samples_per_contact(initial.p)
     values, tries = pull_through(follow_leg_of_line, rig, line, forces, drive, scene, times)
     values["trace_indentation"] = values["trace_indentation"] + line.datum
     return values | {"updates": np.array(2.0 * tries * n)}

@@ -30,7 +30,7 @@ FIRST_CREEP_STEP = 0.1  # first step of a search, in samples
 MAX_STEP_GROWTH = 1.5  # the slider sticks if a step would be longer than this times the last one
 MAX_STEPS_TO_SAMPLE = 2.0  # maximum distance to a sample that is tried, over the last distance
 MAX_SPEED_RATIO = 1.4  # of the expected speed to the last one, or of the last to the expected
-MIN_STEP_SHARE = 1e-3  # of a step: a shorter rest of a leg is left to the next leg
+MIN_STEP_SHARE = 1e-3  # of a step: a shorter remainder of a leg is left to the next leg
 
 # Results of a search that the next one starts from: one record, changed in place.
 SEARCH_MEMORY = np.dtype(

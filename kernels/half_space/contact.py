@@ -47,7 +47,7 @@ class Operator(NamedTuple):
     modes: np.ndarray  # complex
     fields: np.ndarray  # shape (3, rows, n)
     preconditioned: np.ndarray  # shape (rows n,)
-    free: np.ndarray  # shape (rows n,), int64: samples whose p may change
+    free: np.ndarray  # shape (rows n,), int64: indices of samples whose p may change
 
     @classmethod
     def of(cls, stiffness: np.ndarray, n: int) -> "Operator":

@@ -44,7 +44,7 @@ def waves_of_map(amplitude: np.ndarray, elements: int) -> Waves:
 def waves_of_line(amplitude: np.ndarray, elements: int) -> Waves:
     """Return the waves of the isotropic surface whose equivalent line has these amplitudes.
 
-    C_1D = pi q C_2D (lines/equivalent.py): a ring of waves has the mean square of a mode.
+    C_1D = pi q C_2D (lines/equivalent.py): each ring has the mean square height of one mode.
     """
     q, power = _rings(2.0 * np.pi / elements * np.arange(1, amplitude.size + 1), 0.5 * amplitude**2)
     cosines = np.cos(0.5 * np.pi * (np.arange(QUADRANT_ANGLES) + 0.5) / QUADRANT_ANGLES)

@@ -1,4 +1,4 @@
-"""Scenes on a half-space: a surface moves over it by a programme.
+"""Scenes on a half-space: a surface moves over it according to a programme.
 
 The steps are those of a line (scene/scene_case.py). At whole samples the given surface lies over
 other elements; between samples it is shifted along x by Fourier (motion/fourier.py).

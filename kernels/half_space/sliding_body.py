@@ -1,4 +1,4 @@
-"""Steady sliding of a half-space: the fixed point of a step of the march.
+"""Steady sliding of a half-space: the fixed point of the steps of a march.
 
 Direct solution. In the frame of the surface, a step has the complex compliance B = A J(zeta) for a
 wave (response.py), and the gap is g = z + B p - d. Each iteration solves an elastic contact with
@@ -68,14 +68,14 @@ def slide_steadily(
     if full:
         body, passes = _steady_body(space, memory, full_p, float(surface.z.mean())), 1
     elif spectrum == KELVIN and np.any(np.abs(response.imag) / response.real > MIN_MARCHED_LOSS):
-        body, passes = _marched(space, step, speed, start)
+        body, passes = _march(space, step, speed, start)
     else:
-        body, passes = _direct(space, step, response, memory, start)
+        body, passes = _solve_directly(space, step, response, memory, start)
     step_mu = mean_slope(body.p, step.weight)
     exact = 1.0 if full or spectrum.viscosity > 0.0 else 0.5
     modulus = complex_modulus(spectrum, q * speed)
     dissipative_mu = _mu_by_dissipation(space, modulus, response, exact, body.p)
-    viscous = _viscous(spectrum, surface.steps_per_spacing * speed)
+    viscous = _jump_weight(spectrum, surface.steps_per_spacing * speed)
     mu = dissipative_mu + viscous * (step_mu - dissipative_mu)
     # The sum may have the wrong sign if contacts consist of single samples.
     if full or mu * dissipative_mu <= 0.0:
@@ -83,7 +83,7 @@ def slide_steadily(
     return SlidingBody(body, step, mu, step_mu, viscous, passes)
 
 
-def _viscous(spectrum: Spectrum, steps: float) -> float:
+def _jump_weight(spectrum: Spectrum, steps: float) -> float:
     """Return the weight of pressure jumps, from 0 to 1; steps : number per tau, signed."""
     if spectrum.viscosity == 0.0:
         return 0.0
@@ -130,7 +130,7 @@ def _steady_body(space: HalfSpace, memory: np.ndarray, p: np.ndarray, d: float) 
     return Body(np.array(fields), np.fft.irfft2(waves, p.shape).ravel(), p, d, 0)
 
 
-def _direct(
+def _solve_directly(
     space: HalfSpace, step: Step, response: np.ndarray, memory: np.ndarray, start: Body | None
 ) -> tuple[Body, int]:
     """Solve for steady sliding by iterated elastic contacts; return (body, passes).
@@ -139,7 +139,7 @@ def _direct(
     """
     z, shape, compliance = space.surface.z, space.surface.z.shape, space.operator.compliance
     symmetric = compliance * (np.abs(response) ** 2 / response.real)
-    rest = compliance * response - symmetric
+    remainder = compliance * response - symmetric
     operator = Operator.inverse(symmetric, shape[1])
     passes, tolerance, mu = 0, _tolerance_at(math.inf), math.inf
     gap, contact = z, None
@@ -149,7 +149,7 @@ def _direct(
     steepest = float(np.abs(space.surface.slope).max())
     for _ in range(MAX_DIRECT_ITERATIONS):
         if contact is not None:
-            gap = z + np.fft.irfft2(np.fft.rfft2(contact.p) * rest, shape)
+            gap = z + np.fft.irfft2(np.fft.rfft2(contact.p) * remainder, shape)
             contact, passes = contact._replace(passes=0), passes + 1
         contact = press(gap, space.pressure, operator, contact, tolerance)
         passes += contact.passes
@@ -164,8 +164,8 @@ def _direct(
     )
 
 
-def _marched(space: HalfSpace, step: Step, speed: float, start: Body | None) -> tuple[Body, int]:
-    """March until mu is steady; return (body, passes). The deviation falls by e in a time tau.
+def _march(space: HalfSpace, step: Step, speed: float, start: Body | None) -> tuple[Body, int]:
+    """March until mu is steady; return (body, passes). Deviations fall by a factor e in a time tau.
 
     An element meets the same sample again after a period, and remembers the share exp(-L/(v tau))
     of its state. After a constant phase, mu may therefore change by this share of its change a

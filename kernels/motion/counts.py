@@ -56,7 +56,7 @@ def count_steps(
         if isinstance(leg, Slide):
             end = position + math.copysign(leg.distance * m, leg.speed)
             end = snap_to_sample(end) if math.isfinite(end) else end
-            counts.append(_crossings(position, end))
+            counts.append(_count_slide_steps(position, end))
             position = end
         elif isinstance(leg, Hold):
             counts.append(_count_hold_steps(leg, m, speed, shortest))
@@ -70,8 +70,8 @@ def count_steps(
     return np.array(counts + [0.0] * (len(programme) - len(counts)), float)
 
 
-def _crossings(begin: float, end: float) -> float:
-    """Return the number of steps to another position that end at whole samples, or there."""
+def _count_slide_steps(begin: float, end: float) -> float:
+    """Return the number of steps that ``step_ends`` gives between two positions."""
     low, high = min(begin, end), max(begin, end)
     if not math.isfinite(high - low):
         return math.inf

@@ -94,7 +94,7 @@ def steps_of(
     places, times, legs = [np.empty(0)], [np.empty(0)], [np.empty(0, np.int64)]
     for number, leg in enumerate(programme):
         check_leg(leg)
-        place, dt = _steps(leg, steps_per_spacing, position, speed, shortest)
+        place, dt = _leg_steps(leg, steps_per_spacing, position, speed, shortest)
         if place.size:
             if dt.min() < shortest:
                 raise ValueError(
@@ -168,7 +168,7 @@ def check_leg(leg: Leg) -> None:
         raise ValueError(f"{leg}: a leg like this has no meaning")
 
 
-def _steps(
+def _leg_steps(
     leg: Leg, m: int, position: float, speed: float, shortest: float
 ) -> tuple[np.ndarray, np.ndarray]:
     """Return (positions, dt) of one leg."""
@@ -191,7 +191,7 @@ def first_hold_step(leg: Hold, m: int, speed: float, shortest: float) -> float:
 
 
 def has_equal_steps(leg: Oscillation, m: int) -> bool:
-    """Return whether a step of 1/min_cycle_steps of a cycle never exceeds a sample."""
+    """Return whether min_cycle_steps equal steps in a cycle never exceed a sample each."""
     fastest = abs(leg.speed) + 2.0 * math.pi * leg.frequency * leg.amplitude
     return fastest * m <= leg.frequency * min_cycle_steps(m)
 

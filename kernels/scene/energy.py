@@ -26,8 +26,8 @@ ENERGIES = ("stored_energy", "dissipated_energy", "work", "closing_work")
 class EnergyRecord(NamedTuple):
     """Energies at the recorded steps, and their running sums."""
 
-    energies: np.ndarray  # shape (4, recorded), as named by ENERGIES, in 4 G L h^2; all but the
-    # first are sums since the start
+    energies: np.ndarray  # shape (4, recorded), in the order of ENERGIES, in 4 G L h^2; all but
+    # the first are sums since the start
     sums: np.ndarray  # dissipated energy, work, closing work since the start, in 4 G dx h^2
 
 

@@ -1,4 +1,4 @@
-"""March through a programme of the elements with Prony series that can touch.
+"""March through a programme, for Prony series, that steps only elements that can touch.
 
 An element is never pulled up, so it cannot touch where the line lies above a cap that exceeds the
 indentation. Only blocks with part of the line below the cap are stepped. The memory of the others
@@ -6,7 +6,7 @@ needs no step because it is stored divided by its decay (rheology/scaled_units.p
 indentation exceeds the cap, more blocks are added in the same step. Results do not depend on the
 choice of blocks, to the bit.
 
-A step takes one pass over the blocks, and then passes over their thresholds that balance the load.
+A step takes one pass over the blocks, and as many passes over their thresholds as balance the load.
 The pass over the blocks computes the forces from the thresholds of the last step, adds them to the
 memory, predicts the memory in the new step and fills the new thresholds. At the end of a leg the
 memory is unscaled, so that a programme cut between legs resumes bit for bit.
@@ -87,11 +87,11 @@ class BlockMarch(NamedTuple):
     form: Retardation
     control: Any  # determines the indentation (model/balance.py)
     track: Track
-    done: int  # number of steps before the track
+    done: int  # number of steps taken before the track
     all_blocks: bool  # whether all blocks are stepped
     lowest: np.ndarray  # minimum over all lines in each cell
     blocks: ElementBlocks
-    rows: SpringRows  # thresholds of blocks; the chosen ones come first
+    rows: SpringRows  # thresholds of all blocks, and a list of the chosen ones
     constants: np.ndarray  # of the law of the last step, as fill_law leaves them
     settling: np.ndarray  # workspace of advance_and_predict
     depths: np.ndarray  # workspace of _sums
@@ -111,7 +111,7 @@ class Progress(NamedTuple):
 
 @kernel
 def in_blocks(elements, done):
-    """Return Elements as BlockElements; done : number of steps before."""
+    """Return Elements as BlockElements; done : number of steps taken so far."""
     units, n = elements.memory.shape
     count = (n + BLOCK_ELEMENTS - 1) // BLOCK_ELEMENTS
     memory, c = np.zeros((count, units, BLOCK_ELEMENTS)), np.full((count, BLOCK_ELEMENTS), np.inf)
@@ -125,7 +125,7 @@ def in_blocks(elements, done):
 
 @kernel
 def elements_of(state, n):
-    """Return n elements in BlockElements as Elements."""
+    """Return BlockElements as Elements; n : their number without padding."""
     p = _forces(state.c, state.last)[:n]
     return Elements(_memory(state.blocks, p), p, state.d)
 
@@ -187,7 +187,7 @@ def march_blocks(
     end = first_after(ends, done)
     room = np.empty((5, blocks.memory.shape[1])), np.empty(2 * BLOCK_ELEMENTS)
     more_room = np.empty(c.size + c.shape[0] + 1), np.zeros(n)
-    all_blocks, lowest, memory = energies is not None, _lowest(track.z), np.empty((0, n))
+    all_blocks, lowest, memory = energies is not None, _cell_minima(track.z), np.empty((0, n))
     march = BlockMarch(
         form, control, track, done, all_blocks, lowest, blocks, rows, *room, *more_room
     )
@@ -252,7 +252,7 @@ def _march(march, now, s, until):
 def _step(march, law, t, old, last, choice):
     """Advance the blocks that can touch by step t; return (d, passes, Choice).
 
-    old : indentation before. last : Indenter of the last step. The rows get the new thresholds.
+    old : indentation before step t. last : Indenter of the last step. The rows get new thresholds.
     """
     track, rows, lowest = march.track, march.rows, march.lowest
     n, begin = track.z.shape[1] // 2, track.begin[t + 1]
@@ -289,7 +289,7 @@ def _balance(march, law, t, old, last, count):
 
 
 @kernel
-def _lowest(z):
+def _cell_minima(z):
     """Return the minimum over all lines in each cell of the two periods; z : of a Track."""
     lowest = np.full((z.shape[1] + CELL_SAMPLES - 1) // CELL_SAMPLES, np.inf)
     for line in range(z.shape[0]):
@@ -320,7 +320,7 @@ def round_apart(one, other, n):
 
 @inlined_kernel
 def can_touch(lowest, begin, b, n, cap):
-    """Return whether part of the line is below the cap over block b, for all shifts allowed."""
+    """Return whether part of the line over block b is below the cap, for any allowed shift."""
     first = (begin + b * BLOCK_ELEMENTS - MAX_SHIFT_SAMPLES) % n
     last = min(first + BLOCK_ELEMENTS + 2 * MAX_SHIFT_SAMPLES, 2 * n) - 1
     below = False

@@ -1,8 +1,8 @@
 """March of all elements of a foundation at rest under a line that moves through a programme.
 
 It supports any material with internal variables, any control and any motion. It is the reference
-for march_blocks.py, which steps only elements that can touch, with Prony series. Laws, controls and
-recorders dispatch on their types, so recorders that are not requested are not compiled.
+for march_blocks.py, which supports Prony series only and steps only elements that can touch. Laws,
+controls and recorders dispatch on their types: recorders that are not requested are not compiled.
 """
 
 import numpy as np
@@ -36,8 +36,8 @@ def march_elements(
     form : of the material (rheology/law.py). control : determines the indentation (control/).
     track : line at every step (motion/track.py). elements : before the first step; their arrays
     are not changed. done : number of steps before this track.
-    recorded : numbers of the steps recorded in trace, energies and lengths, increasing. frames :
-    the same for snapshots. Each of these recorders may be None. window : AveragingWindow or None.
+    recorded : increasing numbers of the steps that trace, energies and lengths record. frames :
+    those for snapshots. Each of these recorders may be None. window : AveragingWindow or None.
     passes : over the thresholds, in all steps.
     """
     n = elements.p.size

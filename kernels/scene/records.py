@@ -62,7 +62,7 @@ def record_trace(trace, k, lag, before, now, old, new, p):
 
 @inlined_kernel
 def record_forces(trace, k, lag, sums, n, old, new):
-    """Record the sums of eq. 5 over n elements (weighted_sums); else like record_trace."""
+    """Record the sums of eq. 5 over n elements; the other arguments are those of record_trace."""
     normal, tangential, touching = sums
     trace.mu[k] = tangential / normal if normal > 0.0 else np.nan
     trace.indentation[k] = new + lag * (old - new)

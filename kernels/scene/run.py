@@ -116,20 +116,20 @@ def run_scene(
     steps = scene_steps(scene, m, state.origin if state else ZERO_ORIGIN)
     check_scene(scene, steps, state is not None)
     form = form_of(scene.spectrum, scene.scheme)
-    begin = state or initial_state(line, scene, form)
+    initial = state or initial_state(line, scene, form)
     control: ConstantForce | PrescribedIndentation = ConstantForce(scene.load * z.size)
     if scene.indentation is not None:
-        times = np.cumsum(np.append(begin.time, steps.dt))[1:]
+        times = np.cumsum(np.append(initial.time, steps.dt))[1:]
         control = PrescribedIndentation(indentation_at(scene, times, line.datum))
-    elements = Elements(begin.memory, begin.p, begin.d)
+    elements = Elements(initial.memory, initial.p, initial.d)
     recorders = Recorders(scene, line, steps)
     lag, speed = 0.0, speed_at_start(scene.programme)
     if state is None and scene.start == "steady":
         lag = np.copysign(law_of(form, 1.0 / (m * abs(speed))).lag, speed)
-    done, updates, time = 0, 0, begin.time
+    done, updates, time = 0, 0, initial.time
     ends = np.flatnonzero(np.diff(steps.leg, append=-1)) + 1  # steps at which legs end
     blocks = in_blocks(elements, 0) if isinstance(form, Retardation) else None
-    for track in tracks(z, slope, m, steps, begin.position, begin.time):
+    for track in tracks(z, slope, m, steps, initial.position, initial.time):
         if done == 0:
             recorders.record_start(form, line, track, elements, lag, speed)
         arguments = recorders.arguments()

@@ -41,10 +41,10 @@ class SceneCase(NamedTuple):
 
 
 class Origin(NamedTuple):
-    """Start of a programme: determines the time steps together with the programme."""
+    """Origin of a programme; it determines the time steps together with the programme."""
 
     position: float = 0.0  # of the line, in samples
-    speed: float = 0.0  # of the leg before, in dx/tau
+    speed: float = 0.0  # at the end of the leg before, in dx/tau
     time: float = 0.0  # in tau
 
 
@@ -59,7 +59,7 @@ class SavedState(NamedTuple):
     d: float  # indentation, in h over the deepest point of the line
     position: float  # of the line, in samples
     time: float  # in tau
-    speed: float  # of the leg before, in dx/tau
+    speed: float  # at the end of the leg before, in dx/tau
 
     @property
     def origin(self) -> Origin:
@@ -70,8 +70,8 @@ class SavedState(NamedTuple):
 def scene_steps(scene: SceneCase, steps_per_spacing: int, origin: Origin = ZERO_ORIGIN) -> Steps:
     """Return all time steps of a scene that begins at ``origin``; steps_per_spacing : m.
 
-    Raises ValueError as steps_of does, for a programme without steps, and for more than
-    MAX_PROGRAMME_STEPS steps.
+    Raises ValueError in the cases of steps_of, for a programme without steps, and for one with more
+    than MAX_PROGRAMME_STEPS steps.
     """
     position, speed, time = origin
     shortest = min_step(scene.spectrum)

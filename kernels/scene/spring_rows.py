@@ -1,7 +1,7 @@
 """Elements in rows of BLOCK_ELEMENTS, as springs with thresholds, with some rows left out.
 
-The elements of rows that are left out cannot touch up to some bound of the indentation. The load is
-balanced as in model/contact.py.
+Elements of rows that are left out cannot touch while the indentation is below some bound. The load
+is balanced as in model/contact.py.
 """
 
 from typing import NamedTuple
@@ -14,7 +14,7 @@ from ..rheology.scaled_units import BLOCK_ELEMENTS
 
 SUM_COLUMNS = BLOCK_ELEMENTS // 4
 
-# Evaluations of the load at indentations: one record, changed in place.
+# Evaluations of the load balance: one record, changed in place.
 EVALUATION = np.dtype(
     [
         ("highest_d", np.float64),  # highest indentation so far
