@@ -44,8 +44,8 @@ def count_steps(
 ) -> np.ndarray:
     """Return the number of steps of each leg, or an upper bound; arguments as in ``steps_of``.
 
-    The shape is (legs,). The numbers are floats because they may exceed the range of int64. Raises
-    ValueError for an invalid leg.
+    The shape is (legs,). The numbers are floats because they may be infinite. Raises ValueError for
+    an invalid leg.
     """
     counts: list[float] = []
     m = steps_per_spacing

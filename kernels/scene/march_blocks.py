@@ -3,8 +3,8 @@
 An element is never pulled up, so it cannot touch where the line lies above a cap that exceeds the
 indentation. Only blocks with part of the line below the cap are stepped. The memory of the others
 needs no step because it is stored divided by its decay (rheology/scaled_units.py). If the
-indentation exceeds the cap, more blocks are added in the same step. Results do not depend on the
-choice of blocks, to the bit.
+indentation exceeds the cap, more blocks are added in the same step. Results are bitwise independent
+of the choice of blocks.
 
 A step takes one pass over the blocks, and as many passes over their thresholds as balance the load.
 The pass over the blocks computes the forces from the thresholds of the last step, adds them to the

@@ -53,7 +53,7 @@ def add_overlap(rows, row, d):
     """Add depths and the number of touching elements of a row to the column sums.
 
     Columns let the compiler vectorize the loop. Four parts of the row are added before the sums are
-    stored, because storing takes as long as everything else. A row without contact changes no bit.
+    stored, because storing takes as long as everything else. Rows without contact change no sum.
     """
     c, sums = rows.c, rows.sums
     for i in range(SUM_COLUMNS):

@@ -87,7 +87,7 @@ CASE_BODIES = {
     "map": CaseBody(surface, run_case_on_map, tuple(MATERIALS), {"abs": 1e-7}, {"abs": 1e-6}),
 }
 CASES = [(name, material) for name, body in CASE_BODIES.items() for material in body.materials]
-REVERSIBLE = [row for row in CASES if row[0] != "quick line"]  # slides in one direction
+REVERSIBLE = [row for row in CASES if row[0] != "quick line"]  # it slides forwards only
 
 
 def case_of(name, material, requested=ALL, geometry=None, **changes):

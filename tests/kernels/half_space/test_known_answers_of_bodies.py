@@ -123,7 +123,7 @@ def steadily(surface: Surface, load: float, speed: float, spectrum: Spectrum) ->
     ("time", "peak"), [(1e-9, 60.32), (0.009, 78.74), (0.045, 84.72), (2.0, 85.31)]
 )
 def test_rolling_cylinders_have_the_pressures_of_wang_and_knothe(time: float, peak: float) -> None:
-    """R = 100 mm, G = 1143 N/mm^2, nu = 0.4, f = 1 (both), 600 N/mm, 1000 mm/s: a body of E*/2."""
+    """Two of R = 100 mm, G = 1143 N/mm^2, nu = 0.4, f = 1, as one of E*/2; 600 N/mm, 1000 mm/s."""
     n, dx, radius, stiffness = 1024, 0.25, 50.0, 0.5 * 2.0 * (1143.0 / 2.0) / (1.0 - 0.4)
     x = centred(n) * dx
     surface = Surface.from_samples((x**2 / (2.0 * radius))[None], (x / radius * dx)[None], 1)

@@ -1,4 +1,4 @@
-"""Random lines: normalisation, spectrum, and samples of one function whatever the sampling."""
+"""Random lines: normalisation, spectrum, and samples of one function for every m."""
 
 import itertools
 
@@ -22,12 +22,12 @@ SIZES = (2, 3, 50, 51)  # even sizes have a Nyquist mode
 
 
 def drawn(hurst, elements, seed=1):
-    """Return amplitudes and phases of one line."""
+    """Return (amplitudes, phases) of one line."""
     return amplitudes(hurst, elements), draw_phases(np.random.default_rng(seed), elements)
 
 
 def cosine_sum(amplitude, phases, elements, m):
-    """Return heights and slopes by the sum that defines the line (self_affine.py)."""
+    """Return (heights, slopes) by the sum that defines the line (self_affine.py)."""
     x = np.arange(elements * m) / m
     q = 2.0 * np.pi * np.arange(1, amplitude.size + 1) / elements
     angle = np.outer(x, q) + phases
@@ -41,7 +41,7 @@ def cosine_sum(amplitude, phases, elements, m):
 def test_rms_height_and_slope_of_the_samples(hurst, elements, m):
     amplitude, phases = drawn(hurst, elements)
     z, slope = sample_line(amplitude, phases, elements, m)
-    # With samples above twice the highest wave number, mean squares are exact sums over modes.
+    # For sampling above twice the highest wave number, mean squares are exact sums over modes.
     assert np.sqrt(np.mean(z**2)) == pytest.approx(1.0, rel=1e-13)
     assert np.sqrt(np.mean(slope**2)) == pytest.approx(rms_slope(amplitude, elements), rel=1e-13)
     assert abs(z.mean()) < 1e-14
@@ -50,10 +50,10 @@ def test_rms_height_and_slope_of_the_samples(hurst, elements, m):
 
 @pytest.mark.parametrize(("hurst", "ratio"), [(0.0, 1.04), (0.3, 1.17), (0.7, 1.39), (1.0, 1.55)])
 def test_integral_normalisation_of_the_paper(hurst, ratio):
-    """Lines with N = 5000 are rougher by these factors (two decimals)."""
+    """At N = 5000, lines are rougher than with "modal" by these factors (two decimals)."""
     amplitude = amplitudes(hurst, 5000, "integral")
     assert np.sqrt(np.sum(amplitude**2) / 2) == pytest.approx(ratio, abs=0.005)
-    # The amplitudes differ by a common factor only.
+    # Only the common factor differs.
     factor = amplitude / amplitudes(hurst, 5000)
     np.testing.assert_allclose(factor, factor[0], rtol=1e-12)
 
@@ -70,7 +70,7 @@ def test_samples_are_the_cosine_sum(hurst, elements, m):
     amplitude, phases = drawn(hurst, elements)
     z, slope = sample_line(amplitude, phases, elements, m)
     z_sum, slope_sum = cosine_sum(amplitude, phases, elements, m)
-    # The tolerances allow for rounding of 25 terms of order one, of slopes up to pi.
+    # Tolerances for rounding in sums of 25 terms of order one, and of order pi for slopes.
     np.testing.assert_allclose(z, z_sum, atol=1e-13)
     np.testing.assert_allclose(slope, slope_sum, atol=3e-13)
 
@@ -83,7 +83,7 @@ def test_phases_are_reproducible_and_fill_the_circle():
     assert not np.any(first == other)
     assert first.min() >= 0.0
     assert first.max() < 2.0 * np.pi
-    # For uniform phases the sum of 2500 unit vectors is of order 50; four times that is allowed.
+    # With uniform phases the sum of 2500 unit vectors is of order 50; allow 4 sigma.
     assert np.abs(np.exp(1j * first).sum()) < 4.0 * np.sqrt(first.size)
 
 
@@ -102,7 +102,7 @@ def test_below_the_roll_off_the_spectrum_is_flat_and_beyond_the_cut_off_there_is
 @pytest.mark.parametrize("hurst", HURST)
 def test_roll_off_and_cut_off_keep_the_normalisation(hurst):
     assert np.sum(amplitudes(hurst, 200, "modal", 7.5, 40) ** 2) == pytest.approx(2.0, rel=1e-13)
-    # int_1^k_c max(k, k_r)^(-2H-1) dk, by the trapezoidal rule on a fine grid
+    # int_1^k_c max(k, k_r)^(-2H-1) dk by the trapezoidal rule on a fine grid
     k = np.linspace(1.0, 40.0, 200_001)
     power = np.maximum(k, 7.5) ** (-2.0 * hurst - 1.0)
     integral = np.trapezoid(power, k)
@@ -112,13 +112,13 @@ def test_roll_off_and_cut_off_keep_the_normalisation(hurst):
 
 @pytest.mark.parametrize("hurst", HURST)
 def test_no_roll_off_and_no_cut_off_leave_every_bit(hurst):
-    """Values that change nothing leave the amplitudes equal to the bit."""
+    """Explicit values that change nothing leave every bit, too."""
     usual = amplitudes(hurst, 51)
     np.testing.assert_array_equal(amplitudes(hurst, 51, rolloff=1.0, cutoff=25), usual)
 
 
 def test_a_cut_off_leaves_the_other_modes_in_phase():
-    """A smaller cut-off gives the same line without its short waves."""
+    """A line with a lower cut-off is the same line without its short waves."""
     amplitude, phases = drawn(0.7, 64)
     cut, _ = sample_line(amplitudes(0.7, 64, cutoff=10), phases, 64, 1)
     spectrum = np.fft.rfft(sample_line(amplitude, phases, 64, 1)[0])
@@ -160,24 +160,24 @@ def test_the_integral_is_the_mean_square_height_and_slope(length):
 
 
 def test_one_cosine_has_one_line():
-    """A cosine of amplitude A contributes A^2 / 2, whatever the length of the line."""
+    """A cosine of amplitude A has the power A^2 / 2 for any length of the line."""
     for length in (1.0, 2.0):
         q, spectrum = power_spectrum(np.array([0.0, 0.2, 0.0]), length)
         assert spectrum[1] * q[0] == pytest.approx(0.02)
         assert (spectrum[0], spectrum[2]) == (0.0, 0.0)
 
 
-N = 4096  # number of elements, and length of the line: the spacing is 1
+N = 4096  # elements on a length of N, so that the spacing is 1
 STEP = 2.0 * np.pi / N
 
 
 def gaussian(q):
-    """Return the Gaussian C_2D of a surface of rms height 2 and correlation length 9."""
+    """Return C_2D of a surface of rms height 2 and correlation length 9 (Gaussian spectrum)."""
     return 4.0 * 81.0 / (4.0 * np.pi) * np.exp(-81.0 * q**2 / 4.0)
 
 
 def test_height_gradient_and_curvature_are_those_of_the_surface():
-    """For the Gaussian spectrum 2 pi int q^(n+1) C_2D dq is h^2 (4/xi^2)^(n/2) (n/2)!."""
+    """2 pi int q^(n+1) C_2D dq of the Gaussian spectrum is h^2 (4/xi^2)^(n/2) (n/2)!"""
     amplitude = equivalent_amplitudes(gaussian, N, N)
     q = STEP * mode_numbers(N)
     curvature = 0.5 * np.sum((amplitude * q**2) ** 2)
@@ -187,7 +187,7 @@ def test_height_gradient_and_curvature_are_those_of_the_surface():
 
 
 def test_moments_of_a_random_surface_itself():
-    """Rms height and gradient are those of a random surface; a cut has half its square gradient."""
+    """The rms gradient over height is that of a drawn surface; a cut has half its square."""
     n, rng = 128, np.random.default_rng(5)
     k = 2.0 * np.pi * np.fft.fftfreq(n)
     q = np.hypot(*np.meshgrid(k, k))
@@ -197,7 +197,7 @@ def test_moments_of_a_random_surface_itself():
     amplitude = equivalent_amplitudes(gaussian, 16 * n, 16 * n)
     ratio = rms_slope(amplitude, 16 * n) / rms_height(amplitude)
     assert gradient / height == pytest.approx(ratio, rel=0.05)  # 200 correlation areas
-    # A cut shows only one of the two components of the gradient.
+    # A cut contains only one of the two components of the gradient.
     cut = np.fft.ifft2(filtered).real
     slope = np.fft.ifft(1j * k * np.fft.fft(cut, axis=1), axis=1).real
     assert np.sqrt(np.mean(slope**2)) == pytest.approx(gradient / np.sqrt(2.0), rel=0.1)
@@ -218,7 +218,7 @@ def test_no_power_spectrum_is_refused(bad):
 
 
 def test_a_spectrum_normalised_by_q_dq_over_2_pi_is_divided_by_4_pi_squared():
-    """A spectrum from contact.engineering has h^2 = int C q dq/(2 pi), see docs/surfaces.md."""
+    """For contact.engineering, h^2 = integral of C q dq/(2 pi), as stated in docs/surfaces.md."""
     length, count, hurst, h = 1e-3, 500, 0.8, 1e-6
     q = 2.0 * np.pi / length * np.arange(1, count // 2 + 1)
     step = q[0]
