@@ -1,34 +1,34 @@
 """The active-set march: step only the samples whose contact state is undecided.
 
-**Idea.** After a velocity jump few samples change between touching and not touching. Kelvin
+**Idea.** After a velocity jump few samples change between touching and not touching. The Kelvin
 elements slide at constant speed under constant load. Let E be the decay factor of a step and
 
     a_j = z_j - E z_(j+1),    D(t) = d(t) - E d(t - 1),
 
 the *rise* of the line at sample j and the *advance* of the indentation (``jump_problem``). An
-element that reaches sample j from contact at j + 1, its upstream neighbour, overlaps the line by
-D - a_j. While d and D keep within bounds, every sample is of one of three kinds:
+element that arrives at sample j from contact at the upstream sample j + 1 overlaps the line by
+D - a_j. While d and D stay within bounds, every sample is of one of three kinds:
 
-- It always touches, and so does the sample upstream. The n samples of this kind together carry
-  n D - sum a, so only sums over them are kept (``listed_samples``).
-- It never touches, and passes displacements on. Samples of this kind form gaps. An element that
-  leaves contact at the upstream end of a gap with displacement u arrives q samples farther, at
-  the other end, with E^q u (``gap_crossings``).
+- It always touches, and so does the sample upstream. The n samples of this kind overlap the line
+  by n D - sum a in total, so only sums over them are kept (``listed_samples``).
+- It never touches. Samples of this kind form gaps. An element that leaves contact at the upstream
+  end of a gap with displacement u arrives at the other end, q samples farther, with E^q u
+  (``gap_crossings``).
 - It is undecided. Undecided samples form runs. They are listed, and stepped exactly as the plain
   march of model/march.py steps every sample (``stepping``, ``step_indentation``).
 
 **Bounds.** ``bounds`` guesses the ranges of d and D. The displacements of the two steady states
-bound all displacements on the way from one to the other (``displacement_bounds``). From these,
-one pass over the line against the motion decides the kind of every sample (``undecided_runs``).
-A few comparisons decide a whole span of sixteen samples, so most samples are not visited.
+bound all displacements on the way from one to the other (``displacement_bounds``). With these
+bounds one pass over the line, against the motion, decides the kind of every sample
+(``undecided_runs``).
+A few comparisons decide a span of sixteen samples, so most samples are not visited.
 
-**Fallback.** Every step checks that d and D stay inside the bounds. If either is outside, the march
-starts again with wider bounds, up to three times (``active``). After that the caller uses the
-plain march.
+**Fallback.** Every step checks that d and D are inside the bounds. If not, the march starts again
+with wider bounds, up to three times (``active``). Then the caller uses the plain march.
 
 **Shorter lists.** As d approaches its final value, narrower bounds hold, and many listed samples
-become decided. ``shortened_lists`` then makes shorter lists, if they save more steps than they
+become decided. ``shortened_lists`` then makes shorter lists if they save more time than they
 cost. Where an element certainly lands after a gap that it entered from certain contact, its
 overlap depends on the past of d alone, and ``certain_landings`` sums all these samples. If d
-leaves the narrower bounds, the march returns to where it left longer lists whose bounds hold.
+or D leaves the narrower bounds, the march goes back to the step at which it left longer lists.
 """

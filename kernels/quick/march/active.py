@@ -1,4 +1,4 @@
-"""The active-set march: the march of model/march.py, stepping undecided samples alone."""
+"""The active-set march: the march of model/march.py, which here steps only undecided samples."""
 
 import numpy as np
 
@@ -13,7 +13,7 @@ from .step_indentation import predict_first_indentation
 from .stepping import ActiveSet, MarchState, Recorder
 from .undecided_runs import undecided_runs
 
-BOUND_MARGINS = (0.05, 0.3, 2.0, 2.0)  # of the spread of d and D, one per attempt
+BOUND_MARGINS = (0.05, 0.3, 2.0, 2.0)  # relative to the spread of d and D, one per attempt
 
 
 @kernel
@@ -22,8 +22,8 @@ def active_march(problem, control, kept_steps, margins=BOUND_MARGINS):
 
     problem : JumpProblem. control : ConstantForce.
     kept_steps : increasing step numbers (first step = 1) at which mu and d are recorded.
-    mu, indentation : see model/march.py. settled : mu averaged over a step of the steady state at
-    v2. work : element updates. inside : whether d stayed within the bounds of an attempt.
+    mu, indentation : see model/march.py. settled : mu of steady sliding at v2, averaged over a
+    step. work : element updates. inside : whether d and D stayed within the bounds in the end.
     """
     law, start, end = problem.law, problem.start, problem.end
     recorder = Recorder(kept_steps, np.empty(kept_steps.size), np.empty(kept_steps.size))
@@ -35,7 +35,6 @@ def active_march(problem, control, kept_steps, margins=BOUND_MARGINS):
         runs, collected, sums = undecided_runs(problem, bounds)
         listed = listed_samples(runs, collected)
         depth, moment, _ = pressure_sums(collected.c_end, None, collected.weight, end.d)
-        # mu of steady sliding at v2, averaged over a step (model/friction.py).
         settled = (sums.moment + moment) / (sums.depth + depth)
         entries = run_entries(law, listed, runs, flight, problem.z, last)
         landings = no_landings(end.d, start.d, last)
@@ -46,6 +45,6 @@ def active_march(problem, control, kept_steps, margins=BOUND_MARGINS):
         work += updates + problem.z.size
         if inside or attempt == len(margins) or not np.isfinite(stop.d):
             break
-        left = extended_bounds(bounds, stop.d, stop.advance)
-        bounds = spread_bounds(law, left, margins[attempt])
+        visited = extended_bounds(bounds, stop.d, stop.advance)
+        bounds = spread_bounds(law, visited, margins[attempt])
     return recorder.mu, recorder.indentation, settled, work, inside

@@ -1,4 +1,4 @@
-"""Bounds of d and D that a march assumes: guessed first, and checked at every step."""
+"""Bounds of d and D that a march assumes: first guessed, then checked at every step."""
 
 from typing import NamedTuple
 
@@ -7,7 +7,7 @@ import numpy as np
 from ...compile.jit import kernel, refcount_free_kernel
 from .jump_problem import indentation_advance
 
-MIN_SPREAD = 1e-11  # relative to d: far above rounding
+MIN_SPREAD = 1e-11  # smallest spread of d or D, relative to d; far above rounding
 
 
 class Bounds(NamedTuple):
@@ -24,16 +24,16 @@ EMPTY_BOUNDS = Bounds(np.inf, -np.inf, np.inf, -np.inf)
 
 @kernel
 def within_bounds(bounds, d, advance):
-    """Return whether d and D, here ``advance``, lie within the bounds; NaN does not."""
+    """Return whether d and D = ``advance`` lie within the bounds; False for NaN."""
     d_inside = bounds.d_min < d < bounds.d_max
     return d_inside and bounds.advance_min < advance < bounds.advance_max
 
 
 @kernel
 def spread_bounds(law, visited, margin):
-    """Return Bounds around a range of d and D, wider on each side by ``margin`` of the spread.
+    """Return the range ``visited`` of d and D, widened on each side by ``margin`` of its spread.
 
-    They contain d / K, the value of D for constant d, for every d within them.
+    The bounds of D include d / K, its value at constant d, for every d within the bounds.
     """
     d_min, d_max, advance_min, advance_max = visited
     wide = margin * max(d_max - d_min, MIN_SPREAD * d_max)
@@ -45,7 +45,7 @@ def spread_bounds(law, visited, margin):
 
 @refcount_free_kernel
 def initial_bounds(problem, d, margin):
-    """Return the Bounds of a whole march; ``d`` : estimate after the first step."""
+    """Return the Bounds of a whole march. d : estimate of d after the first step."""
     one, two = problem.start.d, problem.end.d
     advance = indentation_advance(problem.law, d, one)
     visited = Bounds(min(one, two, d), max(one, two, d), advance, advance)
@@ -54,6 +54,6 @@ def initial_bounds(problem, d, margin):
 
 @kernel
 def extended_bounds(visited, d, advance):
-    """Return the range of the visited values of d and D, extended to this d and D."""
+    """Return the range ``visited`` of d and D, extended to include this d and D."""
     least, most = min(visited.advance_min, advance), max(visited.advance_max, advance)
     return Bounds(min(visited.d_min, d), max(visited.d_max, d), least, most)

@@ -1,7 +1,7 @@
 """Sums over samples where elements certainly land after a gap that they entered from contact.
 
-If an element comes from z_s, which always touches, across a gap of q samples to sample j, and
-always touches there, its overlap is
+If an element leaves sample s, which always touches, crosses a gap, arrives q samples farther at
+sample j, and always touches there, its overlap is
 
     d(t) - z_j + E^q (z_s - d(t - q)).
 
@@ -20,26 +20,26 @@ EQUAL_DISPLACEMENT = 2e-15  # relative to d: a difference within rounding
 
 
 class Gap(NamedTuple):
-    """A gap in front of a landing sample."""
+    """A gap that ends at a landing sample."""
 
     source_z: float  # height of the source, the sample that elements come from
-    source: int  # its number
-    distance: int  # q, samples from there to the landing
+    source: int  # number of the source
+    distance: int  # q, from the source to the landing sample
 
 
 class Landings(NamedTuple):
-    """All certain landings of a march, to which more are added on the way."""
+    """All certain landings of a march; ``add_landing`` adds more of them on the way."""
 
-    reference: float  # indentation to which overlaps refer, so that sums lose no digits
+    reference: float  # indentation at which overlaps are summed, so that sums lose no digits
     tally: np.ndarray  # shape (4,), see listed_samples.py
-    crossing: np.ndarray  # shape (2, largest q + 1): sums of E^q, and of E^q times lagged slopes
+    crossing: np.ndarray  # shape (2, largest q + 1), by q: sums of E^q, of E^q times lagged slope
     distances: np.ndarray  # the distances q in use, increasing
-    past: np.ndarray  # d after each step, from step 0 on, shape (steps + 1,): filled on the way
+    past: np.ndarray  # d after each step, from step 0 on, shape (steps + 1,); filled on the way
 
 
 @kernel
 def no_landings(reference, d, steps):
-    """Return empty Landings. d : initial indentation. steps : of the march."""
+    """Return empty Landings. d : initial indentation. steps : number of steps of the march."""
     past = np.empty(steps + 1)
     past[0] = d
     return Landings(reference, np.zeros(4), np.zeros((2, steps + 1)), np.empty(0, np.int64), past)
@@ -99,9 +99,9 @@ def restored_landings(landings, saved):
 
 @refcount_free_kernel
 def landing_sums(landings, step, d, row):
-    """Return (number of landing samples, sum over them at the indentation d in a step).
+    """Return (number of landing samples, sum over them in a step at indentation d).
 
-    row : 0 for the sum of overlaps, 1 for that of overlaps times lagged slopes.
+    row : 0 for the sum of overlaps, 1 for the sum of overlaps times lagged slopes.
     """
     reference, tally, crossing, distances, past = landings
     even = odd = 0.0  # two partial sums, for speed
@@ -121,8 +121,8 @@ def landing_sums(landings, step, d, row):
 def crossing_decay(law, gap, past, w, steps):
     """Return E^q if all elements in a gap left contact at its source within the march, else 0.
 
-    past : d up to now. w : present displacements, valid for elements that arrive within
-    ``steps``.
+    A negligible E^q counts as 0. past : d up to now. w : present displacements, valid for
+    elements that arrive within ``steps``.
     """
     source_z, source, q = gap
     if not 1 < q < past.size or q > steps:

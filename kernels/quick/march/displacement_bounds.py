@@ -1,7 +1,7 @@
 """Contact kinds of single samples and whole spans, from two steady states and the bounds of d.
 
-The displacements of the two steady states bound all displacements in between: free elements decay
-by the factor E of one speed or of the other, and touching elements have u = z - d.
+The displacements of the two steady states bound those on the way from one to the other: u of free
+elements decays by the factor E of either speed, and touching elements have u = z - d.
 """
 
 from typing import NamedTuple
@@ -11,8 +11,8 @@ from ...rheology.law import MIN_MAGNITUDE
 from ..steady.spans import SPAN
 from .jump_problem import SteadyState, line_rise
 
-# Contact kinds. ALWAYS_TOUCHES: so does the sample upstream. FORCED_UNDECIDED, a kind
-# of the first sample of the line only, means UNDECIDED whatever the bounds say.
+# Contact kinds. ALWAYS_TOUCHES includes that the sample upstream always touches.
+# FORCED_UNDECIDED, only for the first sample of the line: UNDECIDED whatever the bounds.
 NEVER_TOUCHES, UNDECIDED, ALWAYS_TOUCHES, FORCED_UNDECIDED = 0, 2, 3, 4
 
 
@@ -20,7 +20,7 @@ class DisplacementBounds(NamedTuple):
     """Bounds of free displacements: far - far_slack <= w <= near + near_slack."""
 
     near: SteadyState  # the state in which displacements decay faster
-    near_is_start: bool  # whether that is the state at v1
+    near_is_start: bool  # whether ``near`` is the state at v1
     near_slack: float
     far_slack: float
 
@@ -39,7 +39,7 @@ def displacement_bounds(problem, bounds):
 
 @refcount_free_kernel
 def decayed_displacement(decay, u):
-    """Return the displacement one sample after it was u, if no force acts on the element."""
+    """Return the displacement of a free element one sample after it was u."""
     return decay.sample * u if u < -MIN_MAGNITUDE else 0.0
 
 

@@ -1,9 +1,9 @@
 """Elements on their way to the runs, from the neighbouring contact or across a gap.
 
 No sample of a gap touches: an element leaves contact with displacement u and arrives q steps
-later with E^q u. ``arrivals`` has one place per step to come, for these displacements. If elements
-cross the gap within the march the places form a ring: the element that leaves takes the place of
-the one that arrives.
+later with E^q u. ``arrivals`` holds these displacements, one place per step to come. If elements
+can cross the gap within the march, the places form a ring: the element that leaves takes the
+place of the one that arrives.
 """
 
 from typing import NamedTuple
@@ -14,14 +14,14 @@ from ...compile.jit import dispatch_on_type, kernel, refcount_free_kernel
 from ...rheology.law import MIN_MAGNITUDE
 from .jump_problem import line_rise
 
-NEGLIGIBLE_DECAY = 1e-30  # a smaller factor makes a displacement zero relative to d
+NEGLIGIBLE_DECAY = 1e-30  # a displacement decayed by a smaller factor is zero relative to d
 
 
 class DirectEntries(NamedTuple):
     """Runs that elements enter directly from a sample that always touches."""
 
-    slot: np.ndarray  # where they enter the lists: the leading sample of the run
-    rise: np.ndarray  # a_j there
+    slot: np.ndarray  # of the leading sample of the run, where elements enter the lists
+    rise: np.ndarray  # a_j of that sample
 
 
 class GapCrossings(NamedTuple):
@@ -30,10 +30,10 @@ class GapCrossings(NamedTuple):
     Crossing f has its arrivals in arrivals[begin[f] : begin[f + 1]].
     """
 
-    slot: np.ndarray  # where they enter the lists
+    slot: np.ndarray  # where elements enter the lists
     begin: np.ndarray  # shape (crossings + 1,)
-    next: np.ndarray  # place of the next arrival; changes
-    is_ring: np.ndarray  # whether the places form a ring; else the last one, zero, repeats
+    next: np.ndarray  # place of the next arrival; advances at every step
+    is_ring: np.ndarray  # whether the places form a ring; if not, the last one (zero) is repeated
     arrivals: np.ndarray  # displacements at arrival
     source: np.ndarray  # slot from which elements leave; -1 for a sample that always touches
     source_z: np.ndarray  # height of the sample that they leave
@@ -50,7 +50,7 @@ class Entries(NamedTuple):
 class SteadyFlight(NamedTuple):
     """Free elements in steady sliding at v1; displacements decay from the last contact on."""
 
-    decay: float  # of a displacement over one sample
+    decay: float  # factor of a displacement over one sample
     d: float  # indentation
 
 
@@ -65,7 +65,7 @@ def fill_arrivals(flight, arrivals, powers, line, leading, distance, u):
 
 @kernel
 def decay_powers(decay, steps):
-    """Return E^k for k = 0, 1, ... up to steps, or up to the first negligible one, set to zero."""
+    """Return E^k for k = 0, 1, ... ``steps``; the first negligible power is the last, and zero."""
     powers = np.empty(steps + 1)
     powers[0] = 1.0
     for k in range(1, steps + 1):
@@ -81,7 +81,7 @@ def run_entries(law, listed, runs, flight, line, steps):
     """Return the Entries into all runs.
 
     line : heights of all samples. flight : present displacements and indentation, SteadyFlight or
-    a State of all samples that elements cross. steps : still to come.
+    a State of all samples. steps : number of steps to come.
     """
     powers = decay_powers(law.decay, steps)
     direct, crossing = np.empty(runs.leading.size, np.int64), np.empty(runs.leading.size, np.int64)
@@ -146,7 +146,7 @@ def _fill_steady_arrivals(flight, arrivals, powers, line, leading, distance, u):
 
 @refcount_free_kernel
 def enter_runs(law, listed, entries, d):
-    """Set the thresholds where elements enter the lists. d : indentation before the step."""
+    """Set the thresholds of elements that enter the lists. d : indentation before the step."""
     direct, crossings = entries
     for i in range(direct.slot.size):
         listed.c[direct.slot[i]] = direct.rise[i] + law.decay * d

@@ -1,4 +1,4 @@
-"""Input of the active-set march, and the two quantities that decide whether an element touches."""
+"""Input of the active-set march, and rise and advance, which decide whether an element touches."""
 
 from typing import NamedTuple
 
@@ -11,7 +11,7 @@ from ..steady.spans import Spans
 
 
 class SteadyState(NamedTuple):
-    """Steady sliding at one speed, as elements pass the spans of the line (steady/spans.py)."""
+    """Steady sliding at one speed, by spans of the line (steady/spans.py)."""
 
     decay: DecayFactors
     thresholds: np.ndarray  # indentation from which a whole span touches (steady/thresholds.py)
@@ -34,14 +34,14 @@ class JumpProblem(NamedTuple):
 
 @kernel
 def indentation_advance(law, d, previous):
-    """Return D(t) = d(t) - E d(t - 1), using 1 - E = 1/K, to lose no digits near E = 1."""
+    """Return D(t) = d(t) - E d(t - 1); as 1 - E = 1/K is used, no digits are lost near E = 1."""
     return (d - previous) + previous / law.stiffness
 
 
 @kernel
 def line_rise(law, z, upstream):
-    """Return a_j = z_j - E z_(j+1); z : z_j. upstream : z_(j+1).
+    """Return a_j = z_j - E z_(j+1). z : z_j. upstream : z_(j+1).
 
-    An element that comes from contact upstream overlaps the line by d - c = D - a_j.
+    An element that arrives from contact upstream overlaps the line by d - c = D - a_j.
     """
     return (z - upstream) + upstream / law.stiffness

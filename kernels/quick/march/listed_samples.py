@@ -1,11 +1,11 @@
-"""Samples that a march steps: those listed, run by run, and the others that touch, as sums.
+"""Samples of a march: undecided ones are listed run by run, those that always touch are summed.
 
-The sums are built span by span from the known sums of the line. Over a span, from its first sample
-0 to the first sample upstream of it, let Delta f_j = f_(j+1) - f_j. With slopes s_j and any level,
+Sums over a span follow from those in steady/spans.py, and its samples are not visited. For a sample
+j and its upstream neighbour j + 1 let Delta f_j = f_(j+1) - f_j. With slopes s_j and any level,
 
     level - a_j = (level - z_j / K) + E Delta z_j,    lagged slope = s_j + lag Delta s_j,
 
-so their sums and the sum of their products follow from the sums in spans.py. No sample is visited.
+so spans.py determines their sums over a span, and the sum of their products.
 """
 
 from typing import NamedTuple
@@ -24,7 +24,7 @@ from ..steady.spans import (
     WORK_SUM,
 )
 
-# Elements of a tally over samples: number, sum of overlaps, of lagged slopes, of their products.
+# Elements of a tally: number of samples, sums of overlaps, of lagged slopes, of their products.
 TALLY_SAMPLES, TALLY_DEPTH, TALLY_WEIGHT, TALLY_MOMENT = range(4)
 
 
@@ -49,7 +49,7 @@ class CollectedSamples(NamedTuple):
 class SummedContact(NamedTuple):
     """Sums over samples j that always touch, as their upstream neighbours do."""
 
-    level: float  # final value of D, d / K at v2: relative to it the sums lose no digits
+    level: float  # d / K at v2, the final D; sums relative to it lose no digits
     samples: float  # number
     depth: float  # sum of level - a_j
     weight: float  # sum of the lagged slopes

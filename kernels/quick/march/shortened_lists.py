@@ -2,9 +2,8 @@
 
 They pay off in long marches in which d moves far (docs/speed.md). Samples that have become decided
 move from the lists to the sums, or to the gaps. Only the runs are visited. Samples where elements
-certainly land after a gap are summed too (certain_landings.py).
-Gaps g are bounded as in undecided_runs.py. As the present displacements are known, those of
-arriving elements are bounded in addition.
+certainly land after a gap are summed too (certain_landings.py). Gaps g are bounded as in
+undecided_runs.py, and also by bounds of arriving displacements, as the present ones are known.
 """
 
 from typing import NamedTuple
@@ -30,7 +29,7 @@ from .undecided_runs import MIN_GAP_SAMPLES, UNKNOWN_GAP, Runs, allocate_runs, c
 
 FIRST_MARGIN = 0.6  # of narrower bounds, relative to the spread; doubled after each fall-back
 MIN_NARROWING = 0.25  # smallest relative reduction of the spread of D that pays off
-FIRST_SHORTENING = 6  # first step after which lists may be shortened; each next 1.5 times the last
+FIRST_SHORTENING = 6  # first step after which lists may be shortened; grows by half each time
 CERTAIN_LANDING = 5  # a contact kind: elements always land here, after a gap
 
 
@@ -45,9 +44,9 @@ class SavedMarch(NamedTuple):
 class SampleBounds(NamedTuple):
     """Bounds at a sample, now and in all steps to come."""
 
-    gap_min: float  # of max(g, 0)
+    gap_min: float  # gap_min, gap_max : of max(g, 0)
     gap_max: float
-    u_min: float  # of the displacement u
+    u_min: float  # u_min, u_max : of the displacement u
     u_max: float
 
 
@@ -70,8 +69,8 @@ class RunSlots(NamedTuple):
 def march_with_shortening(problem, control, active, bounds, state, last, recorder, worth):
     """March as step_until does, with shorter lists wherever they save more than they cost.
 
-    If d leaves the bounds, the march returns to where it left longer lists whose bounds hold
-    and continues with those; the next narrower bounds leave more room.
+    If d or D leaves the bounds, the march goes back to the step at which it left longer lists
+    whose bounds hold, and continues with these. The next narrower bounds have a larger margin.
     active : the ActiveSet at the start. worth : factor that multiplies the savings.
     """
     law, margin = problem.law, FIRST_MARGIN
@@ -124,7 +123,7 @@ def _with_landings(active, landings):
 
 @refcount_free_kernel
 def savings_ratio(bounds, narrower, listed, crossings, steps):
-    """Return what shorter lists save relative to their cost, from sizes alone."""
+    """Estimate the time that shorter lists save over the time that making them takes."""
     old_spread = bounds.advance_max - bounds.advance_min
     saved = 1.0 - (narrower.advance_max - narrower.advance_min) / old_spread
     step_cost = 2.0 * listed.c.size + 16.0 * crossings.slot.size
@@ -151,10 +150,10 @@ def narrower_bounds(law, bounds, visited, d_end, margin):
 
 @kernel
 def shorten_lists(law, line, bounds, active, past, w, steps):
-    """Return the ActiveSet within narrower bounds, at the end of a step.
+    """Return the ActiveSet for narrower bounds, at the end of a step.
 
     line : heights of all samples. past : d from the start to the end of this step.
-    w : displacements, see present_displacements. steps : still to come.
+    w : displacements, see present_displacements. steps : number of steps to come.
     """
     size, added = active.listed.c.size, np.zeros(4)
     slots = RunSlots(allocate_runs(size), np.empty(size, np.int64), np.empty(size, np.int64))
@@ -182,12 +181,12 @@ def shorten_lists(law, line, bounds, active, past, w, steps):
 def _walk_lists(law, line, bounds, active, past, w, steps, slots, added):
     """Sort the listed samples into contact kinds; return the number of shorter runs.
 
-    slots : RunSlots, filled. added : tally of the samples that now always touch. Certain landings
-    are added to those of ``active``. Other arguments : see shorten_lists.
+    slots : RunSlots to fill. added : tally to which samples that now always touch are added.
+    Certain landings are added to those of ``active``. Other arguments : see shorten_lists.
     """
     runs, listed, sums, (_, crossings), landings = active
     d, count, crossing = past[-1], 0, 0
-    # The source of the first run is known at the end of the walk, if it was listed.
+    # If the source of the first run is a listed sample, the walk reaches it only at the end.
     source, sample = Source(line.size, False), SampleBounds(0.0, UNKNOWN_GAP, -bounds.d_max, 0.0)
     for r in range(runs.leading.size):
         j, kind = runs.leading[r], NEVER_TOUCHES
@@ -247,10 +246,10 @@ def _list_sample(slots, count, j, i, previous, source, near):
 
 @refcount_free_kernel
 def _entering_bounds(law, line, bounds, runs, r, crossings, crossing, steps, upstream):
-    """Return (bounds of the displacements that enter run r, SampleBounds of its source).
+    """Return (bounds of the displacements that enter run r, SampleBounds upstream of the run).
 
-    crossing : index of the next crossing. steps : still to come. upstream : SampleBounds at the end
-    of the run before.
+    crossing : index of the next crossing. steps : number of steps to come. upstream : SampleBounds
+    at the end of the previous run.
     """
     if runs.source_touches[r]:
         height = _height_at(line, runs.leading[r] + runs.distance[r])
@@ -269,7 +268,7 @@ def _height_at(line, j):
 
 @kernel
 def _sample_bounds(law, bounds, z, c, d, rise, upstream, arriving):
-    """Return (least, most, SampleBounds): bounds of g of a sample, and its SampleBounds.
+    """Return (least, most, sample): bounds of g at a sample, and its SampleBounds.
 
     c, d : present threshold and indentation. rise : a_j. upstream : SampleBounds of the sample
     upstream. arriving : bounds of the displacement with which elements arrive.
@@ -306,7 +305,7 @@ def _selected_slots(listed, first, last):
 def present_displacements(law, active, d, w, steps):
     """Fill w, shape (n,), with the displacements of elements in runs and on their way to them.
 
-    d : present indentation. steps : still to come; elements that would arrive later are left out.
+    d : present indentation. steps : number of steps to come; later arrivals are left out.
     """
     runs, listed, _, (_, crossings), _ = active
     powers = decay_powers(law.decay, steps)
@@ -331,7 +330,7 @@ def present_displacements(law, active, d, w, steps):
 def arrival_bounds(crossings, f, u_min, u_max, steps):
     """Return bounds of the displacements with which elements arrive in the steps to come.
 
-    u_min, u_max : bounds of the displacement where they leave.
+    f : index of the crossing. u_min, u_max : bounds of the displacement where elements leave.
     """
     begin, end = crossings.begin[f], crossings.begin[f + 1]
     if crossings.is_ring[f]:

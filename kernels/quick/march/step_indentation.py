@@ -9,17 +9,17 @@ from ...model.contact import excess_at, indentation_under, lowest_threshold, ove
 from ..contacts.pressed_samples import pressure_sums
 from .jump_problem import indentation_advance
 
-MAX_SHORT_LIST = 128  # samples, below which ``overlap`` is faster than ``pressure_sums``
+MAX_SHORT_LIST = 128  # number of samples below which ``overlap`` is faster than ``pressure_sums``
 MIN_D_SHARE = 0.1  # smallest predicted d after the first step, over the old d
-RATE_FACTOR = 1.2  # predicted change of d over the one that d' just after the jump gives
+RATE_FACTOR = 1.2  # predicted change of d, over the change at the rate d' just after the jump
 
 
 @refcount_free_kernel
 def predict_first_indentation(control, problem):
     """Return an estimate of d after the first step that rather overestimates its change.
 
-    In a step d changes by about d' (1 - E) = d' / K, like a touching element. At almost zero load
-    d' is rounding, so the d at which one element carries the load limits the estimate.
+    In a step d changes by about d' (1 - E) = d' / K. At almost zero load d' is mere rounding
+    error, so the estimate is limited to the d at which a single element carries the load.
     """
     law, d = problem.law, problem.start.d
     new = max(d + RATE_FACTOR * problem.rate / law.stiffness, MIN_D_SHARE * d)
@@ -27,14 +27,14 @@ def predict_first_indentation(control, problem):
 
 
 class PartlyListed(NamedTuple):
-    """The contact in a step: listed samples, and others as the force they carry at ``d_old``.
+    """The contact in a step: thresholds of listed samples, and the force on all others.
 
     Forces are in units of the stiffness of the law.
     """
 
     c: np.ndarray  # thresholds of the listed samples
     d_old: float  # indentation before the step
-    carried: float  # force that the others carry at ``d_old``
+    carried: float  # force that all others carry at ``d_old``
     samples: float  # number of the others
 
 
@@ -61,7 +61,7 @@ def next_indentation(control, law, listed, sums, landings, d, guess):
 
     Solves n (D - level) + sum (level - a) + sum max(0, d - c) = load / K (eq. 4).
     landings : number of certain landings, and their overlap at the old d (certain_landings.py).
-    d : the old indentation. guess : of the new one. d is infinite where nothing can carry the load.
+    d, guess : old d and guess of the new one, which is infinite if nothing can carry the load.
     """
     load = control.load / law.stiffness - landings[1]
     carried = sums.samples * (d / law.stiffness - sums.level) + sums.depth

@@ -35,7 +35,7 @@ class ActiveSet(NamedTuple):
 
 
 class Recorder(NamedTuple):
-    """Arrays that a march fills at the recorded steps."""
+    """Numbers of the recorded steps, and arrays that a march fills at these."""
 
     kept_steps: np.ndarray  # increasing step numbers (first step = 1)
     mu: np.ndarray  # friction averaged over the step, in h/dx
@@ -46,7 +46,7 @@ class Recorder(NamedTuple):
 def step_until(problem, control, active, bounds, state, last, recorder):
     """March to step ``last`` while the bounds hold; return (inside, state, visited, work).
 
-    active : ActiveSet. recorder : filled. visited : range of d and D on the way.
+    active : ActiveSet. recorder : Recorder to fill. visited : range of d and D in these steps.
     work : element updates.
     """
     law, (_, listed, sums, entries, landings) = problem.law, active
@@ -85,9 +85,9 @@ def move_listed(law, listed, d):
 
 @refcount_free_kernel
 def average_friction(listed, sums, landing_depth, landing_moment, d, advance):
-    """Return mu averaged over a step: eq. 5, as step_average of model/friction.py.
+    """Return mu averaged over a step by eq. 5, as step_average in model/friction.py does.
 
-    model/friction.py has the same sums, and contacts/pressure.py has them at an instant.
+    contacts/pressure.py has the same sums at an instant.
     landing_depth, landing_moment : sums of certain landings. advance : D of the summed samples.
     """
     depth, moment, _ = pressure_sums(listed.c, None, listed.weight, d)

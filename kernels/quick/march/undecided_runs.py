@@ -1,13 +1,13 @@
-"""Runs of undecided samples, and sums of certain contacts, found in one pass over the line.
+"""Runs of undecided samples, and sums over certain contacts, from one pass over the line.
 
 The gap g_j(t) = c_j(t) - d(t) above the element at sample j is negative where it touches. With
 a_j and D of jump_problem.py
 
     g_j(t) = a_j - D(t) + E max(g_(j+1)(t - 1), 0),
 
-so the bounds of D bound g from sample to sample against the motion. The steady states give further
-bounds (displacement_bounds.py). Spans that always touch or never touch are passed at once. In the
-few others, the displacements of both steady states are recomputed sample by sample.
+so bounds of D give bounds of g_j from those of g_(j+1). The steady states give further bounds
+(displacement_bounds.py). Spans that always touch or never touch are passed at once. In the few
+others, the displacements of both steady states are recomputed sample by sample.
 """
 
 from typing import NamedTuple
@@ -43,18 +43,18 @@ UNKNOWN_GAP = 1e200  # an upper bound of gaps that excludes nothing
 class Runs(NamedTuple):
     """Runs of listed samples, in the order of the walk: from the end of the line to z[0]."""
 
-    leading: np.ndarray  # first sample of each run that elements reach, with the highest number
-    trailing: np.ndarray  # last sample of each run
-    distance: np.ndarray  # from the leading sample to its source, where elements come from
+    leading: np.ndarray  # sample of each run that elements reach first; it has the highest number
+    trailing: np.ndarray  # sample of each run that elements reach last
+    distance: np.ndarray  # from the leading sample to the source, the sample elements come from
     source_touches: np.ndarray  # whether the source always touches
 
 
 @kernel
 def undecided_runs(problem, bounds):
-    """Return (Runs, CollectedSamples, SummedContact); others never touch within the bounds."""
+    """Return (Runs, CollectedSamples, SummedContact); all other samples never touch."""
     levels = displacement_bounds(problem, bounds)
     first = kind_of_first(problem, bounds, levels)
-    # Certain contact needs certain contact upstream, round the period: assume it, then check it.
+    # Certain contact requires certain contact upstream, round the period: assume it, then check.
     runs, collected, sums, gap_max = walk_line(problem, bounds, levels, first)
     if first == ALWAYS_TOUCHES and gap_max > 0.0:
         runs, collected, sums, _ = walk_line(problem, bounds, levels, FORCED_UNDECIDED)
@@ -65,9 +65,9 @@ def undecided_runs(problem, bounds):
 def walk_line(problem, bounds, levels, first):
     """Return (Runs, CollectedSamples, SummedContact, upper bound of max(g, 0) at z[0]).
 
-    first : contact kind of z[0]. ALWAYS_TOUCHES is an assumption that a positive bound refutes.
-    State of the walk between two samples : contact kind of the last one; the last one that may
-    touch, and whether it always does; bounds of max(g, 0); number of runs and of listed samples.
+    first : contact kind of z[0]; a positive bound refutes ALWAYS_TOUCHES. State of the walk
+    between two samples : contact kind of the last sample; last sample that may touch, and whether
+    it always touches; bounds of max(g, 0); number of runs; number of listed samples.
     """
     n, whole = problem.z.size, problem.spans.lowest.size
     level, tally = problem.end.d / problem.law.stiffness, np.zeros(4)
@@ -134,7 +134,7 @@ def _walk_span(problem, bounds, levels, first, b, state, runs, collected, level,
         else:
             gap_min, gap_max = 0.0, UNKNOWN_GAP
         if kind == NEVER_TOUCHES:
-            # Stored in advance; it is listed only if an undecided sample ends the gap soon.
+            # Store it in advance; it is listed only if an undecided sample ends the gap soon.
             if source - j < MIN_GAP_SAMPLES and source < z.size:
                 weight, slot = lagged_slope_at(slope, law.lag, j), size + source - 1 - j
                 _collect(collected, slot, z[j], bounds.d_max, weight, w_start, w_end)
@@ -162,7 +162,7 @@ def _walk_span(problem, bounds, levels, first, b, state, runs, collected, level,
 @refcount_free_kernel
 def _collect(collected, slot, z, d_max, weight, w_start, w_end):
     """Store a sample. w_start, w_end : free displacements at v1 and v2."""
-    # A sample above d_max cannot touch; its height is cut to d_max to keep the digits of w.
+    # A sample above d_max cannot touch; its height is limited to d_max to keep the digits of w.
     collected.z[slot] = min(z, d_max)
     collected.c[slot] = collected.z[slot] - w_start
     collected.c_end[slot] = z - w_end
