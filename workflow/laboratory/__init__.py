@@ -1,6 +1,6 @@
 """Fits to measurements: the kinetic law from velocity steps, master curves from sweeps.
 
-From text files it determines jumps, rates, tau, H, q_max, rate-and-state constants and shifts.
+They determine jumps, rates, tau, H, q_max, rate-and-state constants and shifts from text files.
 """
 
 from typing import TYPE_CHECKING

@@ -1,17 +1,17 @@
 """Estimates with standard errors for noise that is correlated between samples.
 
-A measured friction is filtered, and machines vibrate: neighbouring samples are not independent, and
-errors that treat them as independent are too small. The variance of a mean of n samples is
-1 + 2 (rho_1 + rho_2 + ...) times that of n independent ones, with rho_k the autocorrelation at k
-samples. The same factor holds for smooth fits that bend more slowly than the noise decorrelates.
+Measured friction is filtered, and machines vibrate, so neighbouring samples are not independent,
+and errors that treat them as independent are too small. The variance of a mean of n samples is
+1 + 2 (rho_1 + rho_2 + ...) times that of n independent ones, with rho_k the autocorrelation at lag
+k. The same factor holds for fits of curves that vary more slowly than the noise decorrelates.
 
 A simulated quantity has independent realizations, so its error is that of the jackknife
 (workflow/reduce/jackknife.py). A record is measured once, so its error must come from the
 autocorrelation of its samples.
 
 Source: A. D. Sokal, Monte Carlo Methods in Statistical Mechanics (1997), sec. 3: the sum ends at
-five integrated autocorrelation times, each half of the factor. U. Wolff, Comput. Phys. Commun. 156,
-143 (2004), eq. 49: correction for the mean of the same samples, which is subtracted from them.
+five integrated autocorrelation times; such a time is half of the factor. U. Wolff, Comput. Phys.
+Commun. 156, 143 (2004), eq. 49: correction for the subtraction of the mean of the same samples.
 """
 
 import math
@@ -19,8 +19,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-DEVIATIONS = 3.0  # standard errors that count as chance, as everywhere in this program
-WINDOW = 5.0  # largest lag of the sum, in autocorrelation times
+DEVIATIONS = 3.0  # standard errors up to which a difference counts as chance, in all modules
+WINDOW = 5.0  # largest lag of the sum, in integrated autocorrelation times
 
 
 class Estimate(NamedTuple):
@@ -39,7 +39,7 @@ class Estimate(NamedTuple):
         return Estimate(self.value * factor, self.error * abs(factor))
 
     def if_below(self, largest: float) -> "Estimate":
-        """Return the estimate if its error is below ``largest``, else an unknown one."""
+        """Return the estimate if its error is below ``largest``, else an estimate of NaN."""
         return self if self.error < largest else Estimate()
 
 

@@ -14,8 +14,8 @@ from .step_fit import StepFit
 from .together import Fit, Rates, friction_after, predicted_jump
 
 STEPS_PER_ROW = 3
-MOST_STEPS = 12  # that are drawn
-MOST_SAMPLES = 4000  # of a step that are drawn
+MOST_STEPS = 12  # largest number of steps drawn
+MOST_SAMPLES = 4000  # approximate number of samples drawn, if a step has more
 EQ_6, AGEING = COLOURS[4], COLOURS[0]
 MEASURED = "0.6"
 
@@ -55,7 +55,7 @@ def _step(upper: Axes, lower: Axes, fit: StepFit, ageing: StepFit) -> None:
     step = fit.step
     every = slice(None, None, max(1, step.time.size // MOST_SAMPLES))
     t = step.time[every]
-    # Samples before the step are drawn at the mean distance of those after it.
+    # Samples before the step are drawn at the mean time interval of those after it.
     before = -np.arange(step.before.size, 0, -1) * (step.time[-1] / step.time.size)
     shown = before > -0.3 * step.time[-1]
     upper.plot(before[shown], step.before[shown], ".", ms=1.0, color=MEASURED)
@@ -80,7 +80,7 @@ def _rates(ax: Axes, fit: Fit, rates: Rates) -> None:
     known = [fitted for fitted in fit.steps if fitted.rate.known]
     v = np.array([fitted.step.v2 for fitted in known])
     k, error = np.array([fitted.rate for fitted in known]).T
-    ax.set_xlim(0.5 * v.min(), 2.0 * v.max())  # not empty if all steps are at one speed
+    ax.set_xlim(0.5 * v.min(), 2.0 * v.max())  # a range of nonzero width even for one speed
     ax.errorbar(v, k, error, fmt="o", color="k", ms=3)
     span = np.geomspace(0.7 * v.min(), 1.4 * v.max(), 200)
     if rates.exponent.known:

@@ -1,4 +1,4 @@
-"""Material fitted to moduli: its branches, the quality of the fit, and keys for other programs."""
+"""Material fitted to moduli: its branches, the quality of the fit, input for other programs."""
 
 from collections.abc import Callable
 
@@ -15,8 +15,8 @@ LEAST_SHARE = 1e-9  # smallest relaxed modulus over the modulus of the stiffest 
 def fit_material(name: str, measured: Moduli, branches: int | None) -> PronyFit:
     """Fit a material to moduli at one temperature. branches : number, or None for the fewest.
 
-    name : of the file, for messages. Raises UserError if the fit fails, or if the material has no
-    relaxed modulus to carry a load.
+    name : name of the file, for messages. Raises UserError if the residual is too large, or if the
+    material has no relaxed modulus to carry a load.
     """
     fit = fit_prony(measured.omega, measured.values, branches)
     where = f"prony {name}"

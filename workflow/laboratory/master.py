@@ -18,7 +18,7 @@ LARGEST_RESIDUAL = 0.15  # largest relative rms residual of G* that is accepted
 class Shifting(NamedTuple):
     """Options of a master curve."""
 
-    reference: float | None = None  # °C; None: the temperature of the sweep in the middle
+    reference: float | None = None  # °C; None: the temperature of the middle sweep
     law: str | None = None  # one of SHIFT_KEYS; None: the law that fits best
     vertical: bool = False  # whether moduli are shifted too
 
@@ -26,8 +26,8 @@ class Shifting(NamedTuple):
 def master_curve(name: str, measured: Moduli, options: Shifting) -> tuple[Moduli, tuple[str, ...]]:
     """Return moduli shifted to one temperature, and lines for [material] of a study.
 
-    name : of the file, for messages. Raises UserError for a reference outside the sweeps, for
-    sweeps that do not overlap or do not form one curve, and for a law that they cannot determine.
+    name : name of the file, for messages. Raises UserError for a reference outside the sweeps, for
+    sweeps that do not overlap or do not form one curve, and for a law that they do not determine.
     """
     assert measured.temperatures is not None
     temperatures = np.unique(measured.temperatures)
@@ -61,11 +61,11 @@ def master_curve(name: str, measured: Moduli, options: Shifting) -> tuple[Moduli
         omega[rows] *= 10.0**across
         values[rows] *= 10.0**up
     order = np.argsort(omega, kind="stable")
-    law_told, key = _law_told(f"{reference:g}", fit)
+    law_text, key = _law_texts(f"{reference:g}", fit)
     lines = (
         *measured.description,
         *_shift_lines(temperatures, reference, shift, fit, options),
-        law_told,
+        law_text,
     )
     return Moduli(omega[order], values[order], lines), (key, f"temperature = {reference:g}")
 
@@ -93,8 +93,8 @@ def _shift_lines(
     return lines
 
 
-def _law_told(at: str, fit: ShiftFit) -> tuple[str, str]:
-    """Return the law of the shifts in a sentence, and as a key of a study; at : reference."""
+def _law_texts(at: str, fit: ShiftFit) -> tuple[str, str]:
+    """Return the law of the shifts in a sentence, and as a key of a study. at : reference, °C."""
     law = fit.law
     if isinstance(law, Wlf):
         c1, c2 = Estimate(law.c1, fit.errors[0]), Estimate(law.c2, fit.errors[1])

@@ -1,7 +1,7 @@
 """Division of a record into stretches of constant velocity, and the velocity steps between them.
 
 Velocities may be noisy, zero or negative. Stretches are separated on the scale asinh(v/s), which
-is logarithmic far above the speed s of the noise and linear below it.
+is logarithmic far above the noise level s of the velocity and linear below it.
 """
 
 from itertools import pairwise
@@ -13,23 +13,23 @@ from ..ground import UserError, counted
 from .estimate import DEVIATIONS, noise_of
 from .record import Record
 
-LEAST_CHANGE = 0.02  # of log velocity: smallest detected step
-LEAST_SAMPLES = 12  # of a stretch
+LEAST_CHANGE = 0.02  # smallest detected change of log velocity
+LEAST_SAMPLES = 12  # smallest number of samples of a stretch
 CHANCE = 5.0  # standard errors by which the means of two stretches must differ
 LARGEST_SHARE_OF_NOISE = 0.05  # largest relative standard error of a velocity
-SMOOTH = 3.0  # times the noise: speed below which the scale of velocities is linear
-SLOWEST = 1e-9  # of the fastest: the scale is linear below, even without noise
+SMOOTH = 3.0  # s over the noise; the scale of velocities is linear below s
+SLOWEST = 1e-9  # smallest s over the largest speed, for velocities without noise
 
 
 class MeasuredStep(NamedTuple):
     """One measured velocity step."""
 
-    name: str  # of the file, and which step of it
+    name: str  # name of the file, and number of the step in it if there are several
     v1: float  # m/s
     v2: float
     change: float  # s: between the last sample at v1 and the first at v2
-    before: np.ndarray  # friction: the later half of sliding at v1, shape (samples,)
-    before_time: np.ndarray  # s, negative: times of these samples, since the middle of the change
+    before: np.ndarray  # friction in the later half of sliding at v1, shape (samples,)
+    before_time: np.ndarray  # times of these samples since the middle of the change, s; negative
     time: np.ndarray  # s since the middle of the change, at v2, shape (n,)
     after: np.ndarray  # friction at these times
 
@@ -42,9 +42,9 @@ class MeasuredStep(NamedTuple):
 def measured_steps(record: Record, window: float | None = None) -> list[MeasuredStep]:
     """Return the velocity steps of a record, in order.
 
-    window : maximum time after each step, s; by default all of it. A change to or from rest is not
-    a step, nor is a change of direction. Raises UserError for a record without a step, and for
-    velocities that are lost in noise.
+    window : time used after each step, s; by default the whole stretch. A change to or from rest
+    is not a step, nor is a change of direction. Raises UserError for a record without a step, for
+    too few samples after a step, and for velocities that are lost in noise.
     """
     stretches = _sliding(record)
     pairs = [(one, two) for one, two in pairwise(stretches) if one.sign * two.sign > 0.0]
@@ -73,16 +73,16 @@ def no_steps_of(record: Record) -> list[str]:
 
 
 class _Stretch(NamedTuple):
-    """A stretch of constant velocity, with its sign; 0 at rest."""
+    """A stretch of constant velocity."""
 
     where: slice
-    sign: float
+    sign: float  # of the velocity; 0 at rest
 
 
 def _sliding(record: Record) -> list[_Stretch]:
     """Return the stretches of constant velocity. Raises UserError for velocities lost in noise."""
     v, sliding = record.velocity, []
-    stretches = constant_stretches(_even(v))
+    stretches = constant_stretches(_on_scale(v))
     fastest = max((abs(float(v[where].mean())) for where in stretches), default=0.0)
     for where in stretches:
         mean, scatter = float(v[where].mean()), float(v[where].std(ddof=1))
@@ -98,8 +98,8 @@ def _sliding(record: Record) -> list[_Stretch]:
     return sliding
 
 
-def _even(v: np.ndarray) -> np.ndarray:
-    """Return asinh(v/s), with s above the noise of the slower half of the samples."""
+def _on_scale(v: np.ndarray) -> np.ndarray:
+    """Return asinh(v/s), with s well above the noise of the slower half of moving samples."""
     moving = np.abs(v[v != 0.0])
     if not moving.size:
         return v
@@ -112,7 +112,7 @@ def _even(v: np.ndarray) -> np.ndarray:
 def _step_between(
     record: Record, name: str, one: _Stretch, two: _Stretch, window: float | None
 ) -> MeasuredStep:
-    """Return the step from one stretch to the next, with reversed signs for sliding backwards."""
+    """Return the step from one stretch to the next; backward sliding counts as forward."""
     before, after = one.where, two.where
     t, friction = record.time, record.friction
     last, first = t[before.stop - 1], t[after.start]
@@ -125,8 +125,8 @@ def _step_between(
             f"fit needs {LEAST_SAMPLES}: give a longer --window"
         )
     half = slice((before.start + before.stop) // 2, before.stop)
-    turned = one.sign < 0.0 and friction[before].mean() < 0.0 and friction[after].mean() < 0.0
-    friction = -friction if turned else friction
+    reverse = one.sign < 0.0 and friction[before].mean() < 0.0 and friction[after].mean() < 0.0
+    friction = -friction if reverse else friction
     return MeasuredStep(
         name=name,
         v1=abs(float(record.velocity[before].mean())),
@@ -140,22 +140,22 @@ def _step_between(
 
 
 def _no_step(record: Record) -> str:
-    lines = (
+    message = (
         f"fit {record.name}: holds no velocity step: no two stretches of {LEAST_SAMPLES} "
         f"samples or more at velocities {100 * LEAST_CHANGE:g} % apart"
     )
     v = record.velocity
     if np.all(np.diff(v) >= 0.0) or np.all(np.diff(v) <= 0.0):
-        lines += "; its column changes one way only, as a displacement does: give --displacement"
-    return lines
+        message += "; its column changes one way only, as a displacement does: give --displacement"
+    return message
 
 
 def constant_stretches(values: np.ndarray) -> list[slice]:
     """Return the stretches in which values are constant up to noise, in order.
 
-    The values are cut where that reduces their scatter most, and each part is cut again as long as
-    the two means differ. Parts that are short, or have a trend, belong to a gradual change of
-    velocity. Neighbours with equal means are merged.
+    The values are cut where a cut reduces their scatter most, and each part is cut again as long as
+    the means on both sides differ. Parts that are short or have a trend belong to a gradual change
+    and are left out. Neighbours with equal means are merged.
     """
     noise = noise_of(np.diff(values))
     open_parts, done = [(0, values.size)], []
@@ -183,7 +183,7 @@ def constant_stretches(values: np.ndarray) -> list[slice]:
 
 
 def _cut(values: np.ndarray, noise: float) -> int | None:
-    """Return the number of values before the largest change of their mean, or None without one."""
+    """Return the number of values before the best cut, or None if the means hardly differ there."""
     n = values.size
     if n < 2:
         return None

@@ -3,12 +3,12 @@
 G* = G + sum_b g_b i omega t_b/(1 + i omega t_b) and G(t) = G + sum_b g_b exp(-t/t_b), with moduli
 >= 0. For given times this is a least-squares problem with bounds (Lawson & Hanson 1974, chapter
 23), whose solution on a dense grid of times is sparse. Neighbouring times are then merged, times
-are refined, and branches are joined while the residual stays within that of the data. Residuals
+are refined, and branches are joined while the residual stays close to that on the grid. Residuals
 are relative, |model - data|/|data|. For a relaxation test, 1/t takes the place of a frequency.
 
 Branches may be up to ten times slower than the lowest frequency; slower ones count as relaxed. If
-the data leave the relaxed modulus open, branches may be a hundred times slower. If the best fit
-then has no relaxed modulus, half of the largest one that fits as well is taken.
+the data do not determine the relaxed modulus, its bounds are those with branches up to a hundred
+times slower. If the fit has no relaxed modulus, half of its upper bound is taken.
 """
 
 from collections.abc import Callable
@@ -17,29 +17,29 @@ from typing import NamedTuple
 import numpy as np
 from scipy.optimize import least_squares, nnls
 
-PER_DECADE = 8  # times of the dense grid
-TIME_MARGIN = 10.0  # factor by which times extend beyond the frequencies
+PER_DECADE = 8  # times per decade of the dense grid
+TIME_MARGIN = 10.0  # factor by which times extend beyond the inverse frequencies
 LOSS = 1.1  # growth of the rms residual allowed for fewer branches
 SMALL = 1e-2  # rms residual that needs no improvement
 DEVIATIONS = 3.0  # standard errors
 ROUNDING = 1e-4  # of the rms residual: error due to the spacing of the grid of times
-LIKE = 1.1  # largest ratio of the bounds at which a relaxed modulus is determined
-NONE = 1e-6  # of the largest possible relaxed modulus: smaller values are zero
-SCAN = np.linspace(0.0, 1.0, 41)  # relaxed modulus over the largest possible one
+LIKE = 1.1  # largest ratio of the bounds at which the relaxed modulus counts as determined
+NONE = 1e-6  # relaxed modulus, over its upper bound, up to which it counts as zero
+SCAN = np.linspace(0.0, 1.0, 41)  # trial values of the relaxed modulus over the largest one
 
 
-# Function of omega t_b or t_b/t; returns the share of g_b in G* or G(t), and its d/d ln t_b.
+# Function of omega t_b or t_b/t; returns the share of g_b in G* or G(t), and d share/d ln t_b.
 Shares = Callable[[np.ndarray], tuple[np.ndarray, np.ndarray]]
 
 
 def in_oscillation(turn: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Return the share of a branch in G*; turn : omega t_b, of any shape."""
+    """Return the share of g_b in G*, and d share/d ln t_b. turn : omega t_b, of any shape."""
     share = 1j * turn / (1.0 + 1j * turn)
     return share, share * (1.0 - share)
 
 
 def in_relaxation(turn: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Return the share of a branch in G(t); turn : t_b/t, of any shape."""
+    """Return the share of g_b in G(t), and d share/d ln t_b. turn : t_b/t, of any shape."""
     share = np.exp(-1.0 / turn)
     return share, share / turn
 
@@ -51,9 +51,9 @@ class PronyFit(NamedTuple):
     branches: tuple[tuple[float, float], ...]  # (modulus, time), times ascending
     rms: float  # of the relative residual
     worst: float  # largest relative residual
-    residual: np.ndarray  # its size at each frequency, shape (n,)
-    dense: float  # rms with the whole dense grid of times
-    slowest: float  # time, s, beyond which all counts as relaxed
+    residual: np.ndarray  # size of the relative residual at each frequency, shape (n,)
+    dense: float  # rms of the relative residual with all times of the dense grid
+    slowest: float  # s, time beyond which every relaxation counts as complete
     least: float  # least, most : bounds of the relaxed modulus
     most: float
 
@@ -67,9 +67,9 @@ def fit_prony(omega: np.ndarray, moduli: np.ndarray, branches: int | None = None
     """Fit a Prony series to complex moduli at angular frequencies, or to G(t).
 
     omega : rad/s, shape (n,), positive; for a relaxation test, 1/t. moduli : G' + i G'', shape
-    (n,), or real G(t). branches : maximum number; by default the fewest that fit as well as many
-    do. Raises ValueError for fewer than four frequencies, and for moduli that are not positive and
-    finite.
+    (n,), or real G(t). branches : maximum number; by default the fewest that fit about as well as
+    the dense grid. Raises ValueError for fewer than four frequencies, for a frequency or G' that is
+    not positive, for G'' < 0, and for values that are not finite.
     """
     omega, moduli = np.asarray(omega, float), np.asarray(moduli)
     good = (omega > 0.0) & np.isfinite(moduli) & (moduli.real > 0.0) & (moduli.imag >= 0.0)
@@ -89,11 +89,11 @@ def fit_prony(omega: np.ndarray, moduli: np.ndarray, branches: int | None = None
         data = data._replace(moduli=data.moduli - discarded)
         times, series, rms = _few(data, grid, allowed, branches)
     positive = series[1:] > 0.0
-    off = data.weighted(times)[0] @ series - data.wanted
-    residual = np.linalg.norm(off.reshape(-1, omega.size), axis=0)  # over real and imaginary part
+    misfit = data.weighted(times)[0] @ series - data.wanted
+    residual = np.linalg.norm(misfit.reshape(-1, omega.size), axis=0)  # over both parts of G*
     pairs = zip((unit * series[1:][positive]).tolist(), times[positive].tolist(), strict=True)
     relaxed = discarded + float(series[0])
-    within = rms <= allowed  # too few branches do not determine the relaxed modulus
+    within = rms <= allowed  # if false, branches are too few to determine the relaxed modulus
     return PronyFit(
         shear_modulus=unit * relaxed,
         branches=tuple(pairs),
@@ -110,9 +110,9 @@ def fit_prony(omega: np.ndarray, moduli: np.ndarray, branches: int | None = None
 def _few(
     data: "MeasuredModuli", grid: np.ndarray, allowed: float, most: int | None
 ) -> tuple[np.ndarray, np.ndarray, float]:
-    """Fit few branches; return their times, all moduli (relaxed first) and the rms.
+    """Fit few branches; return their times, all moduli (relaxed first) and the rms residual.
 
-    allowed, most : rms and number, as for ``_joined``.
+    allowed, most : see ``_joined``.
     """
     reach = np.log(grid[[0, -1]])
     times = _moved(data, _merged(grid, solved(data, grid)[0][1:]), reach)
@@ -124,12 +124,12 @@ class MeasuredModuli(NamedTuple):
     """Data of a fit and scales of its residuals; arrays of shape (n,)."""
 
     omega: np.ndarray  # rad/s, or 1/t
-    moduli: np.ndarray  # G* or G(t), minus the given relaxed modulus
+    moduli: np.ndarray  # G* or G(t), minus the part of the relaxed modulus that is not fitted
     size: np.ndarray  # |G*|
     shares: Shares
 
     def weighted(self, times: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """Return relative moduli per unit of G and of each branch, and derivatives by log times.
+        """Return relative moduli per unit of G and of each g_b, and derivatives by ln t_b.
 
         Real and imaginary parts are separate rows: shapes (values, 1 + branches) and (values,
         branches).
@@ -151,7 +151,7 @@ def measured_moduli(omega: np.ndarray, moduli: np.ndarray) -> MeasuredModuli:
 
 
 def grid_of_times(omega: np.ndarray, beyond: float, per_decade: int = PER_DECADE) -> np.ndarray:
-    """Return the dense grid of times, to ``beyond`` over the lowest frequency."""
+    """Return the dense grid of times, up to ``beyond`` / (lowest frequency)."""
     first, last = 1.0 / (TIME_MARGIN * omega.max()), beyond / omega.min()
     return np.geomspace(first, last, int(np.ceil(per_decade * np.log10(last / first))) + 1)
 
@@ -165,9 +165,9 @@ def _parts(values: np.ndarray) -> np.ndarray:
 def solved(
     data: MeasuredModuli, times: np.ndarray, relaxed: float | None = None
 ) -> tuple[np.ndarray, float]:
-    """Return the moduli, shape (1 + branches,), and the rms of the residual.
+    """Fit moduli >= 0 at given times; return them, shape (1 + branches,), and the rms residual.
 
-    relaxed : given relaxed modulus, or None.
+    relaxed : given relaxed modulus, or None to fit it.
     """
     columns, wanted = data.weighted(times)[0], data.wanted
     fixed = np.zeros(0)
@@ -176,11 +176,11 @@ def solved(
         columns, fixed = columns[:, 1:], np.array([relaxed])
     scale = np.linalg.norm(columns, axis=0)
     columns = columns / scale
-    square, turned = columns, wanted
+    square, projected = columns, wanted
     if columns.shape[0] > 4 * columns.shape[1]:  # solve with the triangular factor
         basis, square = np.linalg.qr(columns)
-        turned = basis.T @ wanted
-    moduli, _ = nnls(square, turned, maxiter=100 * scale.size)
+        projected = basis.T @ wanted
+    moduli, _ = nnls(square, projected, maxiter=100 * scale.size)
     residual = np.linalg.norm(columns @ moduli - wanted)
     return np.concatenate([fixed, moduli / scale]), float(residual / np.sqrt(data.size.size))
 
@@ -232,30 +232,30 @@ def _moved(data: MeasuredModuli, times: np.ndarray, reach: np.ndarray) -> np.nda
 def _joined(
     data: MeasuredModuli, times: np.ndarray, reach: np.ndarray, allowed: float, most: int | None
 ) -> np.ndarray:
-    """Join adjacent times while the rms stays below ``allowed``.
+    """Join adjacent times, or drop an end one, while the rms residual is at most ``allowed``.
 
-    most : maximum number of times, for any rms; None: no maximum.
+    most : maximum number of times, whatever the rms; None: no maximum.
     """
     while times.size > 1:
         middles = np.sqrt(times[1:] * times[:-1])
         trials = [np.delete(times, i) for i in (0, times.size - 1)]
         trials += [np.insert(np.delete(times, [i, i + 1]), i, t) for i, t in enumerate(middles)]
         nearest = sorted(trials, key=lambda trial: solved(data, trial)[1])
-        moduli = nearest[0]
-        if solved(data, moduli)[1] > allowed:
+        fewer = nearest[0]
+        if solved(data, fewer)[1] > allowed:
             moved = [_moved(data, trial, reach) for trial in nearest[:2]]
-            moduli = min(moved, key=lambda trial: solved(data, trial)[1])
+            fewer = min(moved, key=lambda trial: solved(data, trial)[1])
         too_many = most is not None and times.size > most
-        if not too_many and solved(data, moduli)[1] > allowed:
+        if not too_many and solved(data, fewer)[1] > allowed:
             break
-        times = moduli
+        times = fewer
     return times
 
 
 def _bounds(data: MeasuredModuli, grid: np.ndarray, best: float) -> tuple[float, float]:
     """Return the smallest and the largest relaxed modulus within three standard errors.
 
-    At these the sum of squares exceeds its minimum by nine mean squares.
+    There the sum of squares exceeds its minimum by nine times the mean square.
     """
     allowed = best * np.sqrt(1.0 + DEVIATIONS**2 / data.wanted.size) + ROUNDING
     top = 1.05 * float(np.min(data.size))

@@ -25,18 +25,18 @@ FRICTION = ColumnSpec(
     r"fric|reibung|^(mu|\u03bc|\u00b5)([\W_\d]|$)|coef|cof",
     "1",
 )
-LARGEST_NOISE = 0.05  # relative, of a velocity from differences of displacements
-WIDEST = 12  # samples over which displacements are differenced
+LARGEST_NOISE = 0.05  # largest relative noise of a velocity from differences of displacements
+WIDEST = 12  # largest number of samples per difference of displacements
 
 
 class Record(NamedTuple):
     """A measured record in SI units; arrays of shape (samples,)."""
 
-    name: str  # of the file
+    name: str  # name of the file
     time: np.ndarray  # s, increasing
     velocity: np.ndarray  # m/s, of any sign
     friction: np.ndarray  # coefficient of friction, of any sign
-    description: tuple[str, ...] = ()  # description of the columns, in sentences
+    description: tuple[str, ...] = ()  # of the columns, in sentences
 
 
 def read_record(
@@ -57,17 +57,17 @@ def read_record(
     that decrease, and for displacements that are too noisy to be differenced.
     """
     table = read_text_table("fit", path)
-    second = _second(table, columns, displacement)._replace(unit=displacement or velocity)
+    second = _motion_spec(table, columns, displacement)._replace(unit=displacement or velocity)
     selected = select_columns(table, (TIME._replace(unit=time), second, FRICTION), columns)
     lines = [describe_columns(table, selected)]
     values = np.array([one.values for one in selected])
-    there = np.isfinite(values).all(axis=0)
-    t, moved, mu = values[:, there]
+    complete = np.isfinite(values).all(axis=0)
+    t, moved, mu = values[:, complete]
     if not t.size:
         raise UserError(f"fit {path}: holds no row of 3 finite numbers")
     back = np.flatnonzero(np.diff(t) < 0.0)
     if back.size:
-        line = np.array(table.lines)[there][back[0] + 1]
+        line = np.array(table.lines)[complete][back[0] + 1]
         raise UserError(
             f"fit: line {line} of {str(path)!r}: time {t[back[0] + 1]:g} s comes before "
             f"{t[back[0]]:g} s of the row above; must increase: part the file there, or sort it"
@@ -81,7 +81,7 @@ def read_record(
     return Record(path.name, t, moved, mu, tuple(lines))
 
 
-def _second(
+def _motion_spec(
     table: TextTable, columns: Sequence[int] | None, displacement: str | None
 ) -> ColumnSpec:
     """Return the column specification of the velocity, or of the displacement in its place."""
@@ -114,8 +114,7 @@ def _spread(t: np.ndarray) -> np.ndarray:
 def _differenced(path: Path, t: np.ndarray, place: np.ndarray) -> tuple[np.ndarray, int]:
     """Return finite-difference velocities and the number of samples per difference.
 
-    The number is chosen so that the noise of the velocity, from second differences of place, is
-    small.
+    The number limits the noise of the velocity, as known from second differences of ``place``.
     """
     step = float(np.median(np.abs(np.diff(place))))
     noise = float(np.median(np.abs(np.diff(place, 2)))) / (0.6745 * np.sqrt(6.0))

@@ -1,4 +1,4 @@
-"""Description of a fit; undetermined quantities are named, and no number is given for them."""
+"""Description of a fit, which names undetermined quantities without giving a number for them."""
 
 import math
 from statistics import fmean
@@ -31,7 +31,7 @@ def describe(fit: Fit) -> list[str]:
 
 
 def _step(fit: StepFit, least: float) -> list[str]:
-    """Return the description of one step; least : residual of the better law."""
+    """Return the description of one step. least : rms residual of the better law."""
     step, times = fit.step, least / fit.noise if fit.noise else 1.0
     lines = [f"{step.name}: from {step.v1:.4g} to {step.v2:.4g} m/s"]
     levels = (("friction before, mu_1", fit.mu_1), ("jump", fit.jump))
@@ -115,7 +115,7 @@ def _open(fit: Fit, rates: Rates, names: list[str]) -> list[str]:
 
 
 def _whole(fit: Fit, rates: Rates) -> list[str]:
-    """Describe the law of eq. 13 below x = 1 that fits better, and KineticLaw as a Python call."""
+    """State which law below x = 1 fits better, and write the KineticLaw as a Python call."""
     branch = "is 1: contacts creep with tau" if rates.time_below_one else "is x, as eq. 13 has it"
     lines = [_line("below v_2 tau q_max = 1", f"b {branch}; sum of squares {rates.squares:.2g}")]
     table = _steady(fit)
@@ -132,7 +132,7 @@ def _whole(fit: Fit, rates: Rates) -> list[str]:
 
 
 def _steady(fit: Fit) -> list[tuple[float, float]]:
-    """Return the positive steady friction over the speeds, averaged at equal speeds."""
+    """Return pairs (speed, positive steady friction), averaged over equal speeds."""
     both = [(estimate.step.v1, estimate.mu_1) for estimate in fit.steps]
     both += [(estimate.step.v2, estimate.mu_2) for estimate in fit.steps]
     groups: list[list[tuple[float, float]]] = []
@@ -154,7 +154,7 @@ def _line(name: str, text: str) -> str:
 
 
 def shown(estimate: Estimate) -> str:
-    """Return "0.3012 ± 0.0023": the error with two digits, the value to the same place.
+    """Return text like "0.3012 ± 0.0023": the error with two digits, the value to the same place.
 
     An unknown estimate is "not determined".
     """

@@ -1,8 +1,8 @@
 """Fit of a law to the shifts of sweeps with the temperature: WLF, Arrhenius, or the table itself.
 
-Both laws are linear in one constant: c1 for a given c2, and the activation energy. Residuals are
-those of the differences to the sweep that was not shifted, with their full covariance, so the
-result does not depend on the choice of that sweep.
+WLF is linear in c1 for a given c2, and Arrhenius in the activation energy. Residuals are those of
+the differences from the sweep that was not shifted, with their full covariance, so the result does
+not depend on the choice of that sweep.
 """
 
 from typing import NamedTuple
@@ -12,9 +12,9 @@ from scipy.optimize import minimize_scalar
 
 from ..study import GAS_CONSTANT, Arrhenius, ShiftLaw, ShiftTable, Wlf, inverse_temperature
 
-POLES = np.log(np.geomspace(1.0, 2000.0, 80))  # K below the coldest sweep: trial values of T_0
-MIN_TEMPERATURES = {"wlf": 4, "arrhenius": 3}  # temperatures: two more than there are constants
-KNOWN_TO = 1e-3  # decades: lower bound of the error of a shift
+POLES = np.log(np.geomspace(1.0, 2000.0, 80))  # log of K below the coldest sweep: trial T_0
+MIN_TEMPERATURES = {"wlf": 4, "arrhenius": 3}  # two more than there are constants
+KNOWN_TO = 1e-3  # decades, added in quadrature to the error of a shift
 CLOSE = 0.05  # decades: allowed deviation of a law from a shift with a small error
 DEVIATIONS = 3.0  # standard errors: allowed deviation of a law from a shift
 
@@ -42,7 +42,7 @@ def fit_shifts(
     temperatures : °C, ascending, shape (sweeps,). decades : log10 a_T, 0 at one of them.
     covariance : shape (sweeps, sweeps). reference : °C, where a_T is 1, within the temperatures.
     law : one of SHIFT_KEYS, to require that law. Raises ValueError if a required law has fewer
-    temperatures than MIN_TEMPERATURES, or if its shifts rise with the temperature.
+    temperatures than MIN_TEMPERATURES, or if the shifts rise with the temperature.
     """
     laws = {"wlf": _wlf_fit, "arrhenius": _arrhenius_fit}
     candidates = [n for n in laws if law in (None, n) and temperatures.size >= MIN_TEMPERATURES[n]]
@@ -65,12 +65,12 @@ def fit_shifts(
 class _Weighted(NamedTuple):
     """Weights that express differences of shifts in standard errors."""
 
-    free: np.ndarray  # which sweeps were shifted, shape (sweeps,)
+    free: np.ndarray  # mask of the sweeps that were shifted, shape (sweeps,)
     root: np.ndarray  # square root of the inverse covariance of their shifts
     errors: np.ndarray  # standard errors of the shifts of all sweeps
 
     def off(self, values: np.ndarray) -> np.ndarray:
-        """Return values at all sweeps minus that of the fixed sweep, in standard errors."""
+        """Return values at the shifted sweeps minus that at the fixed one, in standard errors."""
         return self.root @ (values[self.free] - values[~self.free][0])
 
 
@@ -106,7 +106,7 @@ def _wlf_fit(
 def _arrhenius_fit(
     temperatures: np.ndarray, decades: np.ndarray, reference: float, weighting: _Weighted
 ) -> ShiftFit | None:
-    """Return the best law of Arrhenius, or None if shifts rise with the temperature."""
+    """Return the best Arrhenius law, or None if shifts rise with the temperature."""
     wanted = weighting.off(decades)
     slope = weighting.off(
         inverse_temperature(temperatures, reference) / (GAS_CONSTANT * np.log(10.0))
@@ -124,7 +124,7 @@ def _fit_of(
     temperatures: np.ndarray,
     decades: np.ndarray,
 ) -> ShiftFit:
-    """Return a law with its errors; slopes : weighted derivatives with respect to its constants."""
+    """Return a law with its errors. slopes : weighted derivatives with respect to its constants."""
     values = np.array([law.decades(t) for t in temperatures.tolist()])
     off = weighting.off(values - decades)
     scatter = float(off @ off) / (off.size - len(slopes))

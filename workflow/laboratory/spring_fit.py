@@ -1,7 +1,7 @@
 """Fit of one velocity step of a compliant machine, whose spring is part of the model.
 
-The record holds the velocity V of the load point, behind a spring of stiffness k in units of the
-normal force (1/m). The slider follows at v:
+The record holds the velocity V of the load point. A spring of stiffness k, in units of the normal
+force (1/m), connects it to the slider, whose velocity is v:
 
     d mu/dt = k (V - v)                       the spring, without inertia
     mu = mu_1 + a ln(v/v1) + b phi            with phi = ln(v1 theta/D_c), see rate_state.py
@@ -9,8 +9,8 @@ normal force (1/m). The slider follows at v:
 v follows from mu and phi, and scipy's ``solve_ivp`` integrates both from steady sliding at v1.
 ``least_squares`` fits mu_1, ln a, b, ln D_c and the moment of the step. The moment is constrained
 to the time in which the velocity changed: for a stiff machine a later step and a larger a give the
-same friction, so the data alone do not separate them. In the limit of a stiff machine a step is eq.
-6.
+same friction, so the data alone do not separate them. For an infinitely stiff machine the model
+becomes eq. 6.
 
 Source: C. Marone, Annu. Rev. Earth Planet. Sci. 26, 643 (1998),
 doi:10.1146/annurev.earth.26.1.643, eqs. 3 to 6.
@@ -27,12 +27,12 @@ from ..reduce import state_change
 from .estimate import Estimate, correlation_factor, mean
 from .parting import MeasuredStep
 
-STARTS = np.array([0.01, 0.1, 0.5])  # of the distance slid after the step: trial values of D_c
-SHARES = np.array([0.5, 2.0])  # of the largest change: trial values of a ln(v2/v1)
-LARGEST = 40.0  # of ln(v/v1)
-ACCURACY = 1e-7  # of the integration
-COARSE = 200  # samples on which starts are compared
-MOST = 60  # evaluations of a fit
+STARTS = np.array([0.01, 0.1, 0.5])  # trial values of D_c over the distance slid after the step
+SHARES = np.array([0.5, 2.0])  # trial values of a ln(v2/v1) over the largest change of friction
+LARGEST = 40.0  # largest |ln(v/v1)|
+ACCURACY = 1e-7  # relative tolerance of the integration
+COARSE = 200  # approximate number of samples on which starts are compared
+MOST = 60  # largest number of evaluations in a fit
 
 
 class Sprung(NamedTuple):
@@ -40,17 +40,17 @@ class Sprung(NamedTuple):
 
     curve: np.ndarray  # friction by the fit at ``step.time``
     residual: np.ndarray  # fit minus data
-    factor: float  # on the variances, as the noise is correlated
+    factor: float  # by which correlation of the noise increases variances
     mu_1: Estimate
     levels: dict[str, Estimate]  # mu_2, the jump a ln(v2/v1) of a stiff machine, b ln(v2/v1)
     log_length: Estimate  # of D_c in m
 
 
 def fit_behind_spring(step: MeasuredStep, law: str, stiffness: float) -> Sprung:
-    """Fit one step; stiffness in 1/m, law : "ruina" or "dieterich"."""
+    """Fit one step. law : "ruina" or "dieterich". stiffness : 1/m."""
     before = mean(step.before)
     size = max(before.error, 1e-12)  # error of mu_1 from sliding before the step
-    spread = step.change / math.sqrt(12.0)  # error of a moment uniform over the change
+    spread = step.change / math.sqrt(12.0)  # standard deviation of a moment uniform in the change
 
     def residual(p: np.ndarray, every: int = 1) -> np.ndarray:
         after = step.after[::every]
@@ -63,9 +63,9 @@ def fit_behind_spring(step: MeasuredStep, law: str, stiffness: float) -> Sprung:
     starts = [np.clip(p, low, high) for p in _starts(step, before.value)]
     coarse = max(step.time.size // COARSE, 1)
     start = min(starts, key=lambda p: float(np.sum(residual(p, coarse) ** 2)))
-    kinds = {"bounds": (low, high), "x_scale": "jac", "diff_step": 1e-5}
-    start = least_squares(lambda p: residual(p, coarse), start, max_nfev=MOST, **kinds).x
-    solution = least_squares(residual, start, max_nfev=MOST, **kinds)
+    options = {"bounds": (low, high), "x_scale": "jac", "diff_step": 1e-5}
+    start = least_squares(lambda p: residual(p, coarse), start, max_nfev=MOST, **options).x
+    solution = least_squares(residual, start, max_nfev=MOST, **options)
     curve = _curve(solution.x, step, step.time, law, stiffness)
     rest = curve - step.after
     factor = correlation_factor(rest)
@@ -112,7 +112,7 @@ def _starts(step: MeasuredStep, mu_1: float) -> list[np.ndarray]:
 def _curve(
     p: np.ndarray, step: MeasuredStep, t: np.ndarray, law: str, stiffness: float
 ) -> np.ndarray:
-    """Return friction at times t after the step from mu_1, ln a, b, ln D_c and its moment."""
+    """Return friction at times t after the step. p : mu_1, ln a, b, ln D_c, moment of the step."""
     mu_1, log_a, b, log_length, moment = p
     a, length = math.exp(log_a), math.exp(log_length)
 

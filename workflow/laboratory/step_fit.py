@@ -6,10 +6,10 @@ the equivalent constants a = jump/ln r, b = amplitude/ln r, D_c = v2/k with r = 
 For a given rate the model mu_2 + b g(k t) is linear, so many rates are tried, and the best one is
 refined by scipy's ``least_squares``. All rates whose sum of squares exceeds the minimum by less
 than nine variances are compatible with the data within three standard errors. If the rate is
-undetermined, as when nothing relaxes or more slowly than was recorded, errors include all of
-them. The variance is that of the residual, times the factor for correlated noise.
+undetermined, e.g. because nothing relaxes or the record is too short, errors include all compatible
+rates. The variance is that of the residual, times the factor for correlated noise.
 
-Source: Li et al. (2014), doi:10.1038/srep05795, eqs. 6 and 8; the laws stand in
+Source: Li et al. (2014), doi:10.1038/srep05795, eqs. 6 and 8; the laws are in
 workflow/reduce/rate_state.py.
 """
 
@@ -25,11 +25,11 @@ from .estimate import DEVIATIONS, Estimate, correlation_factor, mean, noise_of
 from .parting import MeasuredStep
 from .spring_fit import fit_behind_spring
 
-RATES = 80  # tried
-SLOWEST = 0.1  # rate times the whole time: slower is a straight line
-FASTEST = 1.0  # rate times the first interval of samples: faster is part of the jump
+RATES = 80  # number of trial rates
+SLOWEST = 0.1  # smallest rate times the recorded time; slower relaxation is a straight line
+FASTEST = 1.0  # largest rate times the sampling interval; faster relaxation is part of the jump
 STEADY = 0.1  # smallest drift before a step that counts, over the largest change after it
-POOR = 5.0  # times the noise: residual that noise does not explain
+POOR = 5.0  # residual over noise above which noise does not explain it
 SMALL = 1e-12  # of a coefficient of friction: smaller changes are rounding
 LARGEST_SHARE = 1.0 / DEVIATIONS  # largest relative standard error of an estimate
 
@@ -58,20 +58,20 @@ class Relaxation(NamedTuple):
 
     p: np.ndarray
     residual: np.ndarray  # fit minus data, shape (samples,)
-    factor: float  # on the variances, as the noise is correlated
+    factor: float  # by which correlation of the noise increases variances
     covariance: np.ndarray  # of p, shape (3, 3)
-    rates: np.ndarray  # that were tried, increasing
-    compatible: np.ndarray  # whether each rate is compatible
+    rates: np.ndarray  # trial rates, increasing, shape (rates,)
+    compatible: np.ndarray  # whether each rate is compatible with the data, shape (rates,)
     best: np.ndarray  # mu_2 and b at these rates, shape (rates, 2)
     covariances: np.ndarray  # of mu_2 and b at these rates, shape (rates, 2, 2)
-    slack: np.ndarray  # standard errors that mu_2 and b may still differ by, shape (rates,)
+    slack: np.ndarray  # standard errors by which mu_2 and b may yet differ, shape (rates,)
 
     def error(self, weights: np.ndarray) -> float:
         """Return the standard error of a weighted sum of mu_2 and b."""
         return float(np.sqrt(weights @ self.covariance[:2, :2] @ weights))
 
     def spread(self, weights: np.ndarray) -> float:
-        """Return the standard error over all compatible rates: a sixth of the range of the sum."""
+        """Return the standard error over all compatible rates: a sixth of the sum's range."""
         values = self.best @ weights
         widths = self.slack * np.sqrt(np.einsum("p,kpq,q->k", weights, self.covariances, weights))
         ends = (values + widths)[self.compatible], (values - widths)[self.compatible]
@@ -81,8 +81,8 @@ class Relaxation(NamedTuple):
 def fit_relaxation_curve(t: np.ndarray, values: np.ndarray, shape: Shape) -> Relaxation:
     """Fit mu_2 + b g(k t) to values at times t > 0, both of shape (samples,), four or more.
 
-    shape : returns b g and its derivatives by b and log k for (b, log k), as
-    ``workflow.reduce.step_law``.
+    shape : function of p = (b, log k) and t that returns b g(k t) and its derivatives by p, as that
+    of ``workflow.reduce.step_law``.
     """
     fastest = max(FASTEST / (t[1] - t[0]), 2.0 / t[-1])
     rates = np.geomspace(SLOWEST / t[-1], fastest, RATES)
@@ -161,15 +161,15 @@ class StepFit(NamedTuple):
     why: dict[str, str]  # reasons for undetermined estimates
     drift: Estimate  # change of friction over ``step.before``, by a straight line
     levelled: bool  # whether the drift is subtracted, before and after the step
-    noise: float  # of friction, from sample to sample
+    noise: float  # standard deviation of friction from sample to sample
     rms: float  # of the residual
-    factor: float  # on the variances, as the noise is correlated
+    factor: float  # by which correlation of the noise increases variances
     curve: np.ndarray  # friction by the fit at ``step.time``
     stiffness: float | None  # 1/m, of the spring in the fit
 
     @property
     def drifts(self) -> bool:
-        """Return whether the change of friction before the step is comparable to that after it."""
+        """Return whether the drift before the step is significant and not small (STEADY)."""
         size = max(abs(self.curve - self.mu_1.value))
         return abs(self.drift.value) > max(DEVIATIONS * self.drift.error, STEADY * size)
 
@@ -187,7 +187,7 @@ def fit_step(step: MeasuredStep, law: str = "ruina", stiffness: float | None = N
 
     stiffness : of the machine (1/m), whose spring is then modelled; None: a stiff machine. If
     friction drifts before the step, the drift is subtracted before and after it, provided that this
-    reduces the residual. The errors of the estimates include that of the drift.
+    reduces the residual. The errors of the estimates then include that of the drift.
     """
     plain = _fitted(step, law, stiffness)
     if not abs(plain.drift.value) > DEVIATIONS * plain.drift.error:
@@ -221,7 +221,7 @@ def _levelled(step: MeasuredStep, drift: float) -> MeasuredStep:
 def _with_drift(estimate: Estimate, off: Estimate) -> Estimate:
     """Add the error of the drift to the error of an estimate.
 
-    off : the same estimate with the drift changed by one standard error.
+    off : the same estimate with the drift increased by one standard error.
     """
     more = off.value - estimate.value if off.known else estimate.error
     return Estimate(estimate.value, math.hypot(estimate.error, more))
@@ -242,10 +242,10 @@ def _stiff(step: MeasuredStep, law: str, mu_1: Estimate) -> dict[str, Any]:
     """Fit a step of a stiff machine; return fields of a StepFit."""
     fit = fit_relaxation_curve(step.time, step.after, step_law(law, step.ratio))
     curve = step.after + fit.residual
-    rate, open_for = _rate(fit)
-    solution, why = _levels(step, fit, mu_1, curve, bool(open_for))
-    why |= dict.fromkeys(OPEN_WITH.get(open_for, ()), open_for)
-    solution |= {name: Estimate() for name in OPEN_WITH.get(open_for, ())}
+    rate, reason = _rate(fit)
+    solution, why = _levels(step, fit, mu_1, curve, bool(reason))
+    why |= dict.fromkeys(OPEN_WITH.get(reason, ()), reason)
+    solution |= {name: Estimate() for name in OPEN_WITH.get(reason, ())}
     how = {"why": why, "factor": fit.factor, "curve": curve, "residual": fit.residual}
     return {**solution, "rate": rate, **how}
 
@@ -277,7 +277,7 @@ def _drift(values: np.ndarray) -> Estimate:
 
 
 def _constant(step: MeasuredStep) -> StepFit:
-    """Return a fit with constant friction after the step, on which other fits are built."""
+    """Return a fit with constant friction after the step; other fits replace its fields."""
     mu_1, mu_2 = mean(step.before), Estimate(float(step.after.mean()), 0.0)
     return StepFit(
         step=step,
@@ -315,11 +315,11 @@ def _rate(fit: Relaxation) -> tuple[Estimate, str]:
 def _levels(
     step: MeasuredStep, fit: Relaxation, mu_1: Estimate, curve: np.ndarray, any_rate: bool
 ) -> tuple[dict[str, Estimate], dict[str, str]]:
-    """Return the estimates that are linear in mu_2 and b, and reasons for undetermined ones.
+    """Return estimates that are linear in mu_2 and b, and the reasons for undetermined ones.
 
     any_rate : whether the rate is undetermined; errors then include all compatible rates.
     """
-    log_ratio = math.log(step.ratio)  # g at the moment of the step, of either law
+    log_ratio = math.log(step.ratio)  # g at the moment of the step, for both laws
     # The step happened between two samples, at any time with equal probability.
     timing = abs(fit.p[1] * log_ratio) * math.exp(fit.p[2]) * step.change / math.sqrt(12.0)
     size = float(np.max(np.abs(curve - mu_1.value)))  # largest change of friction

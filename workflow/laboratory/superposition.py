@@ -4,11 +4,11 @@ b_T G*(omega, T) = G*(omega a_T, T_ref): at T, times are a_T times longer and, o
 b_T times smaller. First guess: mean distance of adjacent sweeps along log omega at equal moduli
 (the closed-form shifting of Gergesova et al., J. Rheol. 55, 1 (2011), doi:10.1122/1.3503529,
 ISO 18437-6). Then all shifts are varied together until one Prony series on a dense grid of times
-describes all sweeps best. G' and G'' are fitted together. The residual is misfit of the series as
-well as noise, so neither theory of estimate.py applies; its mean square per degree of freedom is
-the variance of the data, as usual in least squares, and gives the errors. Since
-both shifts move a power law in the same way, log10 b_T has a prior of 0 +- LIKELY. The series
-is eliminated by variable projection (Kaufman, BIT 15, 49 (1975)).
+describes all sweeps best. G' and G'' are fitted together. The residual contains the misfit of the
+series besides noise, so neither theory of estimate.py applies. Its mean square per degree of
+freedom is taken as the variance of the data, as usual in least squares. Since both shifts move a
+power law in the same way, log10 b_T has a prior of 0 +- LIKELY. The series is eliminated by
+variable projection (Kaufman, BIT 15, 49 (1975)).
 
 Two packages with the same purpose were not used. pyvisco 2.1 requires JupyterLab, Voila and
 IPython, shifts pair by pair by a power law of G' alone, and states no errors. mastercurves 0.2.3 of
@@ -27,13 +27,13 @@ from .prony_fit import TIME_MARGIN, MeasuredModuli, grid_of_times, measured_modu
 
 MARGIN = 10.0  # factor by which the grid of times allows shifts to leave the first guess
 TIMES_PER_DECADE = 16  # fine enough not to affect the shifts
-LIKELY = 0.1  # decades of b_T: densities and absolute temperatures change by less
-LEVELS = 50  # moduli at which distances of sweeps are taken
+LIKELY = 0.1  # decades: standard deviation of log10 b_T; density times temperature varies by less
+LEVELS = 50  # number of moduli at which distances of sweeps are taken
 Sweep = tuple[np.ndarray, np.ndarray]  # omega in rad/s, G* (or 1/t, G(t)), shapes (n,)
 
 
 class Superposition(NamedTuple):
-    """Shifts of sweeps; arrays of shape (sweeps,) or (sweeps, sweeps), 0 at the reference."""
+    """Shifts of sweeps; arrays are 0 at the reference, of shape (sweeps,) or (sweeps, sweeps)."""
 
     decades: np.ndarray  # log10 a_T
     vertical: np.ndarray  # log10 b_T
@@ -52,9 +52,9 @@ def superposed(
 ) -> Superposition:
     """Fit the shifts that superpose sweeps on one master curve.
 
-    temperatures : °C, of each sweep, ascending, for messages. reference : the number of the sweep
-    that is not shifted. vertical : whether moduli are shifted as well. Raises ValueError for
-    neighbours without a common modulus.
+    temperatures : °C, of each sweep, ascending, for messages. reference : index of the sweep that
+    is not shifted. vertical : whether moduli are shifted as well. Raises ValueError for adjacent
+    sweeps without a common modulus.
     """
     first = _first_guess(temperatures, sweeps)
     first -= first[reference]
@@ -68,7 +68,7 @@ def superposed(
     raw = np.concatenate([w for w, _ in sweeps]), moduli / unit
 
     def projected(p: np.ndarray, prior: float) -> tuple[np.ndarray, np.ndarray, int]:
-        """Return residual, its derivatives and the number of branches for decades of shifts."""
+        """Return residual, its Jacobian and the number of branches. p : shifts in decades."""
         shifts = np.zeros((2, len(sweeps)))
         shifts[: p.size // free.size, free] = p.reshape(-1, free.size)
         across, up = 10.0 ** shifts[:, owner]
@@ -102,19 +102,17 @@ def superposed(
 def _projected(
     data: MeasuredModuli, grid: np.ndarray, owner: np.ndarray, free: np.ndarray, vertical: bool
 ) -> tuple[np.ndarray, np.ndarray, int]:
-    """Return the residual of the best series, derivatives by shifts, and the number of branches.
+    """Return the residual of the best series, its Jacobian by shifts, and the number of branches.
 
-    owner : index of the sweep of each modulus. The derivatives are orthogonal to all changes that
-    the series can make.
+    owner : index of the sweep of each modulus. The Jacobian is projected orthogonal to all changes
+    that the series can make.
     """
     solution, _ = solved(data, grid)
     columns, slopes = data.weighted(grid)
     model = columns @ solution
     values = [slopes @ solution[1:], -model] if vertical else [slopes @ solution[1:]]
-    mask = np.resize(owner, model.size)[:, None] == free  # of real and imaginary parts
-    jacobian = np.log(10.0) * np.hstack(
-        [mask * values_of_curve[:, None] for values_of_curve in values]
-    )
+    mask = np.resize(owner, model.size)[:, None] == free  # repeated for the imaginary parts
+    jacobian = np.log(10.0) * np.hstack([mask * column[:, None] for column in values])
     active = solution > 0.0
     basis, _ = np.linalg.qr(np.hstack([columns[:, active], slopes[:, active[1:]]]))
     jacobian -= basis @ (basis.T @ jacobian)
@@ -122,10 +120,10 @@ def _projected(
 
 
 def _first_guess(temperatures: np.ndarray, sweeps: Sequence[Sweep]) -> np.ndarray:
-    """Return log10 a_T from mean distances of neighbours at equal moduli, 0 at the first sweep."""
+    """Return log10 a_T from mean distances of adjacent sweeps at equal moduli; the first is 0."""
     curves = [(np.sort(np.log10(np.abs(g))), np.sort(np.log10(w))) for w, g in sweeps]
     shifts = [0.0]
-    for place, ((cold, mask), (warm, other)) in enumerate(pairwise(curves)):
+    for place, ((cold, cold_omega), (warm, warm_omega)) in enumerate(pairwise(curves)):
         low, high = max(cold[0], warm[0]), min(cold[-1], warm[-1])
         if not high > low:
             one, two = temperatures[place], temperatures[place + 1]
@@ -135,6 +133,6 @@ def _first_guess(temperatures: np.ndarray, sweeps: Sequence[Sweep]) -> np.ndarra
                 "shifted by no overlap; measure in between"
             )
         levels = np.linspace(low, high, LEVELS)
-        distance = np.interp(levels, cold, mask) - np.interp(levels, warm, other)
+        distance = np.interp(levels, cold, cold_omega) - np.interp(levels, warm, warm_omega)
         shifts.append(shifts[-1] + float(distance.mean()))
     return np.array(shifts)

@@ -8,9 +8,9 @@ log v2, y = log k, Q = log q_max, T = log tau, y(s) is a line with a kink at s_c
     y = max(s, s_c) + Q - H max(0, s - s_c)        b = 1 below x = 1, see KineticLaw
 
 For a given kink y is linear in Q and H. All kinks of both laws are therefore tried, each with all Q
-and H within three standard errors. A parameter that is equal in all of them is determined. Speeds
-on one side of x = 1 alone determine an exponent and one rate: q_max or tau below, H above. The kink
-gives the third parameter.
+and H within three standard errors. A parameter is determined if it is equal in all these fits.
+Speeds on only one side of x = 1 determine an exponent and one rate: q_max or tau below, H above.
+The kink gives the third parameter.
 
 Source: Li et al. (2014), doi:10.1038/srep05795, eqs. 10 to 16.
 """
@@ -26,13 +26,13 @@ from .record import Record
 from .step_fit import LARGEST_SHARE, StepFit, fit_step
 
 LEAST_ERROR = 1e-3  # smallest relative standard error of a rate or jump
-KINK = 2e-3  # distance of the trial kinks between the speeds
-BEYOND = 14.0  # log of speeds: distance of trial kinks beyond the speeds
-HURST_FRACTIONS = np.linspace(0.0, 1.0, 9)  # trial values of H at each kink, within its range there
-FLAT = 1e-12  # relative: smaller coefficients of a square count as zero
+KINK = 2e-3  # spacing of trial kinks between the measured speeds, in log v
+BEYOND = 14.0  # range of trial kinks beyond the measured speeds, in log v
+HURST_FRACTIONS = np.linspace(0.0, 1.0, 9)  # trial values of H, as shares of its range at a kink
+FLAT = 1e-12  # relative size below which a quadratic coefficient counts as zero
 LARGEST_ERROR_OF_H = 0.15
-APART = 0.02  # log of speeds: smallest distance of two speeds
-SLOPES = np.geomspace(1e-2, 1e4, 20_001)  # tried, in units of the largest friction
+APART = 0.02  # smallest difference of log v between two speeds
+SLOPES = np.geomspace(1e-2, 1e4, 20_001)  # trial values of grad z over the largest friction
 
 
 class Known(NamedTuple):
@@ -49,9 +49,9 @@ class Rates(NamedTuple):
     relaxation_time: Estimate  # s
     hurst: Estimate
     q_max: Estimate  # 1/m
-    exponent: Estimate  # of k over v2: a power law through all speeds
+    exponent: Estimate  # of the power law of k over v2 through all speeds
     at: float  # m/s, speed at the weighted mean of log v2
-    rate: Estimate  # 1/s, by the power law at the speed ``at``
+    rate: Estimate  # 1/s, k by the power law at the speed ``at``
     time_below_one: bool  # whether the second law, b = 1 below x = 1, fits better
     squares: float  # sum of squares over variances of the better law
     speeds: int
@@ -104,7 +104,7 @@ def fit_rates(fits: list[StepFit], known: Known) -> Rates | None:
 
 
 def _kinks(s: np.ndarray, y: np.ndarray, w: np.ndarray, known: Known, below: bool) -> _Kinks:
-    """Return the sums of squares of one law; below : whether b = 1 below x = 1."""
+    """Return the sums of squares of one law. below : whether b = 1 below x = 1."""
     fine = np.arange(s.min() - 0.5, s.max() + 0.5, KINK)
     far = np.arange(0.5, BEYOND, 0.05)
     c = np.concatenate([s.min() - far[::-1], fine, s.max() + far])
@@ -138,7 +138,7 @@ def _best(law: _Kinks, known: Known) -> tuple[float, float, float, float]:
 
 
 def _within(law: _Kinks, most: float, known: Known) -> np.ndarray:
-    """Return limits of H, Q and T with a sum of squares up to ``most``, shape (n, 3)."""
+    """Return extreme H, Q and T with a sum of squares up to ``most``, shape (n, 3)."""
     a0, a1, a2 = law.a
     steep = np.maximum(a2, FLAT * max(a2.max(), 1.0))
     room = most - a0 + a1**2 / steep
@@ -184,7 +184,7 @@ def _exp(logarithm: Estimate, given: float | None = None) -> Estimate:
 def fit_slope(fits: list[StepFit]) -> Estimate:
     """Return grad z from the jumps of steps; NaN if they do not determine it.
 
-    At low speed the jump equals the change of friction for any slope (eq. 10).
+    At low speed the jump does not depend on the slope: it is the change of friction (eq. 10).
     """
     usable = [fit for fit in fits if fit.jump.known and fit.jump.error > 0.0 < fit.mu_1.value]
     if not usable:
@@ -205,7 +205,7 @@ def fit_slope(fits: list[StepFit]) -> Estimate:
 
 
 def friction_after(fit: StepFit) -> float:
-    """Return mu_2 if a step determines a positive one, else mu_1, which is close to it."""
+    """Return mu_2 if the step determines it and it is positive, else mu_1, which is close to it."""
     known = fit.mu_2.known and fit.mu_2.value > 0.0
     return fit.mu_2.value if known else fit.mu_1.value
 
@@ -234,7 +234,7 @@ def fit_records(
 ) -> Fit:
     """Fit all velocity steps of the records.
 
-    known : known parameters, ``Known()`` for none. window : maximum time after each step, s.
+    known : known parameters, ``Known()`` for none. window : time used after each step, s.
     stiffness : spring constant of the machine over the normal force (1/m); None: rigid. Raises
     UserError for a record without a step, or with too few samples after it.
     """
