@@ -20,12 +20,12 @@ VARIANTS = {
     CONVERGED: "converged",
     PAPER_STEP: "implicit Euler, one step per $\\Delta x$",
 }
-# Colour and marker of each in all figures, distinct from the colours of H and of forces.
+# Colour and marker of each variant in all figures, distinct from the colours of H and of forces.
 SCHEMES: dict[str, dict[str, Any]] = {
     CONVERGED: {"color": "#000000", "marker": "o"},
     PAPER_STEP: {"color": "#D55E00", "marker": "s"},
 }
-MAX_LIGHTNESS = 0.8  # share of a colour map; lighter lines are too pale for print
+MAX_LIGHTNESS = 0.8  # largest value in a colour map; lighter lines are too pale for print
 X_LABEL = "$x = v_1 \\tau q_\\mathrm{max}$"
 # Marker and line style of each body, distinct from those of unresolved points.
 BODIES: dict[str, dict[str, Any]] = {
@@ -39,7 +39,7 @@ DOTS: dict[str, Any] = {"fmt": "o", "ms": 2.4, "mew": 0.5, "lw": 0.5, "capsize":
 
 
 def shades(low: float, high: float, log: bool = True) -> ScalarMappable:
-    """Return a colour map for values, without its pale end."""
+    """Return a colour map from ``low`` to ``high``, without its pale end."""
     dark = mpl.colormaps["viridis"](np.linspace(0.0, MAX_LIGHTNESS, 256))
     norm = LogNorm(low, high) if log else Normalize(low, high)
     return ScalarMappable(norm, LinearSegmentedColormap.from_list("dark", dark))
@@ -75,7 +75,7 @@ def fitted(points: xr.Dataset) -> xr.Dataset:
 
 
 def ratio_of(data: xr.Dataset, other: xr.Dataset, name: str) -> xr.Dataset:
-    """Return ``ratio``, a variable over that of another result, with its error.
+    """Return ``ratio``, a variable divided by that of another result, and ``ratio_error``.
 
     Relative errors add in quadrature, as for independent ensembles.
     """
@@ -85,7 +85,7 @@ def ratio_of(data: xr.Dataset, other: xr.Dataset, name: str) -> xr.Dataset:
 
 
 def slide_of(data: xr.Dataset, segment: int) -> xr.Dataset:
-    """Return the trace in a segment of the programme, with ``slid``, the distance (m) in it.
+    """Return the trace in a segment of the programme, with ``slid``, the distance (m) slid in it.
 
     data : without axes of length 1.
     """
@@ -96,7 +96,7 @@ def slide_of(data: xr.Dataset, segment: int) -> xr.Dataset:
 
 
 def usable(points: xr.Dataset) -> xr.DataArray:
-    """Return a mask of points with b fitted to a small error, short of full contact."""
+    """Return a mask of points short of full contact where the fitted b has a small error."""
     small = points.relaxation_rate_error < MAX_RATE_ERROR * points.relaxation_rate
     return (points.fit_status == FITTED) & small & (points.contact_fraction < NEARLY_FULL)
 

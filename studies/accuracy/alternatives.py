@@ -1,7 +1,7 @@
 """Alternative methods: marches of the whole line from rest, with a root search for d each step.
 
-They use implicit Euler on the same samples as the kernels, and give equal numbers at equal m, but
-without a steady solver or an exact jump, and with all elements at every step. Errors and times are
+They use implicit Euler on the same samples as the kernels and give equal numbers at equal m, but
+have no steady solver and no exact jump, and move all elements at every step. Errors and times are
 measured at the points of the study.
 """
 
@@ -20,7 +20,7 @@ from .points import RATIO, Point, RandomLine, surface
 from .sampling import LineRuns, Method, collected, kept_steps_of
 
 SPIN_UP = 10.0  # e-foldings of the initial state; implicit Euler decays by 1 + dt per step
-RELATIVE_COST = {"tamaas": 10.0}  # of an update; fewer steps per dx fit into the same time
+RELATIVE_COST = {"tamaas": 10.0}  # time of an update over that of numpy; limits m
 D_TOLERANCE = 1e-13  # of the search for d, in h
 TEXTS = {
     "error": ("rms error over lines, relative", "1"),
@@ -52,7 +52,7 @@ class NumpyMarch:
             d = brentq(excess, low, low + target, xtol=D_TOLERANCE)
             force = np.maximum(reach + d, 0.0)
             self.u = free - force
-            # Instead of @, which may use several threads.
+            # Not by @, which may use several threads.
             mu[step] = (force * slope).sum() / force.sum()
         return mu
 
@@ -60,8 +60,8 @@ class NumpyMarch:
 class TamaasMarch:
     """March with tamaas: a Winkler foundation with one Maxwell branch tau_1 << dt.
 
-    The backward Euler step of the branch equals that of a Kelvin element, to about 1e-7 by its
-    tolerance. Raises ImportError if tamaas is not installed, and ArithmeticError if it fails, as
+    The backward Euler step of the branch equals that of a Kelvin element to about 1e-7, the effect
+    of TOLERANCE. Raises ImportError if tamaas is not installed, and ArithmeticError if it fails, as
     it does with a single touching element.
     """
 
@@ -112,8 +112,8 @@ def affordable(name: str, point: Point, elements: int, updates: float) -> float:
 def run_march(point: Point, surfaces: list[RandomLine], method: Method) -> LineRuns:
     """March from rest to steady sliding at v1, then at v2, and return the kernels' quantities.
 
-    mu_1 and mu_2 are the final friction, the jump is its change over the first step. method : its
-    scheme is a key of MARCHES.
+    mu_1 and mu_2 are the final friction at v1 and v2, and the jump is the change over the first
+    step at v2. method : its scheme is a key of MARCHES.
     """
     euler = method._replace(scheme="implicit-euler")
     kept_steps, moments = kept_steps_of(point, surfaces[0].elements, euler)
@@ -141,9 +141,8 @@ def alternatives(
 ) -> xr.Dataset:
     """Return errors and times of all methods on the same lines, over (compared, solver, tried).
 
-    The dimensions of points and steps have names of their own, since they are shorter than those
-    at the root of the file. Error and time are missing if a method is not installed, fails, or
-    would take too long.
+    The dimensions of points and steps have other names than at the root of the file, as they are
+    shorter. Error and time are missing if a method is not installed, fails, or would take too long.
     """
     elements, finest = settings["elements"], settings["finest"]
     every = max((ladder_steps(point, finest) for point in points), key=len)

@@ -21,7 +21,7 @@ SCHEMES = ("exponential", "implicit-euler")
 MIN_LINES = 20  # a rate needs 18
 TIME_PARTS = ("mu_1 and jump", "everything")
 QUANTITIES = ("mu_1", "jump", "rate", "curve")
-CURVE_TIMES = 24  # at which curves are compared
+CURVE_TIMES = 24  # number of times at which curves are compared
 TARGET_ERRORS = (0.1, 0.03, 0.01, 0.003, 0.001)
 TEXTS = {  # name: long_name, units
     "error": ("rms error over lines; rate: of the mean curve", "1"),
@@ -39,7 +39,7 @@ class Observed(NamedTuple):
 
     mu_1: np.ndarray  # shape (lines,)
     jump: np.ndarray  # shape (lines,)
-    curve: np.ndarray  # shape (lines, CURVE_TIMES): mu over its mean jump
+    curve: np.ndarray  # shape (lines, CURVE_TIMES): mu
     rate: np.ndarray  # b of the mean curve and of its jackknife replicates; NaN: no fit
 
 
@@ -48,11 +48,11 @@ class Reference(NamedTuple):
 
     limit: Observed
     error: np.ndarray  # shape (QUANTITIES,)
-    end: float  # of the compared curves, in tau
+    end: float  # last time of the compared curves, in tau
 
 
 class Errors(NamedTuple):
-    """Relative errors of a method; the curve's relative to the jump. Shapes (QUANTITIES,)."""
+    """Relative errors of a method, that of the curve relative to the jump; shape (QUANTITIES,)."""
 
     rms: np.ndarray  # over lines; of the rate: |bias|
     bias: np.ndarray  # of the mean over lines, signed; of the curve: rms over time
@@ -89,7 +89,7 @@ def compare(observed: Observed, reference: Reference) -> Errors:
 def deviations(observed: Observed) -> np.ndarray:
     """Return the relative standard deviation of one realization, shape (QUANTITIES,).
 
-    That of the rate is from its jackknife; that of the curve is the rms over time over the jump.
+    That of the rate is from its jackknife; that of the curve is its rms over time over the jump.
     """
     lines = observed.mu_1.size
     rate = np.sqrt(lines) * standard_error(observed.rate, 0) / observed.rate[0]
@@ -101,8 +101,8 @@ def deviations(observed: Observed) -> np.ndarray:
 def order(steps: np.ndarray, error: np.ndarray, floor: float) -> float:
     """Return the measured order of convergence: the slope of log error over log m.
 
-    The fit uses m with errors between ``floor`` and 0.1, i.e. neither unresolved nor below the
-    error of the reference. NaN for fewer than 3.
+    The fit uses the m with errors between ``floor`` and 0.1: above the error of the reference, and
+    resolved. NaN for fewer than 3 such m.
     """
     used = (error < 0.1) & (error > floor)
     if np.count_nonzero(used) < 3:
@@ -117,7 +117,7 @@ def ladder_steps(point: Point, most: int) -> list[int]:
 
 
 def lines_at(steps: int, most: int) -> int:
-    """Return the number of lines at m, which decreases with their cost."""
+    """Return the number of lines at m = ``steps``, which decreases with the cost of a line."""
     return max(min(MIN_LINES, most), min(most, 8 * most // steps))
 
 
@@ -148,8 +148,8 @@ def climb(
     """Return the errors and times of a scheme over m, on the lines of the reference.
 
     refine : whether contacts are located between samples, as "auto" does. run : function that runs
-    the scheme on lines; if it fails or is not installed the values are NaN. The deviation of one
-    realization is taken at a middle m, on all lines.
+    the scheme on lines; if it fails or is not installed, the values are NaN. The deviation of one
+    realization is that at the third m, or at the next one where it is finite.
     """
     rows, scatter = [], []
     for m in steps:
@@ -182,7 +182,7 @@ def climb(
 
 
 def warm_up(schemes: Iterable[str], run: Run = run_lines) -> None:
-    """Compile and load what schemes need before they are timed."""
+    """Compile or load the code of schemes before they are timed."""
     point = Point(0.5, 0.1, 3.0)
     for scheme in schemes:
         with suppress(ImportError):
@@ -196,7 +196,7 @@ def discretisations(
 
     The first dataset is for both schemes with contacts located between the samples, as "auto"
     does. The second is for the exponential scheme with contacts read from the samples, as for a
-    given m. Errors are relative, those of curves to the jump; m that a point does not need is NaN.
+    given m. Errors are relative, those of curves to the jump; NaN at any m that a point lacks.
     """
     followed, sampled = [], []
     for point in points:

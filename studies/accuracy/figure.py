@@ -16,7 +16,7 @@ CAPTION = (
     "number of random lines, the balance of both errors, and the error of common alternatives to "
     "these solvers at the same cost."
 )
-MARKS = ("o", "s", "^")  # of the compared points
+MARKS = ("o", "s", "^")  # of the compared points, and of quantities in (a)
 NAMES = {"mu_1": "$\\mu_1$", "jump": "$\\Delta\\mu_0$", "rate": "$b$", "curve": "$\\mu(t)$"}
 LOCATED = ("mu_1", "jump", "curve")  # quantities that depend on located contacts, unlike b
 LABELLED_STEPS = (1, 4, 16, 64)
@@ -24,7 +24,7 @@ LIMITS = (1e-6, 10.0)
 
 
 def draw(groups: Groups) -> dict[str, Figure]:
-    """Return two figures of a result of this study: of the discretisation, and of the rest."""
+    """Return the figure of the discretisation, and that of sampling errors and alternatives."""
     return {"": _discretisation(groups), "alternatives": _rest(groups)}
 
 
@@ -58,7 +58,7 @@ def _discretisation(groups: Groups) -> Figure:
 
 
 def _rest(groups: Groups) -> Figure:
-    """Return sampling errors, both errors together, and the common alternatives."""
+    """Return the figure of sampling errors, total errors, and common alternatives."""
     figure, axes = plt.subplots(2, 2, figsize=(6.9, 5.8))
     data, by_method = groups[""], groups["alternatives"]
     _sampling(axes[0, 0], groups["sampling"])
@@ -115,7 +115,7 @@ def _alternatives(ax: Axes, data: xr.Dataset, name: str) -> None:
     """Draw error over time of the kernels and of the alternatives, at the compared points."""
     data = data.sel(quantity=name).isel(part=1 if name == "rate" else 0)
     for solver, colour in zip(data.solver.values, (0, 1, 4), strict=True):
-        if not data.error.sel(solver=solver).notnull().any():  # it is not installed
+        if not data.error.sel(solver=solver).notnull().any():  # not installed
             continue
         for k, mark in enumerate(MARKS[: data.sizes["compared"]]):
             one = data.isel(compared=k).sel(solver=solver)
@@ -128,7 +128,7 @@ def _alternatives(ax: Axes, data: xr.Dataset, name: str) -> None:
 def draw_ladder(ax: Axes, data: xr.Dataset, label: str, form: str, colour: str) -> None:
     """Draw error over time for m = 1, 2, 4, ...: the median over the points, and their range.
 
-    data : of one quantity and scheme. An m of fewer than half of the points is left out.
+    data : of one quantity and scheme. An m with values at half of the points or fewer is left out.
     """
     data = data.isel(part=1 if str(data.quantity.values) in ("rate", "curve") else 0)
     data = data.isel(steps=(data.error.notnull().mean("point") > 0.5).values)

@@ -1,4 +1,4 @@
-"""Work and precision: what each discretisation and each realization costs and is worth."""
+"""Work and precision: cost and error of discretisations, realizations and alternatives."""
 
 from collections.abc import Callable
 from functools import partial
@@ -29,7 +29,7 @@ SETTINGS = {  # documented in docs/reference/measures.md
 SECONDS_PER_POINT = 4.1
 SECONDS_PER_REALIZATION = 1.7e-3
 SECONDS_PER_UPDATE = 9.3e-8
-SECONDS_COMPILING = 5.0  # to load machine code; the first run on a machine takes a minute more
+SECONDS_COMPILING = 5.0  # to load machine code; the first run on a machine takes one minute more
 
 
 def parts(settings: dict) -> dict[str, float]:
@@ -65,7 +65,7 @@ def outline(settings: dict) -> tuple[list[str], float]:
 
 
 def measure(settings: dict, seed: int, advance: Callable[[float], None]) -> dict[str, xr.Dataset]:
-    """Return the datasets of the study, each from the module of its name."""
+    """Return the datasets of the study by group; progress is reported to ``advance``."""
     chosen = POINTS[: settings["points"]]
     cost = parts(settings)
     discretisation.warm_up(discretisation.SCHEMES)
@@ -89,7 +89,7 @@ def measure(settings: dict, seed: int, advance: Callable[[float], None]) -> dict
 
 
 def summary(groups: Groups) -> list[str]:
-    """Return the table of recommended settings and their cost, by regime of x."""
+    """Return the lines of the table of recommended settings and their cost, by regime of x."""
     return table_lines(groups["recommendation"])
 
 

@@ -5,7 +5,7 @@ import xarray as xr
 
 MIN_REALIZATIONS = 10  # for a meaningful standard error
 REGIMES = ("x < 1", "1 <= x <= 10", "x > 10")
-TIME_PART = {"mu_1": 0, "jump": 0, "rate": 1}  # index of the time that a quantity takes
+TIME_PART = {"mu_1": 0, "jump": 0, "rate": 1}  # index in TIME_PARTS of the time of a quantity
 
 
 def recommend(data: xr.Dataset) -> xr.Dataset:
@@ -18,7 +18,7 @@ def recommend(data: xr.Dataset) -> xr.Dataset:
 
 
 def cheapest(data: xr.Dataset) -> xr.Dataset:
-    """Return the fastest choice: index of the scheme, steps m, realizations, seconds.
+    """Return the fastest choice: index of the scheme, m, realizations, seconds.
 
     All are NaN if no m is fine enough.
     """
@@ -35,8 +35,8 @@ def cheapest(data: xr.Dataset) -> xr.Dataset:
 def cost(data: xr.Dataset) -> xr.Dataset:
     """Return realizations R and seconds of every method that reaches a target, else NaN.
 
-    R is the smallest number with bias^2 + deviation^2 / R <= target^2, with the ``deviation`` of
-    one realization. The bias includes one standard error.
+    R is the smallest number with bias^2 + deviation^2 / R <= target^2, where ``deviation`` is that
+    of one realization, and the bias includes its standard error.
     """
     data = data.sel(quantity=list(TIME_PART)).rename(quantity="sampled")
     bias = abs(data.bias) + data.bias_error
@@ -56,7 +56,7 @@ def _by_regime(choices: xr.Dataset) -> xr.Dataset:
     for number in range(len(REGIMES)):
         chosen = choices.isel(point=regime == number)
         part = chosen[["steps", "realizations", "seconds"]]
-        # Points without a sufficient m count as infinite; points without relaxation do not count.
+        # Cost is infinite without a sufficient m; points without relaxation are left out.
         answers = np.isfinite(chosen.seconds).any("target")
         upper = part.fillna(np.inf).where(answers)
         upper = upper.quantile(0.75, "point", method="higher").drop_vars("quantile")

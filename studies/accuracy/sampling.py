@@ -33,7 +33,7 @@ class LineRuns(NamedTuple):
     mu_2: np.ndarray
     jump: np.ndarray
     curves: np.ndarray  # shape (lines, samples)
-    moments: np.ndarray  # shape (samples,), of the samples
+    moments: np.ndarray  # shape (samples,), times of the samples
     slope: float  # rms slope of the lines
     cpu: np.ndarray  # shape (lines, 3): drawing and sampling, steady states and jump, all
 
@@ -79,8 +79,8 @@ def seconds(runs: LineRuns) -> np.ndarray:
 def sampling_errors(point: Point, surfaces: list[RandomLine], steps: int) -> np.ndarray:
     """Return the rms relative error of groups of R lines, shape (GROUP_SIZES, 3): mu_1, jump, rate.
 
-    The errors are relative to the mean over all lines, corrected for the group's share in it. NaN
-    for fewer than two groups, or if the rate can be fitted in fewer than half of them.
+    The errors are relative to the mean over all lines, corrected for the share of a group in it.
+    NaN for fewer than two groups, or if the rate can be fitted in fewer than half of them.
     """
     runs = run_lines(point, surfaces, Method("exponential", steps))
     lines = len(surfaces)

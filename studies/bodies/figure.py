@@ -1,4 +1,4 @@
-"""Friction of the foundation over the half-space's, against area, speed and cost."""
+"""Ratio of the friction of the foundation to that of the half-space, over area, speed and cost."""
 
 from collections.abc import Iterator
 from typing import Any
@@ -20,7 +20,7 @@ CAPTION = (
     "times in place of one) and over the speed (b). Panel (d) compares the error of each model "
     "with the time of one realization."
 )
-PAIRS = {"": "foundation", "broad": "broad_foundation"}  # half-space and foundation, by material
+PAIRS = {"": "foundation", "broad": "broad_foundation"}  # groups of half-space: foundation
 RATIO = "$\\mu_1$ over the half-space's"
 BESIDE: dict[str, Any] = {"textcoords": "offset points", "ha": "center", "va": "center"}
 BESIDE["fontsize"] = 7.0
@@ -75,7 +75,7 @@ def _over_speed(ax: Axes, groups: Groups) -> None:
 def _coloured(
     ax: Axes, data: xr.Dataset, axis: str, values: xr.DataArray, label: str
 ) -> Iterator[tuple[float, Any]]:
-    """Yield the values on an axis with the colours of other values; add their colour bar."""
+    """Pair each value on an axis with the colour of ``values`` there; add the colour bar."""
     largest = values.max([dim for dim in values.dims if dim != axis])
     colours = shades(float(largest.min()), float(largest.max()))
     ax.figure.colorbar(colours, ax=ax, label=label)
@@ -83,12 +83,12 @@ def _coloured(
 
 
 def _over_cost(ax: Axes, groups: Groups) -> None:
-    """Draw the error of the model over the predicted time of a realization of a point."""
+    """Draw the error of the model over the predicted time of one realization."""
     plan = make_plan(computed_study(groups[""]))
     seconds = {v.label: float(np.mean(v.seconds)) for v in plan.variants}
     for half, line in PAIRS.items():
-        off = np.abs(ratios(groups, half).ratio - 1.0).values
-        low, middle, high = np.nanpercentile(off, [10, 50, 90])
+        deviation = np.abs(ratios(groups, half).ratio - 1.0).values
+        low, middle, high = np.nanpercentile(deviation, [10, 50, 90])
         bar = [[middle - low], [high - middle]]
         style: dict[str, Any] = {"color": COLOURS[half != ""], "ms": 5.0}
         ax.errorbar(seconds[line], middle, bar, fmt="o", **style)

@@ -16,7 +16,7 @@ from elastomer_friction.studies.bodies.figure import PAIRS, ratios
 from elastomer_friction.studies.style import computed_study
 from elastomer_friction.workflow.plan import KINDS, TABLE, InTable, make_plan, place_of
 
-MIN_SIGNIFICANCE = 3.0  # of a ratio to its error
+MIN_SIGNIFICANCE = 3.0  # smallest ratio over its error in the table
 
 
 def rows_of(tree: xr.DataTree) -> list[tuple]:

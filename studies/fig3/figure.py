@@ -21,7 +21,7 @@ CAPTION = (
     "these velocities, over that before they all rise by the same share at the time 10 τ."
 )
 JUMP_AT = 10.0  # tau
-END = 20.0
+END = 20.0  # tau
 LINEAR = 0.9  # region I: local exponent of mu(v) above this
 FLAT = 0.1  # region III: local exponent below this
 
@@ -39,7 +39,7 @@ def draw(groups: Groups) -> Figure:
 
 
 def regions(points: xr.Dataset) -> list[float]:
-    """Return the velocities that part regions I | II and II | III, from the local exponent."""
+    """Return the velocities between regions I and II and between II and III."""
     velocity = points.velocity.values
     exponent = np.gradient(np.log(points.mu_1.values), np.log(velocity))
     return [velocity[exponent < part].min(initial=np.inf) for part in (LINEAR, FLAT)]

@@ -6,12 +6,12 @@ import numpy as np
 
 from elastomer_friction.workflow import report
 
-RATE = 2.4  # of figure 4
+RATE = 2.4  # b of figure 4
 TYPICAL_SPACING = 2e-6  # m: L = 0.01 m with the 5000 elements the paper calls typical
 
 
 def example_rate(results: report.Results) -> report.Claim:
-    """Judge b = 2.4 of figure 4, by the spacing at which it occurs."""
+    """Judge b = 2.4 of figure 4 by the spacing at which it occurs."""
     texts, spacings = [], {}
     for group, label in (("", "converged"), ("/paper_step", "implicit Euler")):
         with suppress(report.NotGiven):
@@ -35,7 +35,7 @@ def example_rate(results: report.Results) -> report.Claim:
 
 
 def _over_spacing(results: report.Results, key: str) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Return spacing, b and its error where fitted; raise NotGiven unless spacing alone varies."""
+    """Return spacing, b and its error where fitted; raise NotGiven if more than spacing varies."""
     dataset = report.given(results, key, "relaxation_rate")
     report.needed(dataset.relaxation_rate.size == dataset.spacing.size)
     rate, error = dataset.relaxation_rate.values.ravel(), dataset.relaxation_rate_error

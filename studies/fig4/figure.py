@@ -17,7 +17,7 @@ CAPTION = (
     "without saying its spacing."
 )
 PAPER_RATE = 2.4
-UNIT = 1e4  # of friction: what panel (a) shows is of the order of 1e-4
+UNIT = 1e4  # panel (a) shows friction in units of 1e-4
 
 
 def draw(groups: Groups) -> Figure:

@@ -25,7 +25,7 @@ def slow_steady(results: report.Results) -> report.Claim:
 
 
 def _slow(results: report.Results, text: str, law: Callable) -> report.Claim:
-    """Judge a ratio by its value in figures 3 and 5; the error needs the curves of figure 3."""
+    """Judge a ratio by its value in figures 3 and 5; its error needs the curves of figure 3."""
     values, texts, error = [], [], np.nan
     for name in ("fig3", "fig5"):
         with suppress(report.NotGiven):
@@ -66,22 +66,22 @@ def _zeta(points: xr.Dataset) -> tuple[xr.DataArray, xr.DataArray | None]:
 
 
 def _xi(points: xr.Dataset) -> tuple[xr.DataArray, xr.DataArray | None]:
-    """Return xi and a bound of its error: xi is zeta less the share mu*/mu_1 that relaxes."""
+    """Return xi and a bound of its error; xi is zeta minus mu*/mu_1/(dv/v1), which relaxes."""
     mu, step = points.mu_1, points.velocity_step
     xi = (points.mu_2 - mu) / mu / step
     zeta, error = _zeta(points)
     if error is None:
         return xi, None
-    unknown = np.abs(zeta - xi)  # nothing fitted: what relaxes is not known better than this
+    unknown = np.abs(zeta - xi)  # bound of the error of the relaxing part where it is not fitted
     fitted = points.amplitude_error / mu / np.abs(step)
     return xi, error + fitted.fillna(unknown)
 
 
 def plateau_over_force(results: report.Results) -> report.Claim:
-    """Judge that the plateau of the jump (eq. 11) is one for all normal forces.
+    """Judge that the plateau of the jump (eq. 11) is the same for all normal forces.
 
-    Of each force from the speed on at which mu_1 is within FLAT of its largest value, where that
-    is over grad z: there region III begins.
+    The plateau, region III, begins at the speed at which mu_1 reaches FLAT times its largest value.
+    Forces whose largest mu_1 does not exceed grad z have none.
     """
     dataset = report.given(results, "fig5", "mu_1", "jump")
     report.needed(dataset.normal_force.size > 1)

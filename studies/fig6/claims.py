@@ -6,12 +6,12 @@ from elastomer_friction.studies.style import normalised
 from elastomer_friction.workflow import report
 from elastomer_friction.workflow.kinetic_law import PLATEAU, normalised_jump
 
-PLATEAU_SHARE = 0.9  # of the largest mu_1, above which a point is on the plateau
+PLATEAU_SHARE = 0.9  # mu_1 over its largest value from which a point is on the plateau
 PLATEAU_HURST = (0.3, 0.7)  # Hurst exponents of the plateau claim
 
 
 def plateau(results: report.Results) -> report.Claim:
-    """Judge the plateau of the jump (eq. 11), by the mean of each Hurst exponent."""
+    """Judge the plateau of the jump (eq. 11) by its mean for each Hurst exponent."""
     dataset = report.given(results, "fig6", "mu_1", "jump")
     inside = (dataset.hurst > PLATEAU_HURST[0] - 1e-9) & (dataset.hurst < PLATEAU_HURST[1] + 1e-9)
     chosen = dataset.isel(hurst=np.flatnonzero(inside))

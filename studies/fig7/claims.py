@@ -10,7 +10,7 @@ from elastomer_friction.workflow import report
 from elastomer_friction.workflow.kinetic_law import relaxation_rate
 from elastomer_friction.workflow.reduce import FITTED, NOT_EXPONENTIAL
 
-GOOD_FIT = 0.95  # 1 - residual / total sum of squares of an accurate fit
+GOOD_FIT = 0.95  # smallest 1 - residual / total sum of squares of an accurate fit
 
 
 def exponential_fits(results: report.Results) -> report.Claim:
@@ -49,7 +49,7 @@ MIN_SPEEDS = 3  # for the fit of alpha at one normal force
 
 
 def slow_rate(results: report.Results) -> report.Claim:
-    """Judge b = x below x = 1, the length D_c = 1/q_max: as studied and with the paper's step."""
+    """Judge b = x below x = 1, i.e. D_c = 1/q_max, converged and with the paper's step."""
     ratios, texts = {}, []
     for key, label in VARIANTS.items():
         with suppress(report.NotGiven):
@@ -91,7 +91,7 @@ def relaxation_time(results: report.Results) -> report.Claim:
 
 
 def force_independence(results: report.Results) -> report.Claim:
-    """Judge that b does not depend on the normal force: its spread over F_N at one (H, dx, v1)."""
+    """Judge by the spread over F_N at equal H, dx, v1 that b does not depend on the force."""
     points = _usable(results, CONVERGED)
     log_rate = np.log(points.relaxation_rate).unstack("point")
     several = log_rate.count("normal_force") > 1
@@ -114,7 +114,7 @@ def force_independence(results: report.Results) -> report.Claim:
 
 
 def exponent_over_force(results: report.Results) -> report.Claim:
-    """Judge that alpha depends on H alone (eq. 13): its spread over F_N, each fitted by itself."""
+    """Judge by separate fits at each F_N that alpha depends on H alone (eq. 13)."""
     points = _usable(results, CONVERGED, above=1.0)
     hursts, forces = points.hurst.values, points.normal_force.values
     x, b = np.log(points.speed_ratio.values), np.log(points.relaxation_rate.values)
@@ -145,9 +145,9 @@ def exponent_over_force(results: report.Results) -> report.Claim:
 def _usable(
     results: report.Results, key: str, above: float = 0.0, below: float = np.inf
 ) -> xr.Dataset:
-    """Return the points of above < x < below with a fit of small error, short of full contact.
+    """Return the ``usable`` points with above < x < below, along "point".
 
-    They lie along "point". Raises NotGiven for fewer than two values of x.
+    Raises NotGiven for fewer than two values of x.
     """
     dataset = report.given(results, key, *RATE_VARIABLES)
     points = dataset[list(RATE_VARIABLES)].stack(point=dataset.relaxation_rate.dims)

@@ -27,8 +27,8 @@ CAPTION = (
     "13 of the paper as lines. Panel (c) shows the exponent α of b = x^α for x > 1, which the "
     "paper gives as 1 − H."
 )
-MANY_POINTS, SMALL_MARKER = 3000, 1.3  # number of points above which markers are small
-UNFITTED_MARKERS = {  # below the grey line, in a row for each H
+MANY_POINTS, SMALL_MARKER = 3000, 1.3  # number of points above which markers have this size
+UNFITTED_MARKERS = {  # of points without a fit; below the grey line, in a row for each H
     NO_RELAXATION: ("|", "nothing to relax"),
     NOT_EXPONENTIAL: ("x", "not exponential"),
     UNDETERMINED: ("+", "lost in noise"),

@@ -1,4 +1,4 @@
-"""Figure 7 on a half-space: steady friction, jump and relaxation rate over x, beside elements."""
+"""Figure 7 on a half-space and the foundation: steady friction, jump and relaxation over x."""
 
 from typing import Any
 
@@ -20,7 +20,7 @@ CAPTION = (
     "of b = x^α for x > 1, which the paper gives as 1 − H; squares are shifted by 0.015, and "
     "bars in (c) and (d) hold the bound of the discretisation error beside the standard error."
 )
-HALF_SPACE, ASIDE = "", 0.015  # by which H of the foundation is shifted in (d), to be seen
+HALF_SPACE, ASIDE = "", 0.015  # group; shift of H of the foundation in (d), so that both are seen
 
 
 def draw(groups: Groups) -> Figure:
@@ -56,7 +56,7 @@ def draw(groups: Groups) -> Figure:
 
 
 def middle_pressure(data: xr.Dataset) -> xr.Dataset:
-    """Return the points at the middle one of the pressures."""
+    """Return the points at the middle pressure."""
     return data.isel(normal_force=[data.sizes["normal_force"] // 2])
 
 

@@ -21,7 +21,7 @@ def draw(groups: Groups) -> Figure:
     for ax, (name, law), letter in zip(axes, LAWS.items(), "ab", strict=True):
         for group, label in VARIANTS.items():
             data = groups[group]
-            bias = data[f"{name}_bias"] if group == CONVERGED else 0.0  # the other is all step
+            bias = data[f"{name}_bias"] if group == CONVERGED else 0.0  # not converged
             style = SCHEMES[group] | {"ls": "", "ms": 4.0, "label": label}
             error_bars(ax, data, name, "hurst", bias=bias, **style)
         ax.plot([0, 1], [1, 0], "k--", lw=0.8, label="$1 - H$ (paper)")

@@ -32,7 +32,7 @@ def jump_over_step(results: report.Results) -> report.Claim:
 
 
 def rate_after_step(results: report.Results) -> report.Claim:
-    """Judge that eq. 13 takes v1: b of steps up and down from one velocity would be one."""
+    """Judge that eq. 13 takes v1: b would then be equal after steps up and down from v1."""
     dataset = report.given(
         results, "grid6d", "relaxation_rate", "relaxation_rate_error", "fit_status", "mu_1"
     )

@@ -1,4 +1,4 @@
-"""The six-dimensional grid on the paper's scalings, and how well the kinetic law predicts it."""
+"""The six-dimensional grid in the paper's scaled variables, and the error of the kinetic law."""
 
 import numpy as np
 import xarray as xr
@@ -32,7 +32,7 @@ PANELS = (  # x label, y label, title
     ("error of eqs. 14, 15", "share of points", "(e) its distribution"),
     ("", "", "(f) points predicted within"),
 )
-LIMITS = (0.01, 0.05, 0.20)
+LIMITS = (0.01, 0.05, 0.20)  # of the relative error, in (e) and (f)
 
 
 def draw(groups: Groups) -> Figure:
@@ -74,14 +74,14 @@ def _points(
 
 
 def _cumulative(ax: Axes, dataset: xr.Dataset) -> None:
-    """Draw the share of points over the error of the law, with both left branches."""
+    """Draw the share of points over the error of the law, for both laws below x = 1."""
     branches = (
         (False, "as printed", COLOURS[0], "-"),
         (True, "$b = 1$ for $x < 1$", COLOURS[4], "--"),
     )
     for time_below_one, label, colour, ls in branches:
-        error = law_error(dataset, time_below_one).fillna(np.inf)  # not known: never reached
-        judged = np.isfinite(dataset.mu_1.values)  # not those without a result
+        error = law_error(dataset, time_below_one).fillna(np.inf)  # unknown errors count as large
+        judged = np.isfinite(dataset.mu_1.values)  # points with a result
         ax.ecdf(
             error.transpose(*dataset.mu_1.dims).values[judged], color=colour, label=label, ls=ls
         )
@@ -92,7 +92,7 @@ def _cumulative(ax: Axes, dataset: xr.Dataset) -> None:
 
 
 def _table(ax: Axes, dataset: xr.Dataset) -> None:
-    """Write which share of the points the law predicts within 1, 5 and 20 %."""
+    """Write the shares of points that the law predicts within 1, 5 and 20 %."""
     error, x = law_error(dataset), dataset.speed_ratio
     rough = dataset.mu_1 / dataset.rms_slope >= 0.3
     rows = {
@@ -117,8 +117,8 @@ def _table(ax: Axes, dataset: xr.Dataset) -> None:
 def law_curve(dataset: xr.Dataset, time_below_one: bool = False) -> xr.DataArray:
     """Return mu(t) of eqs. 14 and 15 at the samples of a result, from its mu_1, mu_2, grad z.
 
-    mu_2 stands for the linearised mu_1 + mu'(v1) dv, the jump is the sum of small ones, and the
-    rate that at v2. ``time_below_one`` : see kinetic_law.py.
+    mu_2 replaces the linearised mu_1 + mu'(v1) dv, the jump is the sum of small jumps, and the
+    rate is that at v2. time_below_one : see kinetic_law.py.
     """
     ratio, friction = 1.0 + dataset.velocity_step, (dataset.mu_1, dataset.mu_2)
     jump = xr.apply_ufunc(jump_between, *friction, np.log(ratio), dataset.rms_slope)
@@ -139,6 +139,6 @@ def law_error(dataset: xr.Dataset, time_below_one: bool = False) -> xr.DataArray
 
 
 def shares_within(error: np.ndarray) -> list[float]:
-    """Return the shares of points whose error is within 1, 5 and 20 %."""
+    """Return the shares of points with an error within 1, 5 and 20 %."""
     known = error[np.isfinite(error)]
     return [float(np.mean(known <= limit)) for limit in LIMITS]

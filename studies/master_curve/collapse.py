@@ -19,7 +19,7 @@ from scipy.interpolate import PchipInterpolator
 from elastomer_friction.workflow.report import not_resolved
 
 SHIFTS = np.arange(-500, 501) * 0.01  # decades of speed
-OVERLAP = 2.0 / 3.0
+OVERLAP = 2.0 / 3.0  # smallest share of the points of a curve within the reference
 MIN_POINTS = 4
 MAX_FRICTION_ERROR = 0.3  # relative standard error of mu up to which a point is used
 INDENTATIONS = (-0.6, -0.3, 0.0, 0.3, 0.6)  # in rms roughnesses, over the mean line
@@ -42,8 +42,8 @@ class Shift(NamedTuple):
     along_friction: float  # t, decades, added to y
     speed_error: float  # standard error of s, from the scatter about the reference
     squares: float  # residual sum of squares, decades squared
-    points: int  # within the range of the reference
-    left_out: int
+    points: int  # number of points within the range of the reference
+    left_out: int  # number of points beyond it
 
 
 class Collapse(NamedTuple):
@@ -96,7 +96,7 @@ def best(curve: Curve, reference: Curve, tried: np.ndarray, vertically: bool) ->
 class Place(NamedTuple):
     """Parameters of a curve."""
 
-    pressed: float  # normal force (N), or indentation in rms roughnesses
+    pressed: float  # normal force, N, or indentation in rms roughnesses
     temperature: float  # °C
     size: float  # length of the line over that of the smallest system
 
@@ -106,7 +106,7 @@ class Family(NamedTuple):
 
     places: list[Place]
     curves: list[Curve]
-    left_out: int  # points that are NaN, have too large an error, or lie in too short a curve
+    left_out: int  # number of points that are NaN, too inexact, or on a curve of too few points
 
     def reference(self) -> int:
         """Return the index of the reference curve.
@@ -132,7 +132,7 @@ def at_forces(dataset: xr.Dataset) -> Family:
 
 
 def at_indentations(dataset: xr.Dataset) -> Family:
-    """Return mu over speed at several indentations, as far as the forces of the grid reach them.
+    """Return mu over speed at several indentations, if the forces of the grid reach them.
 
     log mu at an indentation is interpolated between the normal forces of the grid (monotone cubics
     in the mean indentation, which grows with the force at every speed).
@@ -155,8 +155,8 @@ def at_indentations(dataset: xr.Dataset) -> Family:
 def _parts(dataset: xr.Dataset) -> list[tuple[float, float, xr.Dataset]]:
     """Return (temperature, size, estimates over force and speed) of systems of one spacing.
 
-    A spacing dx of the grid stands for a system that is s = dx_max/dx times as long as the
-    smallest, at the speed s v and with the friction s^(H-1) mu (study.toml).
+    A spacing dx of the grid represents a system that is s = dx_max/dx times as long as the
+    smallest, with the speed s v and the friction s^(H-1) mu (study.toml).
     """
     chosen = dataset[["mu_1", "mu_1_error", "indentation"]]
     squeezed = chosen.squeeze(["hurst", "roughness", "velocity_step"])
@@ -226,9 +226,9 @@ def remaining(dataset: xr.Dataset) -> dict[str, Collapsed]:
 
 
 def thermal(collapsed: Collapsed) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Return temperatures, and the shift along speed from the highest one, with its error.
+    """Return temperatures, and shifts along speed relative to the highest one, with errors.
 
-    Every pair of curves that differ in temperature alone gives one value.
+    Every pair of curves that differ only in temperature gives one value.
     """
     shifts = dict(zip(collapsed.family.places, collapsed.collapses[ALONG_BOTH].shifts, strict=True))
     warmest = max(place.temperature for place in shifts)

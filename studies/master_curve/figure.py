@@ -121,7 +121,7 @@ def _shifts(ax: Axes, collapsed: dict[tuple[str, str], Collapsed]) -> None:
 
 
 def _thermal(ax: Axes, force: Collapsed, depth: Collapsed) -> None:
-    """Draw the fitted shift along speed minus that of WLF, for every pair of curves."""
+    """Draw the fitted shift along speed minus the WLF shift, for every pair of curves."""
     study = read_study("master_curve")
     assert isinstance(study, Study)
     material = study.material

@@ -73,7 +73,7 @@ def draw(groups: Groups) -> Figure:
 
 
 def _spectra(ax: Axes, groups: Groups) -> None:
-    """Draw the power spectra; that of the random-phase lines is the measured one."""
+    """Draw the power spectra; the random-phase lines have the measured one."""
     for name in ("", "self_affine"):
         spectrum = groups[name].power_spectrum
         colour = COLOURS[6] if name == "" else COLOURS[4]
@@ -85,7 +85,7 @@ def _spectra(ax: Axes, groups: Groups) -> None:
 
 
 def _by_force(ax: Axes, shown: Groups, name: str) -> None:
-    """Draw a variable over the velocity, a colour for every force."""
+    """Draw a variable over the velocity, with a colour for every force."""
     for label, data in shown.items():
         for i, force in enumerate(data.normal_force.values):
             style = STYLES[label] | {"color": COLOURS[i], "label": None}

@@ -1,19 +1,18 @@
-"""Oscillation about rest: loops of the friction, and its small response beside G*(omega).
+"""Oscillation about rest: loops of friction, and the response to small amplitudes and G*(omega).
 
-The temperature shifts all times by a_T, so that one frequency stands for five decades, as in
-dynamic mechanical analysis. To be read beside oscillating and reversing slides on rubber: "Memory
-effects in friction: the role of sliding heterogeneities" (silicone on glass) and T. Baumberger,
-"Transient processes in soft tribology"; of the first the abstract was read. There contacts creep
-and stick, while here deformation alone gives friction, so that loops over velocity pass through the
-origin where the rubber forgets at once.
+Temperature shifts all times by a_T, so that one frequency covers five decades, as in dynamic
+mechanical analysis. Compare oscillating and reversing slides on rubber: "Memory effects in
+friction: the role of sliding heterogeneities" (silicone on glass, abstract read) and T. Baumberger,
+"Transient processes in soft tribology". There contacts creep and stick. Here only deformation gives
+friction, so loops over velocity pass through the origin if the rubber relaxes at once.
 
-An element in contact is displaced by z' X, so that the force along the line is
-F = 4 L <z'^2> (G* - G) X: what its rubber adds to the relaxed modulus, which by itself gives no
-friction, weighted by the squared slope over what is in contact. The mean indentation stays, as
-the slope over a contact has no mean. Height and slope of a Gaussian line are independent at a
-point, so that <z'^2> is the contact fraction times the squared rms slope: no number is fitted.
-(Within a line they are not quite independent: at a quarter in contact this <z'^2> is 4 % too large,
-at a half less than 1 %, by 600 lines of this study each.)
+The line moves by X, and an element in contact by z' X, so the force along the line is
+F = 4 L <z'^2> (G* - G) X, where <z'^2> is the mean over the line of the squared slope in contact.
+The relaxed modulus G gives no friction. The mean indentation does not change, as the mean slope
+over a contact is zero. Height and slope of a Gaussian line are independent at a point, so <z'^2> is
+the contact fraction times the squared rms slope, and nothing is fitted. (Within a line they are not
+quite independent: with a quarter in contact this <z'^2> is 4 % too large, with a half less than
+1 %, by 600 lines of this study each.)
 """
 
 from typing import Any, NamedTuple
@@ -44,7 +43,7 @@ LOOP_TEMPERATURES = (20.0, 35.0, 50.0)  # °C, of the large loops
 class Swing(NamedTuple):
     """An oscillation of the programme of a study."""
 
-    segment: int  # number of it
+    segment: int  # number of the segment
     amplitude: float  # m
     frequency: float  # Hz
     end: float  # s since the start of the programme
@@ -99,7 +98,7 @@ def _loop(ax: Axes, data: xr.Dataset, motion: Swing, scale: float, colour: str, 
 
 
 def _response(ax: Axes, data: xr.Dataset, name: str, colour: str, label: str) -> None:
-    """Draw in-phase and quadrature part of the small response over the shifted frequency."""
+    """Draw both parts of the response to the small amplitude over the shifted frequency."""
     omega = 2.0 * np.pi * motions(data)[-1].frequency * shift_factors(data)
     fine = np.geomspace(omega.min() / 2.0, omega.max() * 2.0, 200)
     lines = modulus(data, name, fine)
@@ -120,7 +119,7 @@ def _response(ax: Axes, data: xr.Dataset, name: str, colour: str, label: str) ->
 
 
 def motions(data: xr.Dataset) -> list[Swing]:
-    """Return the oscillations of the programme of a result, which else only holds."""
+    """Return the oscillations in the programme of a result; other segments are holds."""
     swings: list[Swing] = []
     time = 0.0
     for number, segment in enumerate(computed_study(data).scene.programme):
@@ -139,7 +138,7 @@ def modulus(data: xr.Dataset, name: str, omega: np.ndarray) -> np.ndarray:
 
 
 def unit(data: xr.Dataset) -> np.ndarray:
-    """Return the friction that stands for G* - G = G, shape (temperatures,)."""
+    """Return the amplitude of friction if |G* - G| were G, shape (temperatures,)."""
     amplitude = motions(data)[-1].amplitude
     stiffness = 4.0 * float(data.shear_modulus * data.length)
     contact = data.trace_contact_fraction.isel(event=0)

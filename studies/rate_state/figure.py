@@ -30,7 +30,7 @@ CAPTION = (
     "normal force and on the shortest wave of the surface."
 )
 BROAD, KELVIN = "", "kelvin"
-MIDDLE_TIME = 1e-3  # s, tau of the Kelvin element, the middle of the times of the rubber
+MIDDLE_TIME = 1e-3  # s, tau of the Kelvin element, and middle relaxation time of the rubber
 RATIO_LABEL = "$v_2/v_1$"
 X_LABEL = "$x = v_2 \\, t \\, q_\\mathrm{max}$"
 PANELS = (  # title, x label, y label, scale of y
@@ -109,24 +109,24 @@ def draw(groups: Groups) -> Figure:
 
 
 def _middle(data: xr.Dataset) -> xr.Dataset:
-    """Return the middle one of the loads."""
+    """Return the points at the middle load."""
     return data.isel(normal_force=data.sizes["normal_force"] // 2)
 
 
 def _by_velocity(
     ax: Axes, data: xr.Dataset, name: str, variable: str, over: str, log: bool = False
 ) -> None:
-    """Draw a variable of Ruina's law, a colour for every velocity v1; pluses for NaN."""
+    """Draw a variable of Ruina's law, with a colour for every velocity v1; pluses are NaN."""
     for i, velocity in enumerate(data.velocity.values):
         line = data.sel(velocity=velocity, law="ruina")
         error_bars(ax, line, variable, over, log=log, color=COLOURS[i], **STYLES[name])
         left = line[over].values[np.isnan(line[variable].values)]
-        low = np.full(left.size, 0.02)  # of the height of the panel
+        low = np.full(left.size, 0.02)  # in heights of the panel
         ax.plot(left, low, "+", ms=5, color=COLOURS[i], transform=ax.get_xaxis_transform())
 
 
 def _by_step(ax: Axes, data: xr.Dataset, over: str) -> None:
-    """Draw D_c over a variable, a colour for every velocity step."""
+    """Draw D_c over a variable, with a colour for every velocity step."""
     for i, step in enumerate(data.velocity_step.values):
         line = data.sel(velocity_step=step)
         label = f"$v_2/v_1 = {float(line.ratio):g}$"
@@ -157,14 +157,14 @@ def _dress(axes: np.ndarray, broad: xr.Dataset) -> None:
 
 
 def left_out(groups: Groups) -> list[str]:
-    """Return the numbers of failed fits of Ruina's law for each material, as text."""
-    words = []
+    """Return sentences with the numbers of failed fits of Ruina's law, one per material."""
+    sentences = []
     for name, data in groups.items():
         status = data.rate_state_status.sel(law="ruina").values
         none, others = int((status == NO_STATE).sum()), int((status != FITTED).sum())
         label = "Nine branches" if name == BROAD else "Kelvin"
-        words.append(
+        sentences.append(
             f"{label}: {others} of {status.size} steps are not fitted by Ruina's law, {none} of "
             "them because |b| is below three standard errors."
         )
-    return words
+    return sentences

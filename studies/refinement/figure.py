@@ -25,7 +25,7 @@ CAPTION = (
     "the paper. Panel (c) shows the share of the jump that relaxes."
 )
 SHARE_CURVES = {"": ("converged", CONVERGED), "euler_1": ("implicit Euler, $m = 1$", PAPER_STEP)}
-FORCE = 0.1  # N, the nearest is shown
+FORCE = 0.1  # N; the nearest force of the study is shown
 NOTE = (
     "Dotted in (a) is the rate at which implicit Euler lets a free element decay, "
     "ln(1 + Δt/τ)·τ/Δt with Δt = Δx/(m·v₂). Points without a fit have no marker; "
@@ -65,7 +65,7 @@ def draw(groups: Groups) -> Figure:
 def decay_rate(data: xr.Dataset, steps: int) -> xr.DataArray:
     """Return the decay rate, per tau, of a free element at v2 with implicit Euler.
 
-    A step of dt multiplies by 1/(1 + dt) instead of exp(-dt), which is a rate ln(1 + dt)/dt.
+    A step of dt multiplies displacements by 1/(1 + dt) instead of exp(-dt).
     """
     dt = np.pi / (steps * data.speed_ratio * (1.0 + data.velocity_step))
     return np.log1p(dt) / dt

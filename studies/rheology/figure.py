@@ -74,7 +74,7 @@ def draw(groups: Groups) -> Figure:
 
 
 def warmest(data: xr.Dataset) -> xr.Dataset:
-    """Return the points at the highest temperature, at which the times are given."""
+    """Return the points at the highest temperature, at which relaxation times are given."""
     return data.sel(temperature=data.temperature.max())
 
 
@@ -134,7 +134,7 @@ def _master(ax: Axes, data: xr.Dataset, material: Material) -> None:
 
 
 def _curve(data: xr.Dataset, temperature: float, shift: float = 1.0) -> Curve:
-    """Return friction at a temperature over the speed times a factor."""
+    """Return friction at a temperature over ``shift`` times the speed."""
     one = data.sel(temperature=temperature)
     error = (one.mu_1_error / one.mu_1).values / np.log(10.0)
     return Curve(np.log10(shift * one.velocity.values), np.log10(one.mu_1.values), error)

@@ -38,9 +38,9 @@ CAPTION = (
     "that remains at the end of the hold, and panel (d) friction over the distance slid after it."
 )
 KELVIN, RUBBER = "", "rubber"
-TAU = 1e-3  # s, of the Kelvin element; the middle of the rubber's times
-LONGEST_TIME = 0.1  # s, of the rubber
-SHOWN_HOLDS = (0, 4, 5, 8)  # holds in panel (d)
+TAU = 1e-3  # s, of the Kelvin element; the middle relaxation time of the rubber
+LONGEST_TIME = 0.1  # s, longest relaxation time of the rubber
+SHOWN_HOLDS = (0, 4, 5, 8)  # indices of the holds in panel (d)
 STYLES: tuple[dict[str, Any], ...] = (  # of the springs, the softest first
     {"marker": "s", "ls": ":"},
     {"marker": "^", "ls": "--"},
@@ -51,8 +51,8 @@ STYLES: tuple[dict[str, Any], ...] = (  # of the springs, the softest first
 def law(point: xr.Dataset, hold: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """Return b ln(1 + v t/D_c) after holds of t seconds, and its standard error.
 
-    point : one velocity of a result, without axes of length 1. b and D_c are of Ruina's law at the
-    velocity step, their errors taken as independent.
+    point : one velocity of a result, without axes of length 1. b and D_c are those of Ruina's law
+    at the velocity step; their errors are taken as independent.
     """
     step = point.isel(hold=0).sel(law="ruina")
     b, dc = float(step.rate_state_b), float(step.rate_state_dc)

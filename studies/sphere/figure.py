@@ -1,4 +1,4 @@
-"""Friction of a rigid sphere over its speed: half-space, foundation, closed form, published."""
+"""Friction of a rigid sphere over its speed: both bodies, closed form and published values."""
 
 from matplotlib import pyplot as plt
 from matplotlib.figure import Figure

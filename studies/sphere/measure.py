@@ -18,12 +18,12 @@ from elastomer_friction.workflow.study import Key, integer
 
 STEADY = Quantities(jump=False, relaxation=False)
 MIN_CELL, MAX_CELL, CELL_PER_SPEED = 6.0, 24.0, 8.0  # side in contact radii at rest: see cell_at
-SAMPLES_PER_RADIUS = 10.0  # at least, if the cell is larger than MIN_CELL
-SECONDS_PER_SAMPLE = 2e-5  # of the map, for each speed
+SAMPLES_PER_RADIUS = 10.0  # smallest number per contact radius in cells larger than MIN_CELL
+SECONDS_PER_SAMPLE = 2e-5  # per sample of the map and speed
 MIN_SPEED, MAX_SPEED = 0.003, 10.0  # v tau/a
-# Carbone and Putignano, J. Mech. Phys. Solids 61, 1822 (2013), fig. 12, as digitised: R = 1 cm,
-# 0.15 N, E from 1 to 10 MPa with one time, nu = 0.3; v 10 ms/a and mu. The relaxed solid is E = 1
-# MPa with one branch of 9 MPa and 1 ms. Third: side in contact radii, converged in mu.
+# Rows: v 10 ms/a, mu, and the side of the cell in contact radii at which the computed mu converges.
+# Digitised from Carbone and Putignano, J. Mech. Phys. Solids 61, 1822 (2013), fig. 12: R = 1 cm,
+# F_N = 0.15 N, nu = 0.3, relaxed modulus E = 1 MPa, one branch of 9 MPa and 1 ms.
 PUBLISHED = ((0.106, 0.00851, 9.0), (1.169, 0.0403, 12.0), (7.943, 0.0159, 36.0))
 SLS = Spectrum((9.0,), (1.0 / 9.0,), 0.0)  # tau = sum g t/G = 9 ms
 RADIUS, FORCE, MODULUS, TIME = 0.01, 0.15, 1e6 / (1.0 - 0.3**2), 9e-3
@@ -51,7 +51,7 @@ def measure(settings: dict, seed: int, advance: Callable[[float], None]) -> dict
         ours = _both(settings["side"], speed, KELVIN, cell)
         frictions.append([mu * _radius(cell) / _radius(MIN_CELL) for mu in ours])
         advance(seconds)
-    known = {"closed": speeds / _radius(MIN_CELL)}  # v tau/R over v tau/a, R in radii
+    known = {"closed": speeds / _radius(MIN_CELL)}  # v tau/R from v tau/a
     groups = {"": _over_speed(speeds, frictions, known, "v tau over the radius of contact at rest")}
     if settings["published"]:
         groups["published"] = _published(settings["side"])
@@ -60,7 +60,7 @@ def measure(settings: dict, seed: int, advance: Callable[[float], None]) -> dict
 
 
 def cell_at(speed: float, side: int) -> float:
-    """Return the side L of the cell in contact radii, with a small memory exp(-L/(v tau)).
+    """Return the side L of the cell in contact radii, long enough for small exp(-L/(v tau)).
 
     speed : v tau/a. side : in samples.
     """
@@ -73,13 +73,13 @@ def _radius(cell: float) -> float:
 
 
 def _both(side: int, speed: float, spectrum: Spectrum, cell: float) -> tuple[float, float]:
-    """Return mu of half-space and foundation at a speed in contact radii at rest per tau."""
+    """Return mu of half-space and foundation. speed : v tau/a, cell : side in contact radii a."""
     radius = _radius(cell)
     x = cell * ((np.arange(side) + 0.5) / side - 0.5)
     map_heights = (x[:, None] ** 2 + x**2) / (2.0 * radius)
     # Fbar = F_N/(E* L h) with F_N = (4/3) E* a^3/R and h = 1 contact radius.
     load = 4.0 / (3.0 * radius) / cell
-    per_radius = side / cell  # elements
+    per_radius = side / cell  # elements per contact radius
     case = Case(load, speed * per_radius, (), (), "exponential", spectrum, refine=False)
     # Slopes of a paraboloid in heights per element, one-sided at the seam.
     surface = Surface.from_samples(map_heights, np.gradient(map_heights, axis=-1), 1)
@@ -95,7 +95,7 @@ def _published(side: int) -> xr.Dataset:
     speeds = [speed for speed, _, _ in PUBLISHED]
     frictions = []
     for speed, _, cell in PUBLISHED:
-        # Slopes scale with a/R, and R differs here.
+        # Slopes scale with a/R, which differs from that of the computation.
         ours = _both(side, speed * TIME / 0.01, SLS, cell)
         frictions.append([mu * _radius(cell) * rest / RADIUS for mu in ours])
     known = {"published": np.array([mu for _, mu, _ in PUBLISHED])}
@@ -105,7 +105,7 @@ def _published(side: int) -> xr.Dataset:
 def _over_speed(
     speeds: np.ndarray, frictions: list[list[float]], reference: dict[str, np.ndarray], text: str
 ) -> xr.Dataset:
-    """Return both bodies and the reference over the speed. text : meaning of the speed."""
+    """Return mu of both bodies and the reference over the speed. text : meaning of the speed."""
     columns = (
         dict(zip(("half_space", "foundation"), np.array(frictions).T, strict=True)) | reference
     )

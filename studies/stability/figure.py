@@ -1,4 +1,4 @@
-"""The map of Fbar over x: worst residual, Newton passes, and what halving the samples changes."""
+"""The map of Fbar over x: worst residual, Newton passes, and change on halving the samples."""
 
 import numpy as np
 import xarray as xr
@@ -52,7 +52,7 @@ def draw(groups: Groups) -> Figure:
 def _maps(
     axes: np.ndarray, letters: str, values: xr.DataArray, cmap: str, norm: Normalize
 ) -> QuadMesh:
-    """Colour the maps of both schemes; what is smaller than the scale has its lowest colour."""
+    """Colour the maps of both schemes; values below the scale have its lowest colour."""
     shown = values.clip(norm.vmin)
     for ax, scheme, letter in zip(axes, values.scheme.values, letters, strict=True):
         colours = shown.sel(scheme=scheme)

@@ -17,8 +17,8 @@ from .probe import COUNTS, RESIDUALS, Motion, corners, count_corners, probe, ran
 MAP_HURST, MAP_STEPS, MAP_RATIO = 0.7, 4, 1.2
 PROBED = RESIDUALS | COUNTS
 SECONDS_PER_STEP = 9e-5  # of a short line, on a typical machine
-SECONDS_PER_SAMPLE = 9.5e-8  # of a step, in addition
-SECONDS_PER_LONG_ELEMENT = 5.8e-6  # of a very long line
+SECONDS_PER_SAMPLE = 9.5e-8  # added per sample and step
+SECONDS_PER_LONG_ELEMENT = 5.8e-6  # of a very long line, for all of its steps
 SETTINGS = {  # documented in docs/reference/measures.md
     "map_loads": Key(partial(integer, least=2)),
     "map_speeds": Key(partial(integer, least=2)),
@@ -41,7 +41,7 @@ def outline(settings: dict) -> tuple[list[str], float]:
     long = sum(
         n * 4 * SECONDS_PER_LONG_ELEMENT for n in (10**5, 10**6) if n <= settings["most_elements"]
     )
-    corner = _seconds(settings, 250)  # samples of a line, the mean of all corners
+    corner = _seconds(settings, 250)  # 250 : mean number of samples in the corners
     return lines, points * _map_seconds(settings) + cases * corner + long
 
 

@@ -33,7 +33,7 @@ from elastomer_friction.kernels.model.steady import sweep
 
 TINY = np.finfo(float).tiny  # the smallest normal number
 EPS = np.finfo(float).eps
-STEADY_STEPS = 20  # for which steady sliding must remain unchanged
+STEADY_STEPS = 20  # number of steps in which steady sliding must not change
 RESIDUALS = {
     "balance": "sum f = F_N (eq. 4)",
     "mean": "mean of -u = F_N/(4GL) (eq. 2 summed)",
@@ -63,8 +63,8 @@ class Motion(NamedTuple):
 
     line: Line
     load: float  # Fbar
-    speed: float  # vbar before
-    ratio: float  # after / before
+    speed: float  # vbar before the step
+    ratio: float  # v2 / v1
     scheme: str
 
     def step(self, ratio: float) -> tuple[float, Kelvin]:
@@ -98,10 +98,10 @@ def probe(motion: Motion, steps: int) -> dict[str, float]:
         falling = sum(
             b <= a for a, b in pairwise(force)
         )  # pairs between which the force does not rise
-        _raise(worst, sweeps=sweeps, falling=falling, subnormal=subnormal)
-        _raise(worst, not_finite=np.sum(~np.isfinite(w)))
+        _keep_largest(worst, sweeps=sweeps, falling=falling, subnormal=subnormal)
+        _keep_largest(worst, not_finite=np.sum(~np.isfinite(w)))
         depths = _follow(motion, state, dt, law, 1.02 * d, STEADY_STEPS, worst)
-        _raise(worst, steady=np.max(np.abs(depths / d - 1.0)))
+        _keep_largest(worst, steady=np.max(np.abs(depths / d - 1.0)))
     _follow(motion, starts[0], dt, law, 1.02 * max(d for _, d in starts), steps, worst)
     return worst
 
@@ -116,9 +116,9 @@ def refinement(motion: Motion, fine: Line, hurst: float) -> float:
 
 
 def _follow(motion, state, dt, law, cap, steps, worst):
-    """March as run_case does, update the worst residuals of all elements.
+    """March as run_case does and update the worst residuals over all elements.
 
-    Returns the indentations after each step.
+    Return the indentations after all steps.
     """
     z, total = motion.line.z, motion.total
     weight, control = lagged_slope(motion.line.slope, law.lag), ConstantForce(total)
@@ -127,7 +127,7 @@ def _follow(motion, state, dt, law, cap, steps, worst):
         mu, depths, _, inside = march(law, control, z, weight, state, kept_steps, highest)
         if inside:
             break
-    _raise(worst, not_finite=np.sum(~np.isfinite(mu)) + np.sum(~np.isfinite(depths)))
+    _keep_largest(worst, not_finite=np.sum(~np.isfinite(mu)) + np.sum(~np.isfinite(depths)))
     u, d = np.minimum(state.w, z - state.d), state.d
     for depth in depths:
         old = np.roll(u, -1)
@@ -137,7 +137,7 @@ def _follow(motion, state, dt, law, cap, steps, worst):
         force = law.stiffness * (free - u)
         # Violation of complementarity, tension, or penetration of an element.
         pressed, apart = force / force.max(), ((z - depth) - u) / depth
-        _raise(
+        _keep_largest(
             worst,
             balance=abs(np.sum(force) / total - 1.0),
             mean=abs(-np.sum(u) / total - 1.0),
@@ -153,8 +153,8 @@ def _follow(motion, state, dt, law, cap, steps, worst):
 def _energy(scheme, dt, old, new, force):
     """Return |work - elastic energy - dissipation| relative to the sizes of its terms.
 
-    Exponential: the force is constant over a step, and the motion under it exact. Implicit Euler
-    has a numerical dissipation (u - u_old)^2 / 2. Both are sums of squares, hence not negative.
+    Exponential scheme: the force is constant over a step, and the motion under it exact. Implicit
+    Euler has an extra numerical dissipation (u - u_old)^2 / 2. Both are sums of squares.
     """
     work = -force * (new - old)
     elastic = 0.5 * (new - old) * (new + old)
@@ -167,7 +167,7 @@ def _energy(scheme, dt, old, new, force):
     return abs(np.sum(work - elastic - dissipated)) / size
 
 
-def _raise(worst: dict[str, float], **values: float) -> None:
+def _keep_largest(worst: dict[str, float], **values: float) -> None:
     """Keep the larger value of each kind; a NaN counts as infinite."""
     for kind, value in values.items():
         worst[kind] = max(worst[kind], float(value) if np.isfinite(value) else np.inf)
@@ -181,7 +181,7 @@ def line_through(z, steps_per_spacing: int = 2) -> Line:
 
 
 def shapes(n: int = 48) -> dict[str, Line]:
-    """Return name -> line of n samples (n a multiple of 8)."""
+    """Return artificial lines of n samples by name. n : a multiple of 8."""
     x = np.arange(n)
     quantised = np.round(4.0 * np.random.default_rng(3).normal(size=n)) / 4.0
     heights = {

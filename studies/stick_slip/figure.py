@@ -1,9 +1,9 @@
-"""Stick and slip of a line that is pulled through a spring: where it slides steadily.
+"""Stick-slip of a line that is pulled through a spring, and the region of steady sliding.
 
 Steady sliding is stable above the critical stiffness k_c = -(d mu/d ln v) F_N/D_c of rate and state
 (J. R. Rice, A. L. Ruina, J. Appl. Mech. 50, 343 (1983), doi:10.1115/1.3167042). D_c is taken as the
-distance v t_b slid in the time t_b of the rubber's one branch, or the mean length of contacts where
-that is shorter, as they are renewed sooner.
+distance v t_b slid in the relaxation time t_b of the rubber's only branch, or as the mean length of
+contacts if this is shorter, because contacts are then renewed sooner.
 """
 
 import numpy as np
@@ -24,9 +24,9 @@ CAPTION = (
     "falls above its peak, panel (c) the swing over the stiffness at some velocities, and panel "
     "(d) the mean force of the drive over time at one velocity, on springs of different stiffness."
 )
-BRANCH = 1e-4  # s, t_b
+BRANCH = 1e-4  # s, t_b: time of the branch
 NAMES = ("drive_swing", "drive_swing_error")
-SLIPPING = 0.05  # swing over the rms slope from which a line is said to stick and slip
+SLIPPING = 0.05  # smallest swing over the rms slope that counts as stick-slip
 
 
 def critical_stiffness(data: xr.Dataset) -> xr.DataArray:
@@ -62,7 +62,7 @@ def draw(groups: Groups) -> Figure:
     axes[1, 0].set_title("(c) swing of $F_d/F_N$; dotted: $k_c$")
     axes[1, 0].legend()
     _forces(axes[1, 1], data, scale, critical)
-    for ax in axes.flat[:3]:  # a narrow range of a logarithm has labels that run into each other
+    for ax in axes.flat[:3]:  # minor labels of a narrow logarithmic range would overlap
         ax.xaxis.set_minor_formatter(NullFormatter())
     foot_line(
         figure,
@@ -74,7 +74,7 @@ def draw(groups: Groups) -> Figure:
 
 
 def _diagram(ax: Axes, data: xr.Dataset, scale: float, critical: xr.DataArray) -> None:
-    """Draw which points stick and slip, by their swing."""
+    """Draw the points, those with stick-slip coloured by their swing."""
     swing = (data.drive_swing / scale).transpose("stiffness", "velocity")
     v, k = np.meshgrid(data.velocity, data.stiffness)
     slips = swing.values > SLIPPING

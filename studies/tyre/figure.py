@@ -1,4 +1,4 @@
-"""Friction of a tread rubber over speed at several temperatures, and its three errors."""
+"""Friction and contact area of a tread rubber over speed and temperature, by three models."""
 
 import numpy as np
 from matplotlib import pyplot as plt

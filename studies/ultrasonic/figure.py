@@ -1,7 +1,7 @@
 """Mean friction of a line that slides with a superposed oscillation, and Coulomb's law.
 
 With one coefficient of friction mu, whose sign is that of the velocity v + v^ cos(omega t), the
-mean is (2/pi) asin(v/v^) mu for v < v^, and mu above (V. L. Popov, Contact Mechanics and Friction,
+mean is (2/pi) asin(v/v^) mu for v < v^, and else mu (V. L. Popov, Contact Mechanics and Friction,
 Springer 2010, cited from memory). Here mu depends on the velocity. For a slow oscillation
 the mean is that of steady friction over the velocities of a cycle, taken without a fit from the
 same lines at other temperatures. If the amplitude of the displacement is small compared with the
@@ -38,7 +38,7 @@ def coulomb(ratio: np.ndarray) -> np.ndarray:
 
 
 def fastness(data: xr.Dataset) -> np.ndarray:
-    """Return a_T v tau q_max at the temperatures of a result, tau of the study at its reference."""
+    """Return a_T v tau q_max at the temperatures of a result; tau is that at the reference."""
     tau = computed_study(data).material.at_reference.tau
     return shift_factors(data) * float(data.velocity * data.q_max) * tau
 
@@ -46,8 +46,8 @@ def fastness(data: xr.Dataset) -> np.ndarray:
 def quasi_steady(data: xr.Dataset, temperature: float, ratio: np.ndarray) -> np.ndarray:
     """Return the mean of steady friction at v + v^ cos, over that at v.
 
-    Steady friction over the velocity is that over the temperature; between the points it is
-    linear in logarithms, and below them proportional to the velocity. ratio : v^/v.
+    Steady friction over velocity follows from that over temperature. It is linear in logarithms
+    between the temperatures, and proportional to the velocity below them. ratio : v^/v.
     """
     shift, mu = fastness(data), data.mu_1.isel(velocity_amplitude=0, frequency=0).values
     here = list(data.temperature.values).index(temperature)
@@ -101,14 +101,14 @@ def draw(groups: Groups) -> Figure:
         "Black: Coulomb's law, one coefficient of friction. Dashed: mean of steady friction over "
         "the velocities of a cycle, from (a); nothing is fitted. (c): amplitudes "
         "of the displacement times q_max, where that of the velocity is v: "
-        + ", ".join(f"{_turns(data, f):.2g}" for f in data.frequency.values)
+        + ", ".join(f"{_displacement_amplitude(data, f):.2g}" for f in data.frequency.values)
         + ".",
     )
     return figure
 
 
-def _turns(data: xr.Dataset, frequency: float) -> float:
-    """Return the amplitude of the displacement times q_max where that of the velocity is v."""
+def _displacement_amplitude(data: xr.Dataset, frequency: float) -> float:
+    """Return the displacement amplitude times q_max at a velocity amplitude of v."""
     return float(data.velocity * data.q_max) / (2.0 * np.pi * frequency)
 
 

@@ -34,14 +34,14 @@ MICRO = 1e6
 class StepWithSlide(NamedTuple):
     """A velocity step from v1, and the slide after it."""
 
-    ratio: float  # of the velocity after it to v1
+    ratio: float  # v2 / v1
     slide: xr.Dataset  # along "event", with slid, the distance (m) since the step
-    peak: tuple[float, float]  # change of mu that is largest in the direction of the step, error
-    rest: tuple[float, float]  # change of mu at the end of the slide, error
+    peak: tuple[float, float]  # largest change of mu in the direction of the step, and its error
+    rest: tuple[float, float]  # change of mu at the end of the slide, and its error
 
 
 def simulated_steps(data: xr.Dataset) -> list[StepWithSlide]:
-    """Return the steps from v1 of a result without axes of length 1, in order of their ratio."""
+    """Return the steps from v1, ordered by their ratio. data : without axes of length 1."""
     steps = []
     for k in range(1, int(data.trace_segment.max()) + 1, 2):
         slide, before = slide_of(data, k), data.trace_velocity[data.trace_segment == k - 1]
@@ -83,7 +83,7 @@ def draw(groups: Groups) -> Figure:
 
 
 def _histories(ax: Axes, steps: list[StepWithSlide], name: str, scale: float) -> None:
-    """Draw the change of a trace after every step, over the distance slid since."""
+    """Draw the change of a trace over the distance slid since each step."""
     sizes = sorted({round(max(step.ratio, 1.0 / step.ratio), 6) for step in steps})
     for step in steps:
         up = step.ratio > 1.0
@@ -99,7 +99,7 @@ def _histories(ax: Axes, steps: list[StepWithSlide], name: str, scale: float) ->
 
 
 def _per_decade(ax: Axes, steps: list[StepWithSlide], kind: str, **style: Any) -> None:
-    """Draw a change of friction over ln r, for every step."""
+    """Draw a change of friction divided by ln r over r."""
     ratio = np.array([step.ratio for step in steps])
     value, error = np.array([getattr(step, kind) for step in steps]).T / np.log(ratio)
     ax.errorbar(ratio, value, np.abs(error), **style)
