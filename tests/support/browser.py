@@ -1,4 +1,4 @@
-"""Pages in a real browser: what a script in a page leaves there."""
+"""Pages in a real browser, and the data attributes that their scripts set."""
 
 import re
 import shutil
@@ -10,7 +10,7 @@ BROWSER = shutil.which("chromium") or shutil.which("chromium-browser") or shutil
 QUIET = (
     *("--headless", "--no-sandbox", "--no-first-run", "--disable-gpu", "--disable-quic"),
     *("--disable-background-networking", "--disable-component-update", "--disable-sync"),
-    "--allow-file-access-from-files",  # the page that measures reads the frames it holds
+    "--allow-file-access-from-files",  # so that a page can read its frames
     "--virtual-time-budget=5000",
 )
 
@@ -18,10 +18,10 @@ in_a_browser = pytest.mark.skipif(BROWSER is None, reason="no chromium on the pa
 
 
 def told_by(page, profile, *names, width=1280):
-    """Return the data-NAMEs that the scripts of a page, a file, leave on its body."""
-    how = f"--window-size={width},900", f"--user-data-dir={profile}"
-    command = [BROWSER, *QUIET, *how, "--dump-dom", page.as_uri()]
+    """Return the attributes data-NAME that the scripts of a page set on its body. page : Path."""
+    options = f"--window-size={width},900", f"--user-data-dir={profile}"
+    command = [BROWSER, *QUIET, *options, "--dump-dom", page.as_uri()]
     done = subprocess.run(command, capture_output=True, text=True, timeout=300, check=True)
-    actual = [re.search(f'data-{name}="([^"]*)"', done.stdout) for name in names]
-    assert all(actual), done.stderr
-    return [each[1] for each in actual]
+    matches = [re.search(f'data-{name}="([^"]*)"', done.stdout) for name in names]
+    assert all(matches), done.stderr
+    return [match[1] for match in matches]

@@ -1,10 +1,10 @@
-"""The command line from the inside: what a command prints, or the one line that refuses it."""
+"""The command line in the process of a test: the output of a command, or its error message."""
 
 from elastomer_friction.workflow.cli import main
 
 
 def output(capsys, *arguments: str) -> str:
-    """Return what a command that succeeds prints to stdout; else it names scripts it runs."""
+    """Return the stdout of a command that succeeds; stderr must hold only NOTES."""
     assert main(list(arguments)) == 0
     out, err = capsys.readouterr()
     assert besides_notes(err) == []
@@ -21,7 +21,7 @@ def refusal(capsys, *arguments: str) -> str:
     return f"{line}\n"
 
 
-# Of a script that runs, of figures, and of machine code, which the first test that needs it makes.
+# Lines of stderr about scripts, figures, and compilation by the first test that needs a kernel.
 NOTES = (
     "note: running /",
     "caption: ",
@@ -31,7 +31,7 @@ NOTES = (
 
 
 def besides_notes(err: str) -> list[str]:
-    """Return the lines of stderr but for NOTES."""
+    """Return the lines of stderr without NOTES."""
     return [line for line in err.splitlines() if not line.startswith(NOTES)]
 
 

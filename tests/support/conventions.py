@@ -1,4 +1,4 @@
-"""The CF conventions of netCDF files, as the compliance checker, if installed, reads them."""
+"""Check of the CF conventions of netCDF files by the compliance checker, if it is installed."""
 
 import re
 from copy import copy
@@ -9,14 +9,14 @@ from typing import Any
 from unittest import mock
 
 INSTALLED = find_spec("compliance_checker") is not None  # CI fails without it: test_conventions.py
-# The first asks every group for a dimension called time; the second subtracts names from names
-# where a coordinate has words for values (the law of a fit).
+# Checks with bugs: the first requires a dimension called time in every group; the second subtracts
+# strings if a coordinate has strings as values (the law of a fit).
 BROKEN = [
     "check_invalid_same_named_dimension_across_groups",
     "check_coordinate_variables_strict_monotonicity",
 ]
-OPTIONAL = 1  # weight of what is no more than advice
-# The checker asks for these hundreds of times in one file, which took nine tenths of its time.
+OPTIONAL = 1  # weight of checks that are only advice
+# The checker calls these functions hundreds of times per file, which took 90 % of its time.
 ASKED_OFTEN = re.compile(r"get_\w+_variables?")
 
 
@@ -28,23 +28,23 @@ def _suite() -> Any:
     return CheckSuite()
 
 
-def _remembering() -> Any:
-    """Return a context in which the checker finds out once of a file what it asks for often."""
+def _cached_lookups() -> Any:
+    """Return a context in which the functions ASKED_OFTEN are cached by dataset."""
     from compliance_checker.cf import util
 
     def once(function: Any) -> Any:
-        kept = cache(function)
-        return lambda dataset: copy(kept(dataset))
+        cached = cache(function)
+        return lambda dataset: copy(cached(dataset))
 
     names = filter(ASKED_OFTEN.fullmatch, dir(util))
     return mock.patch.multiple(util, **{name: once(getattr(util, name)) for name in names})
 
 
 def complaints(path: Path) -> list[str]:
-    """Return what a file has that CF-1.8 does not allow or does not recommend."""
+    """Return the violations of CF-1.8 requirements and recommendations in a file."""
     dataset = _suite().load_dataset(str(path))
     try:
-        with _remembering():
+        with _cached_lookups():
             ((results, errors),) = _suite().run_all(dataset, ["cf:1.8"], [], BROKEN).values()
     finally:
         dataset.close()

@@ -16,15 +16,15 @@ RATE, JUMP, STEP = 1.5, 0.3, 0.2  # b, dmu_0, mu_2 - mu_1
 
 
 def exponential_blocks(tasks=3, blocks=5, samples=33, quantities=QUANTITIES, seed=1):
-    """Return blocks of tasks relaxing with b = RATE (1 + task); the last ends before its curve."""
+    """Return blocks of tasks with b = RATE (1 + task); the curve of the last task ends early."""
     rng = np.random.default_rng(seed)
     rate = RATE * (1.0 + np.arange(tasks))
     time = np.linspace(0.05, 4.0, samples) / rate[:, None]
     mu_1 = 1.0 + 0.1 * rng.standard_normal((tasks, blocks))
     share = 1.0 + 0.1 * rng.standard_normal((tasks, blocks))
     mu_2 = mu_1 + STEP
-    each = rate[:, None] * (1.0 + 1e-8 * rng.standard_normal((tasks, blocks)))  # a spread, if small
-    decay = np.exp(-each[..., None] * time[:, None, :])
+    rates = rate[:, None] * (1.0 + 1e-8 * rng.standard_normal((tasks, blocks)))  # a small spread
+    decay = np.exp(-rates[..., None] * time[:, None, :])
     curves = mu_2[..., None] + share[..., None] * (JUMP - STEP) * decay
     contact = rng.random((tasks, blocks))
     indentation = rng.standard_normal((tasks, blocks))
@@ -45,7 +45,7 @@ GRID = (
 
 
 def assembled(*settings):
-    """Return the plan of the small study, made-up estimates, and the dataset of both."""
+    """Return the plan of the small study, synthetic estimates, and the dataset from both."""
     plan = small_plan(*GRID, *settings)
     variant = plan.variants[0]
     samples = variant.numerics.curve_samples - 1

@@ -11,7 +11,7 @@ import pytest
 
 @contextlib.contextmanager
 def mounted(folder: Path, size: str) -> Iterator[Path]:
-    """Mount a disk of so many bytes on a new folder, or skip where that is not permitted."""
+    """Mount a disk of ``size`` bytes on a new folder; skip the test if that is not permitted."""
     folder.mkdir()
     if shutil.which("mount") is None:
         pytest.skip("a disk cannot be mounted here: there is no program mount")
@@ -26,12 +26,12 @@ def mounted(folder: Path, size: str) -> Iterator[Path]:
 
 
 def make_read_only(disk: Path) -> None:
-    """Let nothing be written on a mounted disk any more."""
+    """Remount a disk read-only."""
     subprocess.run(["mount", "-o", "remount,ro", str(disk)], check=True)
 
 
 def fill(disk: Path) -> None:
-    """Write until nothing more fits."""
+    """Fill a disk with a file of zeros."""
     with (disk / "filler").open("wb", buffering=0) as file, contextlib.suppress(OSError):
         while True:
             file.write(bytes(4096))

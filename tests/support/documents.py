@@ -1,4 +1,4 @@
-"""Tables of a study, and their text as TOML."""
+"""Tables of a study as TOML text."""
 
 import json
 import tomllib
@@ -37,12 +37,12 @@ def toml(value):
 
 
 def document(tables):
-    """Return the tables as text."""
+    """Return tables as TOML text."""
     return "\n".join(f"{json.dumps(key)} = {toml(value)}" for key, value in tables.items())
 
 
 def without(*places):
-    """Return the text of the small study without settings, each given as TABLE.KEY."""
+    """Return the text of the small study without some settings, each given as TABLE.KEY."""
     tables = tomllib.loads(TEXT)
     for where in places:
         table, key = where.split(".")

@@ -1,4 +1,4 @@
-"""Damaged contents of files, and stores whose records must be correct or missing."""
+"""Damaged file contents, and checks that records in a store are correct or missing."""
 
 import contextlib
 import shutil
@@ -52,7 +52,7 @@ def prefixes(content: bytes, stride: int) -> list[bytes]:
 
 
 def flips(content: bytes, stride: int) -> list[bytes]:
-    """Return the content with one byte in ``stride`` spoilt, in one bit or in all, in turn."""
+    """Return copies of the content with one byte in ``stride`` flipped: one bit, or all bits."""
     return [
         flipped(content, place, 0xFF if place // stride % 2 else 1 << place % 8)
         for place in range(0, len(content), stride)
@@ -66,7 +66,7 @@ def fill(store: Store) -> None:
 
 
 def checked(store: Store) -> set[Record]:
-    """Assert that every record of a store is true; return those that are there."""
+    """Assert that every record in a store equals TRUTH; return the records that are present."""
     actual = set()
     for record in held(store):
         with contextlib.suppress(DamagedShard, UserError):
@@ -80,14 +80,14 @@ def checked(store: Store) -> set[Record]:
 
 
 def readable(folder: Path) -> set[Record]:
-    """Check a store as a reader opens it, then as a run does; return the records of the run."""
+    """Check a store as opened by a reader, and by a run that repairs it; return its records."""
     untouched = folder.with_name("untouched")
     shutil.rmtree(untouched, ignore_errors=True)
     shutil.copytree(folder, untouched)
     checked(Store(untouched))
     mended = reopened(folder)
     actual = checked(mended)
-    assert checked(Store(folder)) == actual  # and so does the one after
+    assert checked(Store(folder)) == actual  # the next reader sees the same records
     return actual
 
 
@@ -102,9 +102,9 @@ def copies(sound: Path, path: Path, contents: list[bytes]) -> Iterator[Path]:
 
 
 def endless(content: bytes) -> bytes:
-    """Return a netCDF file whose first object of the global heap leads to itself.
+    """Return a netCDF file whose first object in the global heap leads to itself.
 
-    The HDF5 library finds the next object by the length of one, and here loops without end.
+    The HDF5 library steps from object to object by their lengths, and this one is an endless loop.
     """
-    at = content.index(b"GCOL") + 16 + 8  # its head, and the number of the object
+    at = content.index(b"GCOL") + 16 + 8  # after the header and the number of the object
     return content[:at] + (2**64 - 16).to_bytes(8, "little") + content[at + 8 :]

@@ -1,4 +1,4 @@
-"""A disk that refuses, for real processes: a library that is loaded before all others."""
+"""Disk errors in real processes, from a library that is loaded by LD_PRELOAD."""
 
 import contextlib
 import errno
@@ -14,14 +14,14 @@ SOURCE = Path(__file__).with_name("disk.c")
 
 
 class FaultyDisk(NamedTuple):
-    """Faults of the disk that begin and end when one likes."""
+    """Disk errors that can be switched on and off."""
 
     library: Path
-    flag: Path  # while it exists, calls fail
-    always: Path  # exists
+    flag: Path  # calls fail while this file exists
+    always: Path  # a file that always exists
 
     def environment(self, *rules: str) -> dict[str, str]:
-        """Return the environment of a process: rules are "CALL ERRNO PREFIX", "always" or not."""
+        """Return the environment of a process. rules : "CALL ERRNO PREFIX [always]"."""
         lines = []
         for rule in rules:
             call, error, prefix, *when = rule.split()
@@ -31,7 +31,7 @@ class FaultyDisk(NamedTuple):
 
     @contextlib.contextmanager
     def failing(self) -> Iterator[None]:
-        """Let calls fail within this block."""
+        """Make calls fail within this block."""
         self.flag.touch()
         try:
             yield
@@ -40,7 +40,7 @@ class FaultyDisk(NamedTuple):
 
 
 def faulty_disk(folder: Path) -> FaultyDisk:
-    """Return a disk whose faults are steered from a folder, or skip without a compiler."""
+    """Return a disk whose errors are switched in a folder; skip the test without a compiler."""
     compiler = shutil.which("cc")
     if compiler is None:
         pytest.skip("no compiler of C: faults of the disk cannot be made")

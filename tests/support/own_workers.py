@@ -1,4 +1,4 @@
-"""Worker processes that a test has started: what they say of themselves, what replaces them."""
+"""Worker processes of a test: their state, and their replacements."""
 
 import contextlib
 import os
@@ -13,15 +13,15 @@ from tests.support.python import PATIENCE
 
 
 def facts():
-    """Return what a worker says of itself."""
+    """Return (process id, whether SIGINT is blocked, environment) of this worker."""
     blocked = signal.pthread_sigmask(signal.SIG_BLOCK, ())
     return os.getpid(), signal.SIGINT in blocked, dict(os.environ)
 
 
 def started_again(client, killed):
-    """Return the facts of the worker that takes the place of a killed one."""
+    """Return the facts of the worker that replaces a killed one, without its process id."""
     for _ in range(int(10 * PATIENCE)):
-        with contextlib.suppress(OSError):  # the killed one is still known
+        with contextlib.suppress(OSError):  # the killed worker is still registered
             for pid, *rest in client.run(facts).values():
                 if pid != killed:
                     return rest
@@ -30,7 +30,7 @@ def started_again(client, killed):
 
 
 def starting(known):
-    """Return a worker process of ours that has just been started, as it is not known."""
+    """Return the process id of a new worker of this process, one that is not in ``known``."""
     for _ in range(int(20 * PATIENCE)):
         for pid in set(workers_of(psutil.Process())) - known:
             return pid

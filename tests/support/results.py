@@ -1,4 +1,4 @@
-"""A finished result of the small study with a figure, and commands that show it or refuse."""
+"""A result of the small study with a figure, and checks of the commands that read it."""
 
 from pathlib import Path
 
@@ -19,13 +19,13 @@ def draw(groups):
     return figure
 """
 READERS = ("figure", "table")
-WRITTEN = ("png", "pdf", "csv")  # by them
+WRITTEN = ("png", "pdf", "csv")  # suffixes of the files that READERS write
 FILES = ("small.nc", "small.toml", "figure.py")
 OLD = b"what was there before"
 
 
 def call(capsys, command: str, folder: Path, *more: str) -> tuple[int, str, str]:
-    """Run a command on the small study; return (exit status, stdout, stderr but for notes)."""
+    """Run a command on the small study; return (exit status, stdout, stderr without notes)."""
     status = main([command, str(folder / "small.toml"), "--out", str(folder), *more])
     plt.close("all")
     out, err = capsys.readouterr()
@@ -33,12 +33,12 @@ def call(capsys, command: str, folder: Path, *more: str) -> tuple[int, str, str]
 
 
 def contents(folder: Path) -> dict[str, bytes]:
-    """Return name -> bytes of all files of a folder but its store."""
+    """Return the bytes of all files in a folder by name, without those of its store."""
     return {path.name: path.read_bytes() for path in folder.iterdir() if path.is_file()}
 
 
 def assert_refused(capsys, command: str, folder: Path, *more: str) -> str:
-    """Assert exit status 2, one line, and that no file has changed; return the line."""
+    """Assert exit status 2, one line on stderr, and unchanged files; return the line."""
     before = contents(folder)
     message = refusal(capsys, command, str(folder / "small.toml"), "--out", str(folder), *more)
     assert contents(folder) == before
@@ -46,7 +46,7 @@ def assert_refused(capsys, command: str, folder: Path, *more: str) -> str:
 
 
 def rewritten(folder: Path, change) -> None:
-    """Write the result again as ``change`` makes it of the dataset."""
+    """Replace the result by ``change`` of its dataset."""
     with xr.open_dataset(folder / "small.nc") as dataset:
         changed = change(dataset.load())
     write_datasets(folder / "small.nc", {"": changed})

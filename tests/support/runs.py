@@ -1,4 +1,4 @@
-"""Running the small study: in the process of a test, or on the cluster of the tests."""
+"""Runs of the small study, in the process of a test or on the cluster of the tests."""
 
 from pathlib import Path
 from typing import NamedTuple
@@ -15,7 +15,7 @@ from tests.support.small import small_plan
 
 
 class Run(NamedTuple):
-    """A run that is over."""
+    """A finished run."""
 
     plan: Plan
     summary: Summary
@@ -42,6 +42,6 @@ def run(
 
 
 def shards(folder: Path) -> dict[str, tuple[int, int]]:
-    """Return the finished shards beside a result; a shard written again differs."""
+    """Return (inode, time) of the shards of a result by name; both change if one is rewritten."""
     files = store_folder(folder / "small.nc").glob("*.npz")
     return {file.name: (file.stat().st_ino, file.stat().st_mtime_ns) for file in files}

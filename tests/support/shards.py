@@ -3,8 +3,8 @@
 from elastomer_friction.workflow.store.store import Store
 from tests.support.small import cut_batches, random_result, small_plan
 
-WORK = list(cut_batches(small_plan(), set(), 1e-9))  # one task and block each
-BATCH = next(cut_batches(small_plan(), set(), 1e9))  # four tasks, four blocks
+WORK = list(cut_batches(small_plan(), set(), 1e-9))  # batches of one task and one block
+BATCH = next(cut_batches(small_plan(), set(), 1e9))  # a batch of four tasks and four blocks
 SAMPLES = BATCH.recording.samples - 1
 
 
@@ -14,7 +14,7 @@ def records(batch):
 
 
 def held(store):
-    """Return all records of a store."""
+    """Return all records (key, block) in the index of a store."""
     index = store.index
     return {
         (key, block)
@@ -26,7 +26,7 @@ def held(store):
 
 
 def filled(folder, work):
-    """Return a store with a shard of a random result for each batch, and the results."""
+    """Return a store with one shard per batch, of random results, and the results."""
     folder.mkdir(parents=True, exist_ok=True)
     store = Store(folder)
     results = [random_result(batch, seed) for seed, batch in enumerate(work)]
@@ -36,7 +36,7 @@ def filled(folder, work):
 
 
 def reopened(folder):
-    """Return the store of a folder, repaired as at the start of a run."""
+    """Return the store in a folder, repaired as at the start of a run."""
     store = Store(folder)
     store.prepare()
     return store
@@ -50,10 +50,10 @@ def assert_holds(store, batch, result):
 
 
 def contents(folder):
-    """Return name -> bytes of the files of a folder."""
+    """Return the bytes of the files in a folder by name."""
     return {path.name: path.read_bytes() for path in folder.iterdir()}
 
 
 def shard_of(store, batch):
-    """Return the shard file of a batch."""
+    """Return the path of the shard with a batch."""
     return store.folder / f"{store.index.find(records(batch)[0])[0]}.npz"

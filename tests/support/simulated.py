@@ -1,4 +1,4 @@
-"""A simulated cluster behind the interface of a Pool of workers."""
+"""A simulated cluster with the interface of a Pool of workers."""
 
 from collections import Counter
 from collections.abc import Callable, Collection, Iterable
@@ -13,35 +13,35 @@ ERROR = OSError("Input/output error")
 
 
 def sick(item):
-    """Fail at once, as with a broken disk."""
+    """Return (seconds, result) of a worker with a broken disk, which fails at once."""
     return 0.01, ERROR
 
 
 def sound(item):
-    """Take a second."""
+    """Return (seconds, result) of a sound worker, which takes a second."""
     return 1.0, item
 
 
 def first(seconds):
-    """Return a sound worker whose first item takes so long, as where all has to be compiled."""
+    """Return a sound worker whose first item takes ``seconds``, as if kernels were compiled."""
     times = iter([seconds])
     return lambda item: (next(times, 1.0), item)
 
 
 class Cluster(Workers):
-    """Stands in for a Pool of workers."""
+    """A substitute for a Pool of workers."""
 
     def __init__(self, **workers: Callable[[Any], tuple[float, Any]]) -> None:
-        """``workers`` : what each does, by name; see ``at``."""
+        """Let workers join. workers : function ``does`` of each Worker, by name (see ``at``)."""
         super().__init__(**workers)
-        self.tasks: dict[str, Task] = {}  # that are waited for
+        self.tasks: dict[str, Task] = {}  # submitted tasks without a collected result
 
     def monotonic(self) -> float:
-        """Return the time."""
+        """Return the simulated time."""
         return self.now
 
     def submit(self, items: list[Any], workers: Collection[str] = ()) -> list[str]:
-        """Give out items."""
+        """Submit items, each to one of ``workers`` if there are any; return their keys."""
         tasks = [Task(str(next(self.numbers)), item, workers) for item in items]
         self.tasks |= {task.key: task for task in tasks}
         for task in tasks:
@@ -49,22 +49,22 @@ class Cluster(Workers):
         return [task.key for task in tasks]
 
     def take(self, seconds: float) -> list[Arrival]:
-        """Return what has come, once something has, within so many seconds."""
+        """Wait up to ``seconds`` for the first results; return all that have arrived."""
         self.pass_by(seconds)
         ended, self.ended = self.ended, []
         return [arrival for arrival in ended if self.tasks.pop(arrival.key, None)]
 
     def drop(self, keys: Collection[str]) -> None:
-        """Wait for some no more."""
+        """Cancel tasks."""
         for key in keys:
             self.forget(self.tasks.pop(key))
 
     def pending(self, key: str) -> bool:
-        """Return whether nobody has done an item yet."""
+        """Return whether a task is unfinished."""
         return all(arrival.key != key for arrival in self.ended)
 
     def request_snapshot(self) -> "Future[Snapshot]":
-        """Return who is there."""
+        """Return the future of a Snapshot of the workers and of the tasks that they hold."""
         running = {task.key: w.address for w in self.workers.values() for task in w.processing}
         ready = [worker.address for worker in self.running]
         answer: Future[Snapshot] = Future()
@@ -73,10 +73,10 @@ class Cluster(Workers):
 
 
 def streamed(cluster: Cluster, items: Iterable[Any], **how: Any) -> list[tuple[Any, Any]]:
-    """Return what a stream of items through a simulated cluster yields."""
+    """Return what ``stream`` yields for items on a simulated cluster."""
     return list(stream(cluster, items, **how))
 
 
 def tries(cluster, name):
-    """Return how often each item was tried by a worker."""
+    """Return how often a worker began each item."""
     return Counter(item for item, worker in cluster.tried if worker == name)

@@ -1,7 +1,7 @@
-"""Workers in simulated time, and a scheduler, that do to a stream of work what they are told.
+"""Workers and a scheduler in simulated time, with faults at given times.
 
-Workers of one thread fail, die, fall silent, pause and join. Tasks are assigned as dask does,
-but stolen without mercy: who idles takes at once what waits on another worker and may be taken.
+Workers of one thread fail, die, fall silent, pause and join. Tasks are assigned as dask does, but
+work stealing is immediate: an idle worker takes at once any task that waits on another worker.
 """
 
 from collections.abc import Callable, Collection
@@ -15,53 +15,53 @@ from distributed.scheduler import KilledWorker
 
 from elastomer_friction.workflow.cluster.pool import Arrival
 
-ALLOWED_FAILURES = 3  # deaths of workers that dask lets a task survive
-GIVEN_UP = 45.0  # s after which dask gives up a worker of which it hears nothing: 30 to 60
-LONGEST = 5000.0  # s: who is not done by then hangs
-DIE = object()  # what becomes of an item that kills its worker
+ALLOWED_FAILURES = 3  # number of workers that dask lets a task kill
+GIVEN_UP = 45.0  # s, silence after which dask gives up a worker; 30 to 60 in dask
+LONGEST = 5000.0  # s, time at which a simulation counts as hanging
+DIE = object()  # result of an item that kills its worker
 
 
 @dataclass(eq=False)
 class Task:
-    """A future, and what the scheduler knows of it."""
+    """A task of the scheduler."""
 
     key: str
     item: Any
-    workers: Collection[str]  # who alone may have it; none: anybody
-    deaths: int = 0
+    workers: Collection[str]  # addresses of the workers allowed to run it; empty: all
+    deaths: int = 0  # number of workers that died with it
 
 
 @dataclass(eq=False)
 class Worker:
-    """A worker; ``does`` returns the seconds that an item takes, and what becomes of it."""
+    """A worker; ``does`` returns the seconds that an item takes, and its result."""
 
     address: str
     does: Callable[[Any], tuple[float, Any]]
-    processing: list[Task] = field(default_factory=list)
-    computing: Task | None = None
+    processing: list[Task] = field(default_factory=list)  # all tasks assigned to it
+    computing: Task | None = None  # the running one
     silent: bool = False
-    held: list[Callable] = field(default_factory=list)  # what ended while it was silent
+    held: list[Callable] = field(default_factory=list)  # events delayed while it was silent
 
 
 class Workers:
-    """Does what dask's scheduler does, in the time of a simulation."""
+    """A model of dask's scheduler in simulated time."""
 
     def __init__(self, **workers: Callable[[Any], tuple[float, Any]]) -> None:
-        """``workers`` : what each does, by name; see ``at``."""
-        self.now = 1000.0
-        self.replaced: Callable | None = None  # what a worker does in the place of one that died
-        self.workers: dict[str, Worker] = {}
-        self.running: set[Worker] = set()
-        self.unrunnable: dict[Task, float] = {}
-        self.tried: list[tuple[Any, str]] = []  # (item, name of the worker) as they began
-        self._events: list[tuple[float, int, Callable]] = []
-        self.ended: list[Arrival] = []
+        """Let workers join. workers : function ``does`` of each Worker, by name (see ``at``)."""
+        self.now = 1000.0  # s
+        self.replaced: Callable | None = None  # ``does`` of the worker that replaces a dead one
+        self.workers: dict[str, Worker] = {}  # by address
+        self.running: set[Worker] = set()  # workers that accept tasks
+        self.unrunnable: dict[Task, float] = {}  # time since when no worker can run a task
+        self.tried: list[tuple[Any, str]] = []  # (item, name of the worker), in order of start
+        self._events: list[tuple[float, int, Callable]] = []  # heap of (time, number, action)
+        self.ended: list[Arrival] = []  # results to be collected
         self.numbers = count()
         for name, does in workers.items():
             self.join(name, does)
 
     def after(self, seconds: float, happen: Callable, *arguments: Any) -> None:
-        """Let something happen, so long from now."""
+        """Schedule a call in ``seconds`` from now."""
         event = partial(happen, *arguments)
         heappush(self._events, (self.now + seconds, next(self.numbers), event))
 
@@ -71,11 +71,11 @@ class Workers:
         self.wake(name)
 
     def retire(self, name: str) -> None:
-        """Let a worker end in good order, which dask does not count: those of jobs do in time."""
+        """End a worker in good order, as at the end of a job; dask does not count this death."""
         self.die(name, counted=False)
 
     def die(self, name: str, counted: bool = True) -> None:
-        """Let a worker die, if it is there."""
+        """Kill a worker if it exists. counted : whether its tasks count the death."""
         worker = self.workers.pop(at(name), None)
         if worker is None:
             return
@@ -91,12 +91,12 @@ class Workers:
             self.after(0.5, self.join, f"{name[0]}{int(name[1:]) + 1}", self.replaced)
 
     def pause(self, name: str) -> None:
-        """Let a worker take up nothing, as dask's do that are short of memory."""
+        """Let a worker accept no new tasks, as a dask worker that is short of memory does."""
         if at(name) in self.workers:
             self.running.discard(self.workers[at(name)])
 
     def hush(self, name: str) -> None:
-        """Stop a worker as SIGSTOP does; it is thought to be there until it is given up."""
+        """Stop a worker as SIGSTOP does; the scheduler keeps it until it is given up."""
         if worker := self.workers.get(at(name)):
             worker.silent = True
             self.after(GIVEN_UP, self._give_up, worker)
@@ -106,7 +106,7 @@ class Workers:
             self.die(worker.address.rpartition(":")[2])
 
     def wake(self, name: str) -> None:
-        """Let a worker go on."""
+        """Resume a paused or silent worker, or start a new one."""
         worker = self.workers.get(at(name))
         if worker is None:
             return
@@ -120,7 +120,7 @@ class Workers:
         self._go_on()
 
     def pass_by(self, seconds: float) -> None:
-        """Let time pass, and happen what is to happen, until a task has ended."""
+        """Advance the simulation by ``seconds``, or until a task has ended."""
         until = self.now + seconds
         assert until < LONGEST, "hangs"
         while self._events and self._events[0][0] <= until and not self.ended:
@@ -130,7 +130,7 @@ class Workers:
         self.now = self.now if self.ended else until
 
     def assign(self, task: Task) -> None:
-        """Give a task to whoever of those that may have it has least to do."""
+        """Assign a task to the allowed worker with the fewest tasks."""
         fit = [w for w in self.running if _may(task, w)]
         if fit:
             min(fit, key=lambda w: (len(w.processing), w.address)).processing.append(task)
@@ -139,14 +139,14 @@ class Workers:
             self.unrunnable[task] = self.now
 
     def forget(self, task: Task) -> None:
-        """Let nobody begin a task that is not waited for."""
+        """Remove a task from all workers, unless one is computing it."""
         self.unrunnable.pop(task, None)
         for worker in self.workers.values():
             if task in worker.processing and task is not worker.computing:
                 worker.processing.remove(task)
 
     def _go_on(self) -> None:
-        """Let who idles compute what it has, or steal."""
+        """Let every idle worker begin its next task, or steal one."""
         for worker in sorted(self.running, key=lambda w: w.address):
             if worker.silent or worker.computing:
                 continue
@@ -178,15 +178,15 @@ class Workers:
             worker.processing.remove(task)
             worker.computing = None
             failed = isinstance(value, Exception)
-            how = {"error": value} if failed else {"value": value}
-            self._end(Arrival(task.key, worker.address, **how))
+            outcome = {"error": value} if failed else {"value": value}
+            self._end(Arrival(task.key, worker.address, **outcome))
 
     def _end(self, arrival: Arrival) -> None:
         self.ended.append(arrival)
 
 
 def at(name: str) -> str:
-    """Return the address of a worker: of its host if it has one, as in "host_1"."""
+    """Return the address of a worker; "host_1" is on the host "host", other names on "here"."""
     host, _, _ = name.rpartition("_")
     return f"tls://{host or 'here'}:{name}"
 

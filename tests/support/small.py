@@ -1,4 +1,4 @@
-"""The small study that the tests of the pipeline share, and ways to vary it."""
+"""The small study that tests of the workflow share, and variations of it."""
 
 import tempfile
 from pathlib import Path
@@ -47,7 +47,7 @@ steps_per_spacing = 1
 normal_force = [0.04, 0.4, 4.0]
 """
 
-# Two slides with holds between them, and what they are of, at two temperatures.
+# Settings of two slides with a hold between them, and a study at two temperatures for them.
 PROGRAMME = (
     "scene.programme=[{slide={ratio=1.0, distance=1e-3}}, {hold={duration=[1e-3, 1e-2]}}, "
     "{slide={ratio=2.0, distance=1e-3}}]"
@@ -83,7 +83,7 @@ def line_text(heights=HEIGHTS, header="x (um), z (nm)", skip=None):
     return "\n".join([header, *rows])
 
 
-FILES = {  # beside small.toml
+FILES = {  # contents of the files beside small.toml, by name
     "line.csv": line_text(),
     "two.csv": "x (um), z (nm), w (nm)\n"
     + "".join(f"{x}, {z}, {x - z * z}\n" for x, z in enumerate(SMOOTH)),
@@ -121,7 +121,7 @@ FILES = {  # beside small.toml
 
 
 def write_study(folder, text=TEXT):
-    """Write small.toml and its FILES into ``folder``; return the path of it as a string."""
+    """Write small.toml and FILES into ``folder``; return the path of small.toml as a string."""
     for name, content in FILES.items():
         (Path(folder) / name).write_text(content, encoding="utf-8")
     path = Path(folder) / "small.toml"
@@ -136,7 +136,7 @@ def small_study(*settings, text=TEXT, scale=None):
 
 
 def complaint(*settings, **how):
-    """Return the one line the small study with ``settings`` is refused with, read or planned."""
+    """Return the one-line error of the small study with ``settings``, from reading or planning."""
     with pytest.raises(UserError) as error:
         small_plan(*settings, **how)
     message = str(error.value)
@@ -150,17 +150,17 @@ def small_plan(*settings, **how):
 
 
 def cut_batches(plan, stored=(), target=1.0, blocks=None):
-    """Yield batches of about ``target`` predicted seconds covering what is not stored."""
+    """Yield batches of about ``target`` predicted seconds for all records not in ``stored``."""
     return make_batches(plan, cut(plan, missing_work(plan, stored, blocks), target), target)
 
 
 def keys(plan):
-    """Return the keys of the tasks of the study itself, in order."""
+    """Return the keys of the tasks of the first variant, the study itself, in order."""
     return [task.key for task in plan.variants[0].tasks]
 
 
 def all_records(plan):
-    """Return every (key, block) the plan consists of."""
+    """Return every record (key, block) of a plan."""
     blocks = range(plan.study.blocks)
     return [(t.key, block) for v in plan.variants for t in v.tasks for block in blocks]
 

@@ -1,4 +1,4 @@
-"""The studies of this repository, run small and drawn."""
+"""The studies of this repository, run at smoke scale and drawn."""
 
 import math
 from collections.abc import Sequence
@@ -33,8 +33,8 @@ def run(
 ) -> Groups:
     """Run a study at smoke scale with --set ``settings``; return the groups of its result.
 
-    It is computed in this process, whatever is predicted. variants : those to compute, all by
-    default. drawn : whether its figure is tried as well.
+    It is computed in this process, whatever its predicted time. variants : labels of those to
+    compute; by default all. drawn : whether the figure is tested as well.
     """
     study = read_study(name, "smoke", list(settings))
     chosen = {label: study.variants[label] for label in variants or study.variants}
@@ -50,9 +50,9 @@ def run(
 
 
 def load(path: Path) -> Groups:
-    """Return the groups of a result, which has to keep the CF conventions."""
+    """Return the groups of a result, which must conform to the CF conventions."""
     assert not conventions.INSTALLED or conventions.complaints(path) == []
-    with xr.open_datatree(path):  # whose groups agree in the dimensions that they share
+    with xr.open_datatree(path):  # fails if groups differ in a shared dimension
         pass
     groups = {}
     for group, data in xr.open_groups(path).items():
@@ -62,7 +62,7 @@ def load(path: Path) -> Groups:
 
 
 def check_section(study: AnyStudy, groups: Groups, folder: Path) -> None:
-    """Show a result in the report, but for its figure: what it was computed with, and its table."""
+    """Check the section of a result in the report, without its figure."""
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr("elastomer_friction.workflow.report.page.draw_groups", lambda *_: [])
         shown = section(study, groups, folder)
@@ -74,7 +74,7 @@ def check_section(study: AnyStudy, groups: Groups, folder: Path) -> None:
 
 
 def check_drawing(name: str, groups: Groups) -> None:
-    """Draw the figure of a study: it has something in every panel."""
+    """Draw the figure of a study; check that every panel has data and that no labels overlap."""
     script = load_script(known_studies()[name].parent / "figure.py")
     try:
         with mpl.rc_context(STYLE):
@@ -84,13 +84,13 @@ def check_drawing(name: str, groups: Groups) -> None:
                 figure.canvas.draw()
                 assert figure.axes
                 assert all(ax.has_data() or not ax.axison for ax in figure.axes)
-                assert not [ax.get_title() for ax in figure.axes if _collide(ax)]
+                assert not [ax.get_title() for ax in figure.axes if _labels_overlap(ax)]
     finally:
         plt.close("all")
 
 
-def _collide(ax: Axes) -> bool:
-    """Return whether two labels of the x axis overlap."""
+def _labels_overlap(ax: Axes) -> bool:
+    """Return whether two tick labels of the x axis overlap."""
     low, high = sorted(ax.get_xlim())
     labels = ax.get_xticklabels() + ax.get_xticklabels(minor=True)
     shown = [

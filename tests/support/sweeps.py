@@ -1,4 +1,4 @@
-"""Sweeps over many cases: a thin slice in `make test`, the whole in `make test-all`."""
+"""Sweeps over many cases: a thin slice in `make test`, all cases in `make test-all`."""
 
 from collections.abc import Sequence
 from typing import Any
@@ -10,7 +10,7 @@ USUAL = 100  # examples that hypothesis tries by default
 
 
 def sweep(name: str, thin: Any, whole: Any) -> pytest.MarkDecorator:
-    """Parametrize a test by the thin slice of a sweep, and by the whole, which is exhaustive."""
+    """Parametrize a test by a thin slice of a sweep, and by the whole sweep as exhaustive."""
     return pytest.mark.parametrize(
         name,
         [
@@ -21,7 +21,7 @@ def sweep(name: str, thin: Any, whole: Any) -> pytest.MarkDecorator:
 
 
 def mostly_exhaustive(names: str, thin: Sequence, rest: Sequence) -> pytest.MarkDecorator:
-    """Parametrize a test by some cases, and by more of them that are exhaustive."""
+    """Parametrize a test by some cases, and by further ones that are marked exhaustive."""
     more = [pytest.param(*_tuple(case), marks=pytest.mark.exhaustive) for case in rest]
     return pytest.mark.parametrize(names, [*thin, *more])
 
@@ -31,5 +31,5 @@ def _tuple(case: Any) -> tuple:
 
 
 def examples(usual: int) -> int:
-    """Return the number of examples of a property test: more under --hypothesis-profile."""
+    """Return the number of examples of a property test, scaled by --hypothesis-profile."""
     return usual * settings().max_examples // USUAL

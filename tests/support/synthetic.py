@@ -1,4 +1,4 @@
-"""Result files whose laws are known: what the claims and the report are tested on."""
+"""Synthetic results with known laws, on which claims and report are tested."""
 
 import numpy as np
 import xarray as xr
@@ -14,7 +14,7 @@ RELAXATION_TIME, SLOPE = 1e-3, 0.02
 
 
 def result(study="fig7", error=0.01, **axes):
-    """Return a dataset with axes and provenance, but no estimates: add them with ``add``."""
+    """Return a dataset with axes and provenance; ``add`` adds the estimates."""
     usual = {
         "hurst": [0.3, 0.7],
         "normal_force": [0.1, 1.0],
@@ -44,7 +44,7 @@ def result(study="fig7", error=0.01, **axes):
 
 
 def add(dataset, relative_error=0.01, **estimates):
-    """Return the dataset with estimates on the whole grid, and their standard errors."""
+    """Add estimates and their standard errors on the whole grid; return the dataset."""
     shape = tuple(dataset.sizes[axis] for axis in COMMON_AXES)
     for name, values in estimates.items():
         full = xr.DataArray(np.zeros(shape), dims=COMMON_AXES) + values
@@ -69,7 +69,7 @@ def with_alpha(dataset, alpha, error=0.01):
 
 
 def write_figure_8(folder):
-    """Write a result of figure 8, alpha = 1 - H + 0.05, with its comparison."""
+    """Write a result of figure 8 with alpha = 1 - H + 0.05, and the same as "paper_step"."""
     velocity = [1e-3] + [0.1 * k for k in range(1, 8)]
     dataset = result("fig8", hurst=[0.0, 0.5, 1.0], velocity=velocity)
     dataset = with_alpha(dataset, 1.05 - dataset.hurst)
