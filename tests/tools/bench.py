@@ -1,7 +1,7 @@
-"""`make bench`: what the program costs beside other programs, and what effects cost.
+"""`make bench`: cost of the program compared with other programs, and cost of its effects.
 
-Times are the least CPU times of several; ratios are of times measured in turns in one run. Compare
-them with each other, not between machines. What accuracy costs is the study of that name: `make
+Times are the smallest of several CPU times; ratios are of times measured in turns in one run.
+Compare them with each other, not between machines. For the cost of accuracy see `make
 study-accuracy`.
 """
 
@@ -54,12 +54,12 @@ from tests.tools.rivals.rows import (
     print_velocity_steps,
 )
 
-ELEMENTS = 500  # of the line of scenes
+ELEMENTS = 500  # elements of the line of scenes
 SLIDE = (Slide(SPEED, 100.0),)
-MARCHED = round(100.0 * M)  # steps
-REPEATS, ONCE = 10, 1e-9  # turns, and seconds that one call fills
+MARCHED = round(100.0 * M)  # number of steps
+REPEATS, ONCE = 10, 1e-9  # number of turns; seconds per turn so small that a turn is one call
 ALL_SAMPLES = "march, all samples"
-STEP_ELEMENTS, LINES = 2000, 8  # of velocity steps
+STEP_ELEMENTS, LINES = 2000, 8  # elements of a line, and number of lines, in velocity steps
 POINTS = {  # name: (H, Fbar, x)
     "H = 0.7, x = 17": (0.7, 0.05, 17.0),
     "H = 0.3, x = 50": (0.3, 0.05, 50.0),
@@ -73,7 +73,7 @@ EFFECTS = {
     "the same, indentation rate dropped": Quantities(indentation_rate=False),
 }
 CREEP = str(Path(__file__).parents[2] / "docs" / "creep.toml")
-TASKS = {  # what it imports, and the words of the command
+TASKS = {  # name: modules that it needs, arguments of the command
     "--help": ("argparse", ("--help",)),
     "run fig2": ("numba, numpy, xarray, netCDF4", ("run", "fig2", "--scale", "smoke")),
     "figure fig2": (
@@ -88,7 +88,7 @@ TASKS = {  # what it imports, and the words of the command
 
 
 def cpu_seconds(arguments: tuple[str, ...], folder: Path) -> float:
-    """Return the least CPU time of Python with these arguments, with all that it starts."""
+    """Return the smallest CPU time of Python with these arguments, with its child processes."""
     taken = []
     for _ in range(TURNS):
         if "run" in arguments:
@@ -101,7 +101,7 @@ def cpu_seconds(arguments: tuple[str, ...], folder: Path) -> float:
 
 
 def print_tasks() -> None:
-    """Print what small tasks cost beside importing what they cannot do without."""
+    """Print the cost of small tasks, compared with importing the modules that they need."""
     print("\nSmall tasks in new processes: CPU-s, and the ratio to that of importing\n")
     print("| task | imports | CPU-s | ratio |\n|---|---|---|---|")
     with tempfile.TemporaryDirectory() as place:
@@ -112,7 +112,7 @@ def print_tasks() -> None:
 
 
 def print_drives() -> None:
-    """Print what a programme costs where a spring pulls, over the same of a line that is moved."""
+    """Print the cost of a programme with a spring, over that of the same programme without."""
     print(f"\nPull over slide (N = {ELEMENTS}, m = {M})\n")
     print("| material | stiff spring, slides through | soft spring, creeps |\n|---|---|---|")
     line = random_line(HURST, ELEMENTS, M, 1, 0)
@@ -129,7 +129,7 @@ def print_drives() -> None:
 
 
 def plain_march(line: Line) -> Callable[[], object]:
-    """Return a march of Kelvin elements that leaves no sample out, as long as SLIDE."""
+    """Return a march of Kelvin elements over all samples, as long as SLIDE."""
     law = SCHEMES["exponential"](1.0 / (M * SPEED))
     load = LOAD * line.z.size
     state, _ = steady_sliding(law, line.z, load)
@@ -139,7 +139,7 @@ def plain_march(line: Line) -> Callable[[], object]:
 
 
 def scenes() -> dict[str, tuple[Line, SceneCase, str]]:
-    """Return lines and scenes by the effect that they show, and what they are compared with."""
+    """Return (line, scene, name of the scene it is compared with) by effect."""
     line, one = random_line(HURST, ELEMENTS, M, 1, 0), branches(1)
     kelvin, slide = "general path, Kelvin", "slide, K = 1"
     held = {"load": math.nan, "indentation": 1.0}
@@ -168,7 +168,7 @@ def scenes() -> dict[str, tuple[Line, SceneCase, str]]:
 
 
 def print_effects_of_scenes() -> None:
-    """Print what a step of every scene costs, over the scene it is compared with."""
+    """Print the cost of a step of every scene, over that of the scene it is compared with."""
     compared = scenes()
     runs: dict[str, Callable[[], object]] = {
         name: partial(run_scene, line, scene) for name, (line, scene, _) in compared.items()
@@ -191,7 +191,7 @@ def run_lines(lines: list[Line], case: Case, quantities: Quantities) -> None:
 
 
 def print_effects_of_steps() -> None:
-    """Print what the quantities of a velocity step cost; others must cost nothing."""
+    """Print the cost of a velocity step for several sets of quantities, over that of all."""
     print(f"\nWhat effects cost (m = {M}), relative to {EVERYTHING}")
     for point, (hurst, load, x) in POINTS.items():
         lines = [random_line(hurst, STEP_ELEMENTS, M, seed, 0) for seed in range(LINES)]
@@ -206,7 +206,7 @@ def print_effects_of_steps() -> None:
 
 
 def main() -> None:
-    """Print all tables; those beside C only where there is a compiler."""
+    """Print all tables; those that compare with C need a compiler."""
     with contextlib.suppress(FileNotFoundError):
         compiled = Compiled()
         print_velocity_steps(compiled)

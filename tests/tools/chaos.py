@@ -1,12 +1,11 @@
-"""Chaos: kill and stop whatever computes a study, again and again; look at what comes of it.
+"""Chaos: repeatedly kill and stop processes that compute a study, and check its result.
 
     python -m tests.tools.chaos --kills 50 --seed 1
     python -m tests.tools.chaos --kills 100 --stops 100      stops (SIGSTOP) of up to 60 s
 
-One study in one folder of results is computed by a scheduler that stands, then by jobs of a
-private SLURM, then by processes of this machine, while a seeded random plan kills workers,
-nannies, drivers, schedulers and nodes, or stops them for a while. A driver that ends is started
-again.
+One study in one folder of results is computed on a standing scheduler, then by jobs of a private
+SLURM, then by processes of this machine, while a seeded random plan kills workers, nannies,
+drivers, schedulers and nodes, or stops them for a while. A driver that ends is restarted.
 """
 
 import argparse
@@ -22,11 +21,11 @@ from tests.cluster.processes import PATIENCE, STUDY, Standing, end, start
 from tests.cluster.slurm import Slurm, missing
 from tests.cluster.tally import begun
 
-SHARES = {"slurm": 0.3, "local": 0.2}  # of the strikes; the rest at a scheduler that stands
+SHARES = {"slurm": 0.3, "local": 0.2}  # of the strikes; the rest is on the standing scheduler
 
 
 def stored(store: Path) -> tuple[int, int, int]:
-    """Return how many chunks and records were stored, and how many records more than once."""
+    """Return the numbers of stored chunks, of records, and of records stored more than once."""
     keys, chunks, seen = {}, 0, Counter()
     for entry, _ in journal.entries(store):
         if "part" in entry:
@@ -39,9 +38,9 @@ def stored(store: Path) -> tuple[int, int, int]:
 
 
 def run_chaos(folder: Path, count: Count, seed: int, core_seconds: float) -> list[str]:
-    """Run it all in ``folder``; return a report. Raises AssertionError where a promise breaks.
+    """Run everything in ``folder``; return a report. Raises AssertionError if a promise is broken.
 
-    A study that a fast machine finishes before the last strike is made twice as long.
+    If a fast machine finishes the study before the last strike, it is repeated twice as long.
     """
     while True:
         attempt = folder / f"{core_seconds:.0f}"
@@ -53,12 +52,12 @@ def run_chaos(folder: Path, count: Count, seed: int, core_seconds: float) -> lis
 
 
 def legs(count: Count) -> dict[str, Count]:
-    """Return how many strikes which leg has; SLURM's go to the first where there is none."""
-    of = {name: [round(SHARES[name] * number) for number in count] for name in ("slurm", "local")}
+    """Return the number of strikes of each leg; without SLURM the first gets those of SLURM."""
+    plan = {name: [round(SHARES[name] * number) for number in count] for name in ("slurm", "local")}
     if missing():
-        of["slurm"] = [0, 0]
-    rest = [whole - a - b for whole, a, b in zip(count, *of.values(), strict=True)]
-    return {"standing": Count(*rest)} | {name: Count(*own) for name, own in of.items()}
+        plan["slurm"] = [0, 0]
+    rest = [whole - a - b for whole, a, b in zip(count, *plan.values(), strict=True)]
+    return {"standing": Count(*rest)} | {name: Count(*pair) for name, pair in plan.items()}
 
 
 def _one_study(folder: Path, count: Count, seed: int, core_seconds: float) -> list[str]:

@@ -1,13 +1,13 @@
-"""Try the program in other environments than that of the day: a smoke study, numerical tests.
+"""Test the program with the oldest and newest packages: a smoke study and numerical tests.
 
     python -m tests.tools.environments oldest     the lower bounds of pyproject.toml
-    python -m tests.tools.environments newest     the newest Python that is on this machine
-    python -m tests.tools.environments newest install     install it, and try nothing
+    python -m tests.tools.environments newest     the newest Python on this machine
+    python -m tests.tools.environments newest install     install it without tests
 
-Each has a virtual environment of its own beside .venv, made anew when pyproject.toml changes. The
-machine code lies in it too: kernels of one numba are none for another, and nobody waits for them.
-Where this machine has no such Python, or the packages cannot be had for it, one line says so.
-Warnings are no errors here: those of old packages about new ones are not ours to mend.
+Each has its own virtual environment beside .venv, renewed when pyproject.toml changes. It also
+holds the machine code, since kernels compiled by one numba do not suit another.
+One line is printed if this machine has no such Python, or if packages are not available for it.
+Warnings are not errors here, as old packages may warn about new ones.
 """
 
 import os
@@ -24,38 +24,38 @@ TESTS = [
     "tests/kernels/quick/steady",
     "tests/workflow/reduce",
     "tests/workflow/result",
-    "--ignore=tests/workflow/result/test_conventions.py",  # its checker is no package of ours
+    "--ignore=tests/workflow/result/test_conventions.py",  # its checker is not a dependency
 ]
-OLDEST = 11  # Python 3.11, as in pyproject.toml
+OLDEST = 11  # minor version of the oldest Python, as in pyproject.toml
 
 
 def requirements(oldest: bool) -> list[str]:
-    """Return what the program needs; ``oldest`` : at its lower bounds."""
+    """Return the requirements of the program. oldest : whether to pin them at the lower bounds."""
     project = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
     needed = project["dependencies"] + project["optional-dependencies"]["slurm"]
     return [need.replace(">=", "==") for need in needed] if oldest else needed
 
 
 def candidates(which: str) -> list[str]:
-    """Return the paths of the Pythons of this machine to try, the newest first."""
+    """Return the paths of suitable Pythons on this machine, the newest first."""
     pyenv = Path(os.environ.get("PYENV_ROOT", Path.home() / ".pyenv"))
     folders = [*pyenv.glob("versions/3.*/bin"), *map(Path, os.get_exec_path())]
-    there = [path for folder in folders for path in sorted(folder.glob("python3.*"))]
-    minor = {str(path): int(path.suffix[1:]) for path in there if path.suffix[1:].isdecimal()}
+    paths = [path for folder in folders for path in sorted(folder.glob("python3.*"))]
+    minor = {str(path): int(path.suffix[1:]) for path in paths if path.suffix[1:].isdecimal()}
     usual = sys.version_info.minor
     fit = [p for p, n in minor.items() if (n == OLDEST if which == "oldest" else n > usual)]
     return sorted(fit, key=lambda path: -minor[path])
 
 
 def made(python: str, folder: Path, needed: list[str]) -> Path | None:
-    """Return the Python of an environment with what is needed; None where that cannot be had."""
+    """Return the Python of an environment with the requirements; None if they do not install."""
     note, wanted = folder / "made-of", "\n".join([python, *needed])
     inside = folder / "bin" / "python"
     if note.is_file() and note.read_text(encoding="utf-8") == wanted:
         return inside
     shutil.rmtree(folder, ignore_errors=True)
     if subprocess.run([python, "-m", "venv", folder], check=False).returncode:
-        return None  # a shim may lead nowhere
+        return None  # a shim may point to a missing Python
     pip = [inside, "-m", "pip", "install", "--quiet", "--disable-pip-version-check", "--no-compile"]
     if subprocess.run([*pip, "--only-binary", ":all:", *needed], check=False).returncode:
         return None
@@ -64,7 +64,7 @@ def made(python: str, folder: Path, needed: list[str]) -> Path | None:
 
 
 def installed(which: str) -> Path | None:
-    """Return the Python of one of the environments, and say what is in it, or why there is none."""
+    """Return the Python of an environment, and print its packages or why there is none."""
     needed = requirements(which == "oldest") + TESTERS
     tried = candidates(which)
     for python in tried:
@@ -78,22 +78,22 @@ def installed(which: str) -> Path | None:
 
 
 def try_it(inside: Path) -> None:
-    """Run a study at smoke scale, draw its figure, and run the tests, in one environment."""
-    own = {**os.environ, "NUMBA_CACHE_DIR": str(inside.parents[1] / "machine-code")}
-    own.pop("PYTHONDONTWRITEBYTECODE", None)  # pip has made none: every start would do it anew
+    """Run a study at smoke scale, draw its figure, and run the tests in one environment."""
+    env = {**os.environ, "NUMBA_CACHE_DIR": str(inside.parents[1] / "machine-code")}
+    env.pop("PYTHONDONTWRITEBYTECODE", None)  # pip wrote no bytecode: write it at the first start
     with tempfile.TemporaryDirectory() as out:
         study = ["fig2", "--scale", "smoke", "--out", out]
         for command in (
             ["workflow", "run", *study],
             ["workflow", "figure", *study],
-            # In one process: two would each compile for themselves much of what both need.
+            # In one process, as two would both compile the same kernels.
             ["pytest", "-q", "-n", "0", "-W", "default", "-m", "not exhaustive", *TESTS],
         ):
-            subprocess.run([inside, "-m", *command], cwd=ROOT, env=own, check=True)
+            subprocess.run([inside, "-m", *command], cwd=ROOT, env=env, check=True)
 
 
 def main() -> None:
-    """Install one environment, and try it unless ``install`` is asked for."""
+    """Install one environment, and test it unless ``install`` is given."""
     which, *rest = sys.argv[1:]
     inside = installed(which)
     if inside and rest != ["install"]:

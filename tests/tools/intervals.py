@@ -1,10 +1,10 @@
-"""`make intervals`: are the stated errors true? Takes some minutes; exit status 1 where not.
+"""`make intervals`: check the stated errors, in some minutes; exit status 1 if they are wrong.
 
-Many small independent studies of the same points: the intervals value +- t * error, with t of
-Student for the degrees of freedom in the file, must hold the reference (the mean of all studies
-together) as often as they claim: each cell within four binomial errors (there are 84, and those of
-one column share their lines), all cells together within three errors of their mean. Studies that
-took realizations in rounds until an accuracy was met are held to the same.
+Many small independent studies compute the same points. The intervals value +- t error, with
+Student's t for the stated degrees of freedom, must contain the reference (the mean of all studies)
+as often as they claim: in each cell within four binomial errors, and on average over all cells
+within three errors of the mean. There are 84 cells, and those of one column share their lines.
+Studies that add realizations in rounds until they meet an accuracy are tested in the same way.
 """
 
 import sys
@@ -36,9 +36,9 @@ from elastomer_friction.workflow.study.numerics import Numerics
 from elastomer_friction.workflow.study.study import Scene
 
 SEED = 7
-STUDIES, LINES = 160, 256  # independent studies, lines of each at most
+STUDIES, LINES = 160, 256  # number of independent studies; largest number of lines of each
 BLOCKS = LINES // QUARTET
-POINTS = {  # name: problem, accuracy that takes a few rounds
+POINTS = {  # name: problem, accuracy that requires a few rounds
     "H=0.7 x=10": (Problem(0.7, 500, 0.05, 10.0 / np.pi, 1.2), 0.05),
     "H=0.3 x=30": (Problem(0.3, 500, 0.05, 30.0 / np.pi, 1.2), 0.05),
     "H=0.5 x=3, light": (Problem(0.5, 500, 0.005, 3.0 / np.pi, 1.2), 0.05),
@@ -47,7 +47,7 @@ POINTS = {  # name: problem, accuracy that takes a few rounds
 SIZES = (8, 16, 32, 64, 128, 256)  # lines, in quartets
 NAMES = ("mu_1", "jump", "relaxation_rate")
 LEVELS = np.array([0.68, 0.95])
-SINGLE = 4.0  # binomial errors that one cell may be off
+SINGLE = 4.0  # binomial errors by which one cell may deviate
 SAMPLES = 64
 ALL = ("steady", "jump", "relaxation")
 
@@ -58,7 +58,7 @@ class Lines(NamedTuple):
     scalars: np.ndarray  # shape (studies, blocks, scalars)
     curves: np.ndarray  # shape (studies, blocks, samples - 1)
     time: np.ndarray  # shape (samples - 1,)
-    slope: float
+    slope: float  # rms slope
 
 
 def compute(problem: Problem, seed: int = SEED) -> Lines:
@@ -67,8 +67,8 @@ def compute(problem: Problem, seed: int = SEED) -> Lines:
     march = int(horizon_steps(problem, Numerics(), steps))
     task = Task(problem, steps, march, "")
     count, recording = STUDIES * BLOCKS, Recording(SAMPLES)
-    what = seed, "modal", Quantities(), "exponential", recording, (task,)
-    done = block_means(Batch(*what, 0, count, QUARTET, 0.0))
+    settings = seed, "modal", Quantities(), "exponential", recording, (task,)
+    done = block_means(Batch(*settings, 0, count, QUARTET, 0.0))
     recorded = record_steps(march, SAMPLES)
     time = np.full(SAMPLES - 1, np.nan)
     steps_per_tau = problem.speed * problem.ratio * steps
@@ -101,54 +101,54 @@ def reference(lines: Lines) -> Estimates:
 
 
 def stopped(lines: Lines, problem: Problem, wanted: float) -> tuple[Estimates, np.ndarray]:
-    """Return the estimates of studies that took rounds to an accuracy, and their blocks."""
+    """Return estimates and numbers of blocks of studies run in rounds to an accuracy."""
     scatter = {name: float(LAWS[name].scatter(problem)) for name in NAMES}
     goal = Goal(0, dict.fromkeys(NAMES, 0.0), scatter, 0.0)
     size = np.full(STUDIES, least_blocks(NAMES))
-    going = np.arange(STUDIES)
+    running = np.arange(STUDIES)
     actual: Estimates = {}
-    while going.size:
-        for count in np.unique(size[going]):
-            some = going[size[going] == count]
+    while running.size:
+        for count in np.unique(size[running]):
+            some = running[size[running] == count]
             for name, values in estimates(lines, some, int(count)).items():
                 actual.setdefault(name, np.empty((STUDIES, *values.shape[1:]), values.dtype))
                 actual[name][some] = values
-        goals, ratios = [goal] * going.size, np.full(going.size, problem.ratio)
-        some = {name: values[going] for name, values in actual.items()}
-        growth = attained(some, goals, ratios, wanted, QUARTET * size[going]).growth
-        both = zip(size[going].tolist(), growth.tolist(), strict=True)
-        before, size[going] = size[going], [next_blocks(n, g, BLOCKS) for n, g in both]
-        going = going[size[going] > before]
+        goals, ratios = [goal] * running.size, np.full(running.size, problem.ratio)
+        some = {name: values[running] for name, values in actual.items()}
+        growth = attained(some, goals, ratios, wanted, QUARTET * size[running]).growth
+        both = zip(size[running].tolist(), growth.tolist(), strict=True)
+        before, size[running] = size[running], [next_blocks(n, g, BLOCKS) for n, g in both]
+        running = running[size[running] > before]
     return actual, size
 
 
 def coverage(found: Estimates, truth: Estimates, name: str) -> tuple[np.ndarray, int]:
-    """Return how often the intervals of LEVELS hold the reference, and in how many studies."""
+    """Return how often intervals at LEVELS contain the reference, and the number of studies."""
     off = np.abs(found[name] - truth[name]) / found[f"{name}_error"]
     widths = student.ppf(0.5 + 0.5 * LEVELS, found["degrees_of_freedom"][:, None])
-    there = ~np.isnan(off)
-    if not there.any():
+    known = ~np.isnan(off)
+    if not known.any():
         return np.full(LEVELS.size, np.nan), 0
-    return np.mean(off[there, None] <= widths[there], axis=0), int(there.sum())
+    return np.mean(off[known, None] <= widths[known], axis=0), int(known.sum())
 
 
-def row(what: str, found: Estimates, truth: Estimates) -> list[np.ndarray]:
-    """Print the coverage of all estimates; return how far off each is, in binomial errors."""
+def row(label: str, found: Estimates, truth: Estimates) -> list[np.ndarray]:
+    """Print the coverage of all estimates; return their deviations in binomial errors."""
     cells, off = [], []
     for name in NAMES:
         shares, studies = coverage(found, truth, name)
-        if not studies:  # of two quartets no b is significant
+        if not studies:  # with two quartets no b is significant
             cells.append(f"{'none':17s}")
             continue
         off.append((shares - LEVELS) / np.sqrt(LEVELS * (1.0 - LEVELS) / studies))
         mark = "*" if np.abs(off[-1]).max() > SINGLE else " "
         cells.append(f"{shares[0]:5.2f} {shares[1]:5.2f} {studies:4d}{mark}")
-    print(f"  {what:32s}" + "   ".join(cells), flush=True)
+    print(f"  {label:32s}" + "   ".join(cells), flush=True)
     return off
 
 
 def main() -> int:
-    """Print the table; return 1 where intervals do not hold what they claim."""
+    """Print the table; return 1 if the coverage is not as claimed."""
     off: list[np.ndarray] = []
     print(f"Share of {STUDIES} studies whose 68 % and 95 % intervals hold the reference")
     print(f"  {'realizations':32s}" + "   ".join(f"{name:17s}" for name in NAMES))
@@ -162,11 +162,11 @@ def main() -> int:
                 actual = estimates(lines, np.arange(STUDIES), size // QUARTET)
                 off += row(f"{size} lines, {size // QUARTET} quartets", actual, truth)
             actual, sizes = stopped(lines, problem, wanted)
-            what = f"rounds to {wanted:.0%}, {QUARTET * sizes.mean():.0f} lines on average"
-            off += row(what, actual, truth)
+            label = f"rounds to {wanted:.0%}, {QUARTET * sizes.mean():.0f} lines on average"
+            off += row(label, actual, truth)
     mean = np.mean(off, axis=0)
     print(f"mean of all cells: {mean[0]:+.2f}, {mean[1]:+.2f} binomial errors from the claim")
-    columns = len(POINTS) * len(NAMES)  # independent of each other, unlike sizes
+    columns = len(POINTS) * len(NAMES)  # these are independent of each other, unlike sizes
     sound = np.abs(off).max() <= SINGLE and np.abs(mean).max() <= 3.0 / np.sqrt(columns)
     print("as claimed" if sound else "not as claimed")
     return 0 if sound else 1

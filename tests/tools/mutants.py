@@ -1,7 +1,7 @@
-"""Mutants of a module: its code with one small change each, as a slip of the keyboard makes them.
+"""Mutants of a module: copies of its code with one small change each, like a typing error.
 
-Comparisons, arithmetic and logic are swapped, conditions turned, numbers raised by one, keyword
-arguments dropped, statements left out. Texts, annotations and imports stay.
+Comparisons, arithmetic and logic are swapped, conditions negated, numbers raised by one, keyword
+arguments dropped, statements left out. Strings, annotations and imports are not changed.
 """
 
 import ast
@@ -35,21 +35,21 @@ SWAPS: dict[type, type] = {
 }
 NAMES = {"min": "max", "max": "min", "any": "all", "all": "any"}
 NAMES |= {"minimum": "maximum", "maximum": "minimum", "argmin": "argmax", "argmax": "argmin"}
-LEFT_ALONE = (ast.JoinedStr, ast.Import, ast.ImportFrom)  # texts; what cannot be misspelt
+LEFT_ALONE = (ast.JoinedStr, ast.Import, ast.ImportFrom)  # not changed
 NO_CODE = ("annotation", "returns", "decorator_list")
 
 Change = Callable[[], object]
-Site = tuple[ast.stmt, str, Change]  # statement, what is changed in it, what changes it
+Site = tuple[ast.stmt, str, Change]  # statement, description of the change, function that makes it
 
 
 class Mutant(NamedTuple):
     """One change of one file."""
 
     path: Path
-    number: int  # of the change in the file
-    line: int  # of the statement that it is in: the first
-    last: int  # and the last
-    what: str
+    number: int  # number of the change in the file
+    line: int  # first line of the changed statement
+    last: int  # last line of it
+    what: str  # description of the change
 
     def source(self) -> str:
         """Return the changed source."""
@@ -70,7 +70,7 @@ def mutants_of(path: Path) -> list[Mutant]:
     tree = ast.parse(path.read_text(encoding="utf-8"))
     actual = []
     for number, (statement, what, _) in enumerate(_sites(tree)):
-        body = getattr(statement, "body", None)  # of a compound statement the head alone counts
+        body = getattr(statement, "body", None)  # a compound statement counts by its head only
         last = body[0].lineno - 1 if body else statement.end_lineno
         actual.append(Mutant(path, number, statement.lineno, max(last, statement.lineno), what))
     return actual
@@ -109,7 +109,7 @@ def _in_expression(node: ast.AST) -> Iterator[tuple[str, Change]]:
 
 
 def _children(node: ast.AST) -> Iterator[tuple[ast.AST, list]]:
-    """Yield what is directly below a node, and the list that each is in."""
+    """Yield the child nodes of a node, each with the list that contains it."""
     for name, field in ast.iter_fields(node):
         among = field if isinstance(field, list) else [field]
         for child in among if name not in NO_CODE else ():
@@ -122,18 +122,18 @@ def _children(node: ast.AST) -> Iterator[tuple[ast.AST, list]]:
 def _of_compare(node: ast.Compare) -> Iterator[tuple[str, Change]]:
     for at, operator in enumerate(node.ops):
         other = SWAPS[type(operator)]()
-        yield _said(node, operator), partial(node.ops.__setitem__, at, other)
+        yield _swap_text(node, operator), partial(node.ops.__setitem__, at, other)
 
 
 def _of_operation(node: ast.BoolOp | ast.BinOp | ast.AugAssign) -> Iterator[tuple[str, Change]]:
     if type(node.op) in SWAPS:
-        yield _said(node, node.op), partial(setattr, node, "op", SWAPS[type(node.op)]())
+        yield _swap_text(node, node.op), partial(setattr, node, "op", SWAPS[type(node.op)]())
 
 
 def _of_sign(node: ast.UnaryOp) -> Iterator[tuple[str, Change]]:
     if isinstance(node.op, ast.Not | ast.USub):
-        twice = ast.UnaryOp(node.op, node.operand)
-        yield f"{ast.unparse(node)}: turned", partial(setattr, node, "operand", twice)
+        negated = ast.UnaryOp(node.op, node.operand)
+        yield f"{ast.unparse(node)}: turned", partial(setattr, node, "operand", negated)
 
 
 def _of_constant(node: ast.Constant) -> Iterator[tuple[str, Change]]:
@@ -145,7 +145,7 @@ def _of_constant(node: ast.Constant) -> Iterator[tuple[str, Change]]:
 
 def _of_call(node: ast.Call) -> Iterator[tuple[str, Change]]:
     for keyword in node.keywords:
-        if keyword.arg != "strict":  # of zip: never violated
+        if keyword.arg != "strict":  # of zip: lengths never differ
             without = partial(node.keywords.remove, keyword)
             yield f"{ast.unparse(node)}: without {keyword.arg}", without
 
@@ -184,7 +184,7 @@ def _turn(node: ast.If | ast.While | ast.IfExp) -> None:
     node.test = ast.UnaryOp(ast.Not(), node.test)
 
 
-def _said(node: ast.AST, operator: ast.AST) -> str:
+def _swap_text(node: ast.AST, operator: ast.AST) -> str:
     return f"{ast.unparse(node)}: {type(operator).__name__} swapped"
 
 
@@ -193,7 +193,7 @@ def _is_typing(test: ast.expr) -> bool:
 
 
 def _can_be_left_out(node: ast.stmt) -> bool:
-    """Return whether the rest of the code has all its names without a statement."""
+    """Return whether the rest of the code has all of its names without this statement."""
     if isinstance(node, ast.Assign):
         return all(isinstance(target, ast.Attribute | ast.Subscript) for target in node.targets)
     called = isinstance(node, ast.Expr) and isinstance(node.value, ast.Call)

@@ -1,12 +1,12 @@
-"""Change code at random places, one at a time, and see whether its tests notice.
+"""Change code at random places, one at a time, and report whether its tests notice.
 
     python -m tests.tools.mutation workflow/store --count 100 --seed 12
     NUMBA_DISABLE_JIT=1 python -m tests.tools.mutation kernels/model/contact.py
 
-Each mutant (mutants.py) is tried in a process of its own, by the tests beside that reach the
-changed line: those of a folder, or of the folder of a file, are in the folder of the same name
-under tests. A mutant is killed by a test that fails, or that takes far more CPU time than all of
-them do. The files are changed in place and restored: use a clone of its own.
+Each mutant (mutants.py) is tried in its own process, by those tests of its room that reach the
+changed line. The tests of a folder, or of the folder of a file, are in the folder of the same name
+under tests. A mutant is killed if a test fails, or if the tests take far more CPU time than without
+it. The files are changed in place and restored, so use a separate clone.
 """
 
 import argparse
@@ -26,7 +26,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 import coverage
-import distributed  # noqa: F401  what all tests import is imported once, before the children start
+import distributed  # noqa: F401  imported once for all tests, before child processes start
 import matplotlib.pyplot  # noqa: F401
 import netCDF4  # noqa: F401
 import numba  # noqa: F401
@@ -40,21 +40,21 @@ SETUP, IMPORT = "setup of ", "import of "
 
 
 class Reached:
-    """A pytest plugin that notes which tests reach which line, and how long each takes."""
+    """A pytest plugin that records which tests reach which line, and the time of each test."""
 
     def __init__(self, files: list[Path]) -> None:
         ours = [str(file.resolve()) for file in files]
         self.coverage = coverage.Coverage(data_file=None, config_file=False, include=ours)
-        self.fixtures: dict[str, set[str]] = {}  # of each test
-        self.seconds: dict[str, float] = defaultdict(float)
+        self.fixtures: dict[str, set[str]] = {}  # names of the fixtures of each test
+        self.seconds: dict[str, float] = defaultdict(float)  # CPU time of each test
 
     def pytest_collectstart(self, collector: pytest.Collector) -> None:
-        """Note lines that a module of tests reaches on import."""
+        """Record lines that a test module reaches on import."""
         self.coverage.switch_context(IMPORT + collector.nodeid)
 
     @pytest.hookimpl(wrapper=True)
     def pytest_runtest_protocol(self, item: pytest.Item):
-        """Note lines for a test, and what it is made of."""
+        """Record the lines, fixtures and CPU time of a test."""
         name = item.nodeid.partition("[")[0]
         self.fixtures[name] = set(getattr(item, "fixturenames", ()))
         self.coverage.switch_context(name)
@@ -66,7 +66,7 @@ class Reached:
 
     @pytest.hookimpl(wrapper=True)
     def pytest_fixture_setup(self, fixturedef: pytest.FixtureDef, request: pytest.FixtureRequest):
-        """Note lines that a fixture reaches for all who use it."""
+        """Record lines that a fixture reaches, for all tests that use it."""
         self.coverage.switch_context(SETUP + fixturedef.argname)
         try:
             return (yield)
@@ -74,7 +74,7 @@ class Reached:
             self.coverage.switch_context(request.node.nodeid.partition("[")[0])
 
     def by_line(self) -> dict[str, dict[int, set[str]]]:
-        """Return path -> line -> tests that reach it."""
+        """Return the tests that reach each line: {path: {line: tests}}."""
         users = defaultdict(set)
         for test, fixtures in self.fixtures.items():
             users[test].add(test)
@@ -84,7 +84,7 @@ class Reached:
 
         def tests_of(contexts: list[str]) -> set[str]:
             actual = {test for c in contexts if not c.startswith(IMPORT) for test in users[c]}
-            return actual and actual.union(*(users[c] for c in contexts))  # on import alone: all
+            return actual and actual.union(*(users[c] for c in contexts))  # empty: on import only
 
         data = self.coverage.get_data()
         return {
@@ -95,20 +95,20 @@ class Reached:
 
 QUIET = ["-x", "-q", "-n", "0", "-p", "no:cacheprovider", "--hypothesis-seed=0"]
 USUAL = ["-m", "not cluster and not exhaustive"]
-TIMES_LONGER = 10.0  # than the tests of the room took, in CPU and wall time
+TIMES_LONGER = 10.0  # limit of CPU and wall time, over the CPU time of the tests without a change
 
 
 class Room(NamedTuple):
-    """A folder or a file of ours, with the tests of it."""
+    """A folder or a file of the program with its tests."""
 
     mutants: list[Mutant]
     lines: dict[str, dict[int, set[str]]]  # path -> line -> tests that reach it
     cost: dict[str, float]  # CPU seconds of each test
 
     def chosen(self, mutant: Mutant) -> list[str]:
-        """Return the tests that reach a mutant, those of its module first, the quick ones first.
+        """Return the tests that reach a mutant: those of its module first, then by CPU time.
 
-        All of the room where none does, as of what is reached on import.
+        Return all tests of the room if none does, e.g. if the line is reached only on import.
         """
         lines = self.lines.get(str(mutant.path.resolve()), {})
         actual = set().union(*(lines.get(n, ()) for n in range(mutant.line, mutant.last + 1)))
@@ -117,7 +117,7 @@ class Room(NamedTuple):
 
 
 def room_of(place: Path, scratch: Path) -> Room:
-    """Run the tests of a place once, in a process of its own. Raises SystemExit if they fail."""
+    """Run the tests of a place once, in a child process. Raises SystemExit if they fail."""
     files = sorted(place.rglob("*.py")) if place.is_dir() else [place]
     tests = Path("tests") / (place if place.is_dir() else place.parent)
 
@@ -137,7 +137,7 @@ def room_of(place: Path, scratch: Path) -> Room:
 
 
 def in_a_process(work: Callable[[], int], seconds: float, log: Path) -> int:
-    """Return the exit status of some work in a child of this process, -1 where it takes longer."""
+    """Return the exit status of ``work`` in a child process, -1 if it exceeds its time."""
     pid = os.fork()
     if pid == 0:
         status = 3
@@ -159,7 +159,7 @@ def in_a_process(work: Callable[[], int], seconds: float, log: Path) -> int:
         time.sleep(0.05)
         ended, actual = os.waitpid(pid, os.WNOHANG)
     with contextlib.suppress(ProcessLookupError):
-        os.killpg(pid, signal.SIGKILL)  # and whatever it started
+        os.killpg(pid, signal.SIGKILL)  # the child and its own children
     if not ended:
         os.waitpid(pid, 0)
         return -1
@@ -167,7 +167,7 @@ def in_a_process(work: Callable[[], int], seconds: float, log: Path) -> int:
 
 
 def try_one(room: Room, mutant: Mutant, log: Path) -> str:
-    """Return what became of a mutant: killed, killed by its time, or survived."""
+    """Try a mutant; return "killed", "timed out" or "survived"."""
     tests = room.chosen(mutant)
     sound, known = mutant.path.read_text(encoding="utf-8"), mutant.path.stat()
     try:
@@ -176,12 +176,12 @@ def try_one(room: Room, mutant: Mutant, log: Path) -> str:
         status = in_a_process(lambda: pytest.main([*QUIET, *USUAL, *tests]), longest, log)
     finally:
         mutant.path.write_text(sound, encoding="utf-8")
-        os.utime(mutant.path, ns=(known.st_atime_ns, known.st_mtime_ns))  # its bytecode stays
+        os.utime(mutant.path, ns=(known.st_atime_ns, known.st_mtime_ns))  # keep bytecode valid
     return "survived" if status == 0 else "timed out" if status < 0 else "killed"
 
 
 def main() -> None:
-    """Try some mutants; print what became of each, and how many survived."""
+    """Try some mutants; print the outcome of each, and the numbers of outcomes."""
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("place", type=Path)
     parser.add_argument("--count", type=int, default=100)
@@ -191,7 +191,7 @@ def main() -> None:
     with tempfile.TemporaryDirectory() as folder:
         scratch = Path(folder)
         room = room_of(given.place, scratch)
-        sys.dont_write_bytecode = True  # of mutants: it would be taken for that of the code
+        sys.dont_write_bytecode = True  # bytecode of a mutant would be taken for that of the code
         os.environ["PYTHONDONTWRITEBYTECODE"] = "1"
         count = min(given.count, len(room.mutants))
         print(f"{given.place}: {len(room.cost)} tests of {sum(room.cost.values()):.0f} s of CPU")

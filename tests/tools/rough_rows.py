@@ -2,12 +2,12 @@
 
     python -m tests.tools.rough_rows [ROW ...]
 
-docs/bodies.md has the table. All surfaces have H = 0.7, and a load is sigma_0/(E* grad z). mu is
-over grad z, and also over E''(q_max v)/E* if the elastomer is nearly elastic: one relaxation
-time at x = v tau q_max = 0.01 for E'' ~ omega, and thirteen branches of a fiftieth of G in all for
-E'' ~ omega^s. Errors are standard errors of the mean over surfaces. The third number of a row
-is for lines that are equivalent to the surface below the roll-off too, C_1D = pi q C_2D; the lines
-of the program have a flat C_1D there.
+docs/bodies.md has the table. All surfaces have H = 0.7, and loads are sigma_0/(E* grad z). mu is
+divided by grad z, and also by E''(q_max v)/E* if the elastomer is nearly elastic: it then has one
+relaxation time with x = v tau q_max = 0.01 for E'' ~ omega, or thirteen branches of together G/50
+for E'' ~ omega^s. Errors are standard errors of the mean over surfaces. The third friction of a row
+is for lines with C_1D = pi q C_2D also below the roll-off, where lines of the program have a flat
+C_1D.
 """
 
 import sys
@@ -28,19 +28,19 @@ from elastomer_friction.workflow.study import (
 )
 
 HURST, SIDE, HEIGHT, SPEED, MODULUS = 0.7, 1e-3, 1e-6, 1e-2, 1e6  # SI; E* = 4 G
-SEED, STEP, SLOW, LOST = 29, 0.2, 0.01, 0.02  # LOST: branches over G
-FINE = 8  # samples in an element spacing, of a map and of an equivalent line
+SEED, STEP, SLOW, LOST = 29, 0.2, 0.01, 0.02  # LOST: sum of the branch moduli over G
+FINE = 8  # samples per spacing of a map and of an equivalent line
 
 
 class Rough(NamedTuple):
     """One surface and motion."""
 
-    load: float
-    lengths: int  # roll-off lengths in a side
+    load: float  # sigma_0/(E* grad z)
+    lengths: int  # number of roll-off lengths in a side
     power: float  # s of E'' ~ omega^s; 1: one relaxation time
-    maps: int
-    x: float = SLOW
-    waves: int = 8  # shortest waves in a roll-off length
+    maps: int  # number of surfaces
+    x: float = SLOW  # v tau q_max
+    waves: int = 8  # number of shortest waves in a roll-off length
     whole: bool = False  # F_N = sigma_0 L^2 on the line too, else sigma_0 lambda_r L
     step: bool = False  # whether jump and relaxation are computed
     samples: int = FINE
@@ -62,7 +62,7 @@ class Rough(NamedTuple):
         slow = SIDE / (2.0 * np.pi * self.shortest * SPEED)  # 1/(q_max v)
         if self.power == 1.0:
             return {"shear_modulus": MODULUS, "relaxation_time": self.x * slow}, self.x
-        times = 10.0 ** np.linspace(-3.0, 3.0, 13)  # over it
+        times = 10.0 ** np.linspace(-3.0, 3.0, 13)  # in units of ``slow``
         shares = times**-self.power * LOST / np.sum(times**-self.power)
         branches = [
             [float(g) * MODULUS, float(t) * slow] for g, t in zip(shares, times, strict=True)
@@ -73,7 +73,7 @@ class Rough(NamedTuple):
     def run(self, body: str, lines: np.ndarray | None = None) -> xr.Dataset:
         """Return the dataset of this point on a body, on given lines or random surfaces."""
         pressure = self.load * 4.0 * MODULUS * self.slope
-        width = SIDE if self.whole else SIDE / self.lengths  # of a line
+        width = SIDE if self.whole else SIDE / self.lengths  # width of a line
         grid = {"normal_force": pressure * SIDE * (SIDE if body == HALF_SPACE else width)}
         grid |= {"velocity": SPEED, "velocity_step": STEP if self.step else 0.0}
         tables = {
@@ -167,7 +167,7 @@ def table_line(name: str, row: Rough) -> str:
 
 
 def _main() -> None:
-    """Print the table, or the rows that are named."""
+    """Print the table, or only the named rows."""
     head = (
         "row | load | lengths | s | x | area | half-space | foundation | equivalent line | ratios"
     )

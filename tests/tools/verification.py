@@ -1,8 +1,8 @@
-"""Print how well scenes agree with what is known, refined: the table of docs/verification.md.
+"""Print errors of scenes against known answers, under refinement: table of docs/verification.md.
 
     python -m tests.tools.verification
 
-The tests hold bounds on these figures; here they are measured.
+The tests check bounds of these errors; here they are measured.
 """
 
 from collections.abc import Callable
@@ -30,12 +30,12 @@ def oscillation(name: str, refinements: np.ndarray) -> np.ndarray:
 
 
 def closing_work(refinements: np.ndarray) -> np.ndarray:
-    """Return the closing work over what is dissipated, of Kelvin elements."""
+    """Return the closing work over the dissipated energy, of Kelvin elements."""
     return missing_work("kelvin", "slide, hold, slide", refinements, 3)
 
 
 def to_kelvin(glass: np.ndarray) -> np.ndarray:
-    """Return by how much mu of a step at G_g/G differs from that of the Kelvin element."""
+    """Return the relative difference of mu from that of a Kelvin element. glass : G_g/G."""
     line, programme = a_line(64, 0.7, 4, 0), (Slide(2.0, 0.25),)
     kelvin = trace(line, programme, KELVIN)["trace_mu"][0]
     materials = (Spectrum((g,), (1.0 / g,), 0.0) for g in glass)
@@ -44,13 +44,13 @@ def to_kelvin(glass: np.ndarray) -> np.ndarray:
 
 
 def against_march() -> float:
-    """Return the largest difference of mu between the general path and the march, of Kelvin."""
+    """Return the largest difference of mu of Kelvin elements between general path and march."""
     (mu, _), (marched, _) = after_a_jump("exponential", 1.6, 600)
     return float(np.abs(mu - marched).max())
 
 
 def row(name: str, refinements: np.ndarray, errors: np.ndarray) -> None:
-    """Print a row: rms errors over the cases, and the order between the refinements."""
+    """Print a row: rms errors over the cases, and the observed order of convergence."""
     rms = np.sqrt(np.mean(np.square(errors), axis=1))
     shown = " ".join(f"{error:.1e}" for error in rms)
     steps = " ".join(f"{r:g}" for r in refinements)

@@ -1,9 +1,9 @@
-"""`make wheel`: a wheel with machine code for x86-64-v3, of which its name says the compiler.
+"""`make wheel`: a wheel with machine code for x86-64-v3; its name contains the compiler.
 
     python -m tests.tools.wheel
 
-It installs everywhere. Where Python, numba or the processor are others, kernels are compiled as
-without it.
+It installs everywhere. With another Python, numba or processor, kernels are compiled as without
+the machine code.
 """
 
 import base64
@@ -27,19 +27,19 @@ for scheme in SCHEMES:
 
 
 def machine_code(wheel: Path, folder: Path) -> dict[str, bytes]:
-    """Return the files of machine code of all that a velocity step needs, by their names."""
+    """Return the files of machine code for a velocity step, by name."""
     subprocess.run([*PIP, "install", "--no-deps", "--target", folder / "site", wheel], check=True)
     how = {"NUMBA_CPU_NAME": V3, "NUMBA_CPU_FEATURES": "", "NUMBA_CACHE_DIR": str(folder / "code")}
     environment = os.environ | how | {"PYTHONPATH": str(folder / "site")}
     command = [sys.executable, "-c", COMPILE]
     subprocess.run(command, check=True, env=environment, cwd=folder)
-    made = folder / "code" / CACHE_NAME  # and in it a folder by the hash of the sources
+    made = folder / "code" / CACHE_NAME  # contains a folder named by the hash of the sources
     files = sorted(made.glob(f"*/{COMPILER}/*.bin"))
     return {f"{SHIPPED}/{path.relative_to(made).as_posix()}": path.read_bytes() for path in files}
 
 
 def add(wheel: Path, files: dict[str, bytes], target: Path) -> None:
-    """Write a wheel with more files in it."""
+    """Write a copy of a wheel with additional files."""
     with zipfile.ZipFile(wheel) as old, zipfile.ZipFile(target, "w", zipfile.ZIP_DEFLATED) as new:
         for name in old.namelist():
             content = old.read(name)
@@ -51,7 +51,7 @@ def add(wheel: Path, files: dict[str, bytes], target: Path) -> None:
 
 
 def row(name: str, content: bytes) -> str:
-    """Return what RECORD tells of a file."""
+    """Return the row of a file in RECORD."""
     digest = base64.urlsafe_b64encode(hashlib.sha256(content).digest()).rstrip(b"=").decode()
     return f"{name},sha256={digest},{len(content)}\n"
 
@@ -60,7 +60,7 @@ PIP = (sys.executable, "-m", "pip", "-q", "--disable-pip-version-check")
 
 
 def main() -> None:
-    """Build it in dist/ and say what it holds."""
+    """Build the wheel in dist/ and print its size."""
     with tempfile.TemporaryDirectory() as place:
         folder = Path(place)
         subprocess.run([*PIP, "wheel", "--no-deps", "-w", folder, ROOT], check=True)

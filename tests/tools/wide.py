@@ -1,11 +1,11 @@
-"""How far the rate b at "auto" is from the limit of fine samples, over the range of the paper.
+"""Error of the rate b at "auto" against the limit of fine samples, over the range of the paper.
 
     python -m tests.tools.wide [POINTS [LINES [SEED]]]
 
-Random problems (a Latin hypercube in H, log N, log Fbar, log x), with the same lines at the steps
-that "auto" takes and at up to FINER times as many. Printed are, by range of x, the ninth decile of
-the relative error and the shares of problems within the stated bound of the bias and within 2 %:
-the table of docs/accuracy.md.
+Random problems (a Latin hypercube in H, log N, log Fbar, log x) are computed on the same lines with
+the steps of "auto" and with up to FINER times as many. The table of docs/accuracy.md lists, by
+range of x, the ninth decile of the relative error and the shares of problems with errors within the
+stated bound of the bias and within 2 %.
 """
 
 import sys
@@ -21,7 +21,7 @@ from elastomer_friction.workflow.simulate import Problem, curve_times, record_st
 from elastomer_friction.workflow.study import Numerics, Scene
 
 FINER = 8
-LARGEST = 1e10  # samples times steps of the finest march of a line
+LARGEST = 1e10  # largest number of samples times steps in a march
 BOUNDS = np.array([[0.0, 1.0], [2.5, 4.0], [-3.0, 1.4], [-1.5, 3.5]])  # H; log10 of N, Fbar, x
 RANGES = ((0.0, 1.0), (1.0, 30.0), (30.0, 300.0), (300.0, np.inf))
 RATIO = 1.2
@@ -29,7 +29,7 @@ NAMES = ("mu_1", "jump", "b")
 
 
 def problems(count: int, seed: int) -> Iterator[Problem]:
-    """Yield random problems of the range of figure 7."""
+    """Yield random problems in the range of figure 7."""
     rng = np.random.default_rng(seed)
     cells = np.array([rng.permutation(count) for _ in BOUNDS]).T
     unit = (cells + rng.random(cells.shape)) / count
@@ -39,7 +39,7 @@ def problems(count: int, seed: int) -> Iterator[Problem]:
 
 
 def mean_of_lines(problem: Problem, steps: int, lines: int, seed: int) -> np.ndarray:
-    """Return (mu_1, jump, b, samples per contact) of some lines at so many steps per spacing.
+    """Return (mu_1, jump, b, samples per contact), means over lines. steps : per spacing.
 
     b is NaN without a fit.
     """
@@ -60,10 +60,10 @@ def mean_of_lines(problem: Problem, steps: int, lines: int, seed: int) -> np.nda
     return np.array([mu_1, jump, fit.rate[0] if fit.status == FITTED else np.nan, samples])
 
 
-def stated(problem: Problem, steps: int, seen: np.ndarray) -> np.ndarray:
+def stated(problem: Problem, steps: int, means: np.ndarray) -> np.ndarray:
     """Return the bounds of the bias of (mu_1, jump, b) that a result file states."""
     steady = [LAWS[name].error(problem, steps) for name in NAMES[:2]]
-    return np.array([*steady, rate_error(problem, steps, seen[3], seen[2])])
+    return np.array([*steady, rate_error(problem, steps, means[3], means[2])])
 
 
 def error_of_rate(problem: Problem, lines: int, seed: int) -> tuple[float, float]:
@@ -73,8 +73,8 @@ def error_of_rate(problem: Problem, lines: int, seed: int) -> tuple[float, float
     while fine > 2 * auto and _work(problem, fine) > LARGEST:
         fine //= 2
     limit = mean_of_lines(problem, fine, lines, seed)
-    seen = mean_of_lines(problem, auto, lines, seed)
-    return abs(seen[2] / limit[2] - 1.0), float(stated(problem, auto, seen)[2])
+    means = mean_of_lines(problem, auto, lines, seed)
+    return abs(means[2] / limit[2] - 1.0), float(stated(problem, auto, means)[2])
 
 
 def _work(problem: Problem, steps: int) -> float:

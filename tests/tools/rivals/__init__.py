@@ -1,1 +1,1 @@
-"""Other ways to do the same work, for ``make bench``: none of them is part of the program."""
+"""Other implementations of the same work, for ``make bench``; not part of the program."""

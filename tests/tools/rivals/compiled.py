@@ -1,4 +1,4 @@
-"""The same core in C (dense.c, scene.c), built where a compiler is."""
+"""The same kernels in C (dense.c, scene.c), built if there is a compiler."""
 
 import ctypes
 import shutil
@@ -18,7 +18,7 @@ REAL, COUNT = ctypes.c_double, ctypes.c_long
 
 
 class Compiled:
-    """The functions of these files. Raises FileNotFoundError where there is no compiler."""
+    """The functions of the C files. Raises FileNotFoundError without a compiler."""
 
     def __init__(self) -> None:
         compiler = shutil.which("gcc") or shutil.which("cc")
@@ -47,7 +47,7 @@ class Compiled:
         return w, self._steady(z, w, z.size, decay, stiffness, load)
 
     def friction(self, z, slope, w, d, speed, load):
-        """Return mu at an instant, without what the edges of contacts ask for."""
+        """Return mu at an instant, without corrections at the edges of contacts."""
         return self._friction(z, slope, w, z.size, d, speed, load)
 
     def march(self, z, weight, w, d, decay, stiffness, load, steps):

@@ -1,7 +1,7 @@
-"""Rows of `make bench`: the program beside C that steps every element, and beside tamaas.
+"""Rows of `make bench`: the program compared with C that steps every element, and with tamaas.
 
-Each way is checked against the other before both are timed in turns. A ratio is the CPU time of the
-other program over the time of this one, so that more than 1 means that this one is quicker.
+Results are compared before both programs are timed in turns. A ratio is the CPU time of the other
+program over the time of this one, so this one is faster if the ratio exceeds 1.
 """
 
 import contextlib
@@ -43,7 +43,7 @@ from elastomer_friction.workflow.simulate.realizations import lines_at_once
 from tests.kernels.scene import given
 from tests.tools.rivals.compiled import Compiled
 
-MIN_SECONDS, MAX_REPEATS = 0.1, 7  # of the calls of one measurement
+MIN_SECONDS, MAX_REPEATS = 0.1, 7  # calls of a measurement are repeated up to either limit
 TURNS = 3
 RATIO = 1.2  # v2 / v1
 
@@ -69,7 +69,7 @@ ROWS = (
     Row(0.5, 5000, 64, 0.09, 1e-3, 10),
 )
 
-HURST, M, SPEED, LOAD = 0.7, 4, 5.0, 0.05  # of scenes
+HURST, M, SPEED, LOAD = 0.7, 4, 5.0, 0.05  # parameters of scenes
 SCENES: dict[str, tuple[Programme, float]] = {  # name: programme, load
     "slide of 8000 steps": ((Slide(SPEED, 2000.0),), LOAD),
     "slide of 400 steps": ((Slide(SPEED, 100.0),), LOAD),
@@ -78,12 +78,12 @@ SCENES: dict[str, tuple[Programme, float]] = {  # name: programme, load
 }
 ELEMENTS, BRANCHES = (50, 500, 5000), (0, 13)
 
-MAP_ELEMENTS, MAP_LOAD = (32, 64), 0.05  # side; load of E* times the rms slope
-TOLERANCES = (5e-9, 1e-8)  # here and of tamaas, for equal errors of the pressures
+MAP_ELEMENTS, MAP_LOAD = (32, 64), 0.05  # elements of a side; pressure over E* times rms slope
+TOLERANCES = (5e-9, 1e-8)  # of the program and of tamaas, which give equal errors of pressures
 
 
 def fastest(function: Callable[[], object], least: float = MIN_SECONDS) -> float:
-    """Return the least CPU time of a call, after one that is not counted."""
+    """Return the smallest CPU time of a call, after a first call that is not timed."""
     function()
     taken: list[float] = []
     while len(taken) < MAX_REPEATS and sum(taken) < least:
@@ -94,9 +94,9 @@ def fastest(function: Callable[[], object], least: float = MIN_SECONDS) -> float
 
 
 def in_turns(runs: Iterable[Callable[[], object]], turns: int, least: float) -> list[float]:
-    """Return the least CPU times of some calls, taken in turns."""
-    taken = [[fastest(run, least) for run in runs] for _ in range(turns)]
-    return [min(each) for each in zip(*taken, strict=True)]
+    """Return the smallest CPU times of some calls, measured in turns."""
+    times = [[fastest(run, least) for run in runs] for _ in range(turns)]
+    return [min(of_run) for of_run in zip(*times, strict=True)]
 
 
 def branches(count: int) -> Spectrum:
@@ -108,7 +108,7 @@ def branches(count: int) -> Spectrum:
 
 
 def a_scene(programme: Programme, spectrum: Spectrum, **changes: Any) -> SceneCase:
-    """Return a scene from rest that keeps a trace at 64 moments or fewer."""
+    """Return a scene from rest that records a trace at up to 64 times."""
     usual: dict[str, Any] = {"load": LOAD, "start": "relaxed"}
     scene = given.a_scene(programme, spectrum, M, **usual | changes)
     kept = np.linspace(0, scene.recorded[-1], 65).astype(np.int64)
@@ -130,7 +130,7 @@ def step_in_c(compiled: Compiled, line: Line, case: Case, steps: int) -> np.ndar
 
 
 def print_velocity_steps(compiled: Compiled) -> None:
-    """Print what velocity steps take, short lines together as in a batch."""
+    """Print the times of velocity steps; short lines are run together as in a batch."""
     print("\nTwo steady states, the jump and the march: ms, and those of C over it\n")
     print("| H, N, m, x, Fbar, steps | ms | C |\n|---|---|---|")
     for row in ROWS:
@@ -158,7 +158,7 @@ def print_velocity_steps(compiled: Compiled) -> None:
 
 
 def scene_in_c(compiled: Compiled, line: Line, scene: SceneCase) -> dict[str, np.ndarray]:
-    """Return the traces of a scene, in C but for the start and the track of the line."""
+    """Return the traces of a scene, computed in C except for initial state and track."""
     steps = scene_steps(scene, M)
     form = form_of(scene.spectrum, scene.scheme)
     begin = initial_state(line, scene, form)
@@ -182,7 +182,7 @@ def scene_ratio(compiled: Compiled, line: Line, scene: SceneCase) -> float:
 
 
 def print_scenes(compiled: Compiled) -> None:
-    """Print how much longer scenes take in C that steps every element."""
+    """Print the times of scenes in C that steps every element, over those of the program."""
     print(f"\nScenes: C over the program, for {' and '.join(map(str, BRANCHES))} branches\n")
     print("| scene | " + " | ".join(f"N = {elements}" for elements in ELEMENTS) + " |")
     print("|---|" + "---|" * len(ELEMENTS))
@@ -196,7 +196,7 @@ def print_scenes(compiled: Compiled) -> None:
 
 
 def by_tamaas(surface: Surface, elements: int, pressure: float) -> Callable[[], np.ndarray]:
-    """Return a solver of an elastic contact. Raises ImportError where tamaas is not installed."""
+    """Return a solver of an elastic contact. Raises ImportError if tamaas is not installed."""
     import tamaas
 
     tamaas.set_log_level(tamaas.LogLevel.error)
@@ -216,7 +216,7 @@ def by_tamaas(surface: Surface, elements: int, pressure: float) -> Callable[[], 
 
 
 def print_contacts() -> None:
-    """Print what an elastic contact of a map takes from a cold start, beside tamaas."""
+    """Print the times of an elastic contact of a map from a cold start, and those of tamaas."""
     print(
         "\nContact of a half-space: samples; s; tamaas over it; errors of the pressures, relative"
     )
