@@ -1,4 +1,4 @@
-"""How large a residual may be: what rounding the state once explains, and no more."""
+"""Bounds of residuals: the effect of rounding the state once, times a margin."""
 
 import numpy as np
 
@@ -7,13 +7,13 @@ MARGIN = 16.0
 
 
 def bounds(motion) -> dict[str, float]:
-    """Return the largest residual of each kind (studies/stability/probe.py) that is allowed.
+    """Return the largest allowed residual of each kind (studies/stability/probe.py).
 
-    Thresholds z - w, of samples no higher than the highest possible indentation, and the
-    indentation d are rounded to eps of their size; a step multiplies their difference, the
-    force, by the stiffness K. Relative to the load n Fbar the n' touching elements lose
-    eps K (n'^1/2 height + n' d) / (n Fbar); d itself loses eps height / d. And K (1 - E) = 1,
-    the force of an element at rest, holds to eps K.
+    Thresholds z - w, of samples up to the highest possible indentation, and the indentation d have
+    rounding errors of eps times their size. A step multiplies their difference by the stiffness K.
+    The force of the n' touching elements, relative to the load n Fbar, has the error
+    eps K (n'^1/2 height + n' d) / (n Fbar); d has the relative error eps height / d. The force of
+    an element at rest, K (1 - E) = 1, has the error eps K.
     """
     stiffness, deepest, highest, touching = 1.0, np.inf, 0.0, 1
     for ratio in (1.0, motion.ratio):
@@ -42,7 +42,7 @@ def bounds(motion) -> dict[str, float]:
 
 
 def assert_stable(motion, found: dict[str, float]) -> None:
-    """Check that every residual is within its bound."""
+    """Assert that every residual is within its bound."""
     allowed = bounds(motion)
     assert found.keys() == allowed.keys()
     beyond = {k: (found[k], allowed[k]) for k in allowed if not found[k] <= allowed[k]}

@@ -1,4 +1,4 @@
-"""Orders of convergence from slow to fast, light to heavy; what halving the step may change."""
+"""Orders of convergence at all speeds and loads, and the change of friction on halving the step."""
 
 import numpy as np
 import pytest
@@ -24,7 +24,7 @@ ORDERS = {"exponential": 1.8, "implicit-euler": 0.9}
 
 
 def steady(line, load, speed, scheme):
-    """Return the outcome of steady sliding alone."""
+    """Return the outcome of steady sliding only."""
     return run_case(line, Case(load, speed, (), (), scheme), STEADY)
 
 
@@ -32,8 +32,8 @@ def steady(line, load, speed, scheme):
 @pytest.mark.parametrize("speed", [0.02, 0.1, 1.0, *size([8.0, 64.0], [8.0])])
 @pytest.mark.parametrize("scheme", SCHEMES)
 def test_order_holds_from_slow_to_fast_and_light_to_heavy(scheme, speed, depth):
-    """Samples are refined from 8 per tau and per size of the contact on; d and mu together."""
-    elements = int(max(16, 6.0 * np.sqrt(2.0 * depth) + 30.0 * speed))  # forgets by e^-30
+    """Errors of d and mu, with 8 or more samples per tau and per contact size."""
+    elements = int(max(16, 6.0 * np.sqrt(2.0 * depth) + 30.0 * speed))  # memory of e^-30
     normal, tangential = parabola_forces(depth, 1.0, speed)
     errors = []
     for refinement in REFINEMENTS:
@@ -53,9 +53,9 @@ def test_order_holds_from_slow_to_fast_and_light_to_heavy(scheme, speed, depth):
 @pytest.mark.parametrize("x", [1e-4, 1e-2, 1.0, 30.0, 1e3, 1e6])
 @pytest.mark.parametrize("scheme", SCHEMES)
 def test_halving_the_step_changes_friction_by_less_than_predicted(scheme, x, load):
-    """Relative to mu: 100 / (samples in contact)^2, and for first order 0.5 / m; docs/stability.md.
+    """The bound, relative to mu, is 100 / (samples in contact)^2, plus 0.5 / m for first order.
 
-    Of a contact narrower than 8 samples this says nothing, and nothing is known.
+    See docs/stability.md. There is no bound for contacts narrower than 8 samples.
     """
     elements = 16
     amplitude = amplitudes(1.0, elements)

@@ -21,7 +21,7 @@ CORNERS = list(
     )
 )
 RANDOM = itertools.product(HURST, [(8, 1), (8, 4), (64, 1), (50, 3)])
-EVERY_FIFTH = 5  # beginning elsewhere for each line: together they are at every corner
+EVERY_FIFTH = 5  # starts differ between lines, so that together they cover every corner
 LINES = {
     **{f"H = {h:g}, N = {n}, m = {m}": random_line(h, n, m, 1, 0) for h, (n, m) in RANDOM},
     **{f"{n} samples": Line.from_samples(1.0 * np.arange(n), np.zeros(n), 1) for n in (1, 2, 3)},
@@ -33,7 +33,7 @@ both_schemes = pytest.mark.parametrize("scheme", SCHEMES)
 
 
 def some(name, every):
-    """Return one corner in so many for a line."""
+    """Return one in ``every`` corners for a line."""
     return CORNERS[list(LINES).index(name) % every :: every]
 
 
@@ -51,7 +51,7 @@ def test_every_line_is_stable_at_every_corner(name, scheme, every):
 @both_schemes
 @everywhere
 def test_results_are_finite_and_within_the_slopes(name, scheme, rigid, every):
-    """Friction is a mean of slopes (eq. 5), the contact a share of the line."""
+    """Friction is a mean of slopes (eq. 5), and the contact a share of the line."""
     line = LINES[name]
     steepest = np.abs(line.slope).max() * (1.0 + 1e-9)
     kept_steps = np.array([1, 2, 5, 20])
@@ -59,7 +59,7 @@ def test_results_are_finite_and_within_the_slopes(name, scheme, rigid, every):
         case = Case(load, speed, (ratio,), (kept_steps,), scheme)
         actual = run_case(line, case, Quantities(indentation_rate=not rigid))
         assert np.all(np.abs([actual.mu_1, actual.mu_2[0]]) <= steepest)
-        # Differences of two such means, added to a third.
+        # These values are differences of two such means, added to a third.
         assert abs(actual.mu_1 + actual.jump[0]) <= 3.0 * steepest
         assert np.all(np.abs(actual.curves[0]) <= 3.0 * steepest)
         assert 0.0 < actual.contact_fraction <= 1.0 + 1e-12
@@ -84,7 +84,7 @@ def test_full_contact_has_no_edge_and_relaxes_nothing(hurst, speed):
     line = random_line(hurst, 64, 2, 1, 0)
     case = Case(1e4, speed, (3.0,), (np.array([1, 10, 100]),), "exponential")
     actual = run_case(line, case, Quantities())
-    # mu is of order v / Fbar, summed from pressures of order Fbar: eps Fbar^2 / v is lost.
+    # mu is of order v / Fbar, from pressures of order Fbar: its relative error is eps Fbar^2 / v.
     lost = 1e-14 * (1.0 + 1e4 / speed)
     expected = speed * np.mean(line.slope**2) / 1e4
     assert actual.contact_fraction == 1.0

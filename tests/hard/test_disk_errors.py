@@ -1,4 +1,4 @@
-"""Errors of the disk that pass, in a real process: it waits, loses nothing, renames nothing."""
+"""Temporary disk errors in a real process: it retries, loses no record and renames no file."""
 
 import os
 import re
@@ -14,8 +14,8 @@ from tests.support.faulty_disk import faulty_disk
 from tests.support.python import PATIENCE, ROOT
 from tests.support.shards import reopened
 
-# Stores three shards and reads them again, with as much patience as it is told; for each line that
-# comes in, "FOLDER PATIENCE write|read".
+# For each input line "FOLDER PATIENCE write|read": store three shards in the folder, or only read
+# them, with retries for PATIENCE seconds.
 SCRIPT = """
 import sys
 from pathlib import Path
@@ -43,23 +43,23 @@ READING = ["read EIO", "open EMFILE", "open ESTALE"]
 
 @pytest.fixture(scope="module")
 def disk(tmp_path_factory):
-    """Return a disk that refuses on demand."""
+    """Return a disk whose errors can be switched on."""
     return faulty_disk(tmp_path_factory.mktemp("disk"))
 
 
 @pytest.fixture(scope="module")
 def stores(tmp_path_factory):
-    """Return (what is done, fault) -> the folder of a store."""
+    """Return the folders of the stores, by (write or read, fault)."""
     cases = [("write", fault) for fault in WRITING] + [("read", fault) for fault in READING]
     base = tmp_path_factory.mktemp("stores")
-    folders = {case: base / f"{k}." for k, case in enumerate(cases)}  # no path begins another
+    folders = {case: base / f"{k}." for k, case in enumerate(cases)}  # no path is a prefix
     for folder in folders.values():
         folder.mkdir()
     return folders
 
 
 def started(disk, *rules):
-    """Return a process that works on stores."""
+    """Return a process that runs SCRIPT with faults of the disk."""
     return subprocess.Popen(
         [sys.executable, "-c", SCRIPT],
         cwd=ROOT,
@@ -71,13 +71,13 @@ def started(disk, *rules):
 
 
 def tell(process, *words):
-    """Let a process work on a store."""
+    """Send a line to a process."""
     print(*words, file=process.stdin, flush=True)
 
 
 @pytest.fixture(scope="module")
 def process(disk, stores):
-    """Return a process for whose stores the disk refuses what each is for."""
+    """Return a process with the fault of each store in its folder."""
     process = started(disk, *(f"{fault} {folder}" for (_, fault), folder in stores.items()))
     yield process
     process.kill()
@@ -85,7 +85,7 @@ def process(disk, stores):
 
 
 def after_a_while(disk, process, folder, what):
-    """Let the disk refuse until the process says so, then a moment longer; return what it said."""
+    """Make the disk fail until the process has warned and 0.5 s longer; return its messages."""
     disk.flag.touch()
     tell(process, folder, 60, what)
     message = process.stderr.readline()

@@ -1,4 +1,4 @@
-"""Properties over all of H = 0 to 1, Fbar = 1e-6 to 1e4, x = 1e-4 to 1e6, v2/v1 = 1e-3 to 101."""
+"""Properties for H = 0 to 1, Fbar = 1e-6 to 1e4, x = 1e-4 to 1e6, v2/v1 = 1e-3 to 101."""
 
 import numpy as np
 import pytest
@@ -12,17 +12,17 @@ from tests.reference_march import constants, steady
 from tests.sizes import size
 from tests.support.sweeps import examples
 
-NEAREST = 1e-4  # of a velocity step; a relative step below 1e-9 is refused
+NEAREST = 1e-4  # smallest relative velocity step; one below 1e-9 is rejected
 FEW = settings(max_examples=size(examples(30), 15), deadline=None, derandomize=True, database=None)
 
 
 def log_uniform(least: float, most: float):
-    """Return numbers whose logarithm is spread evenly."""
+    """Return a strategy of numbers with uniform logarithm."""
     return st.floats(np.log(least), np.log(most)).map(lambda q: float(np.exp(q)))
 
 
 def ratios():
-    """Return v2/v1: no step, or one that rounding does not lose (kernels/quick/cases.py)."""
+    """Return a strategy of v2/v1: 1, or a step that is not lost in rounding."""
     down, up = log_uniform(1e-3, 1.0 - NEAREST), log_uniform(1.0 + NEAREST, 101.0)
     return st.one_of(st.just(1.0), down, up)
 
@@ -45,7 +45,7 @@ def motions(draw):
 
 
 def numbers(motion: Motion):
-    """Return every number of the case that is a coefficient of friction, and the others."""
+    """Return (all coefficients of friction, indentation, contact fraction) of a velocity step."""
     kept_steps = np.array([1, 2, 4, 9])
     case = Case(motion.load, motion.speed, (motion.ratio,), (kept_steps,), motion.scheme)
     actual = run_case(motion.line, case, Quantities())
@@ -61,17 +61,17 @@ def indentation(motion: Motion) -> float:
 @FEW
 @given(motions())
 def test_residuals_stay_within_rounding(motion):
-    """Balance, contact, no energy created, steady stays steady: studies/stability/probe.py."""
+    """See studies/stability/probe.py for the residuals."""
     assert_stable(motion, probe(motion, 15))
 
 
 @FEW
 @given(motions(), st.integers(-60, 60), st.integers(0, 6))
 def test_heights_load_and_lengths_scale_bit_for_bit(motion, power, widened):
-    """The same samples, higher and on a wider spacing: no other problem but for the units."""
+    """Scaling heights and spacing only changes the units of the problem."""
     s, wide, line = 2.0**power, 2**widened, motion.line
     z, slope, datum = s * line.z, s * wide * line.slope, s * line.datum
-    if widened:  # more samples per spacing would be a reason to refine
+    if widened:  # prevent refinement of the line, which depends on the samples per spacing
         line = line._replace(band_limited=False)
         motion = motion._replace(line=line)
     scaled = Line(z, slope, datum, wide * line.steps_per_spacing, line.band_limited)
@@ -92,7 +92,7 @@ def test_cyclic_shifts_change_nothing_but_rounding(motion, shift):
     assert abs(d_rolled / d - 1.0) <= bounds(motion)["steady"]
     lost = MARGIN * EPS * (motion.line.z.max() + d) + abs(d_rolled - d)
     assert np.max(np.abs(w_rolled - np.roll(w, shift))) <= lost
-    # A line is turned to its top: the same numbers to the bit, wherever it was cut.
+    # A line is rotated to begin at its top, so its samples do not depend on the first one.
     again = Line.from_samples(rolled.line.z, np.roll(motion.line.slope, shift), 1)
     np.testing.assert_array_equal(again.z, motion.line.z)
 
@@ -103,7 +103,7 @@ def test_the_mirror_image_moving_the_other_way_is_the_same(motion):
     mirrored = motion.line.z[::-1].copy()
     decay, _, _ = constants(motion.scheme, motion.step(1.0)[0])
     _, _, expected = steady(mirrored, motion.load, decay, direction=-1)
-    # The reference takes the load from mean(-u): eps K of it is lost, as K (1 - E) = 1.
+    # The reference takes the load from mean(-u), with an error of eps K, as K (1 - E) = 1.
     assert abs(indentation(motion) / expected - 1.0) <= bounds(motion)["steady"]
 
 
@@ -114,7 +114,7 @@ def test_more_load_presses_deeper(motion, factor):
     law = motion.step(1.0)[1]
     ((w, d), _), ((w_more, deeper), _) = motion.steady(law), heavier.steady(law)
     assert deeper > d
-    # d grows at most as fast as the load: the force is convex and vanishes at the bottom.
+    # d grows at most in proportion to the load, as the force is convex in d and zero at d = 0.
     assert deeper <= factor * d * (1.0 + bounds(heavier)["steady"])
     z = motion.line.z
     assert np.sum(z - w_more < deeper) >= np.sum(z - w < d)
@@ -123,7 +123,7 @@ def test_more_load_presses_deeper(motion, factor):
 @FEW
 @given(motions(), st.floats(3.0, 10.0))
 def test_full_contact_superposes(motion, factor):
-    """Everything touches: d and displacements are linear in load and heights."""
+    """In full contact d and displacements are linear in load and heights."""
     line = motion.line
     steep = line.z.max() + motion.speed * np.abs(line.slope).max()
     one = motion._replace(load=factor * steep)  # every pressure is positive
@@ -141,7 +141,7 @@ def test_full_contact_superposes(motion, factor):
 @FEW
 @given(motions())
 def test_refined_samples_lie_on_the_same_line(motion):
-    """Twice the samples: d moves by less than the height that lies between two samples."""
+    """With more samples d changes by less than the height difference between two samples."""
     fine, m = motion.line, motion.line.steps_per_spacing
     coarse = Line.from_samples(fine.z[::m], fine.slope[::m], 1)
     d_fine, d_coarse = indentation(motion), indentation(motion._replace(line=coarse))

@@ -1,7 +1,7 @@
-"""Fits under hard data: the truth within the stated errors, or a status that says why not.
+"""Fits to difficult data: the truth is within the stated errors, or a status explains why not.
 
-A pull is (estimate - truth) / standard error. Over g blocks pulls must follow Student's t with
-g - 1 degrees of freedom; seeds are fixed, so that nothing here depends on luck.
+A pull is (estimate - truth) / standard error. With g blocks pulls must follow Student's t with
+g - 1 degrees of freedom. Seeds are fixed, so that the tests are deterministic.
 """
 
 from functools import lru_cache
@@ -27,28 +27,28 @@ from elastomer_friction.workflow.reduce.jackknife import (
 from elastomer_friction.workflow.reduce.models import compare_models
 from tests.support.sweeps import sweep
 
-# 25 pulls find a bias of one standard error with 96 % (5 deviations of their mean), and errors that
-# are stated at half or at twice their size with 97 % or 84 % (the sum of squares, chi2).
+# 25 pulls detect a bias of one standard error with a probability of 96 % (5 deviations of their
+# mean), and errors stated at half or twice their size with 97 % or 84 % (sum of squares, chi2).
 SEEDS = sweep("seeds", 25, 100)
 SAMPLES = 63
 TIME = np.linspace(0.02, 4.0, SAMPLES)
 
 
 class Data(NamedTuple):
-    """Blocks A (1 + share) exp(-b t) + noise, white and smooth; noises relative to A."""
+    """Blocks A (1 + share) exp(-b t) + white and smooth noise; both relative to A."""
 
     rate: float = 1.0
     amplitude: float = 1.0
-    span: float = 4.0  # of the window, in 1/b (in tau for b = 0)
+    span: float = 4.0  # length of the window in 1/b (in tau if b = 0)
     blocks: int = 20
-    share: float = 0.2
+    share: float = 0.2  # standard deviation of the amplitude between blocks, relative
     white: float = 0.1
     smooth: float = 0.0
     outlier: float = 1.0  # factor on one block
 
     @property
     def time(self):
-        """Return the samples, from the first step on."""
+        """Return the times of the samples, after t = 0."""
         return np.linspace(1.0 / SAMPLES, 1.0, SAMPLES) * self.span / (self.rate or 1.0)
 
     def deviation(self, seed):
@@ -63,7 +63,7 @@ class Data(NamedTuple):
 
     @lru_cache  # noqa: B019
     def fits(self, seeds):
-        """Return the fits over all seeds: each estimate with its error, none without a fit."""
+        """Return the fits for all seeds; check that only FITTED estimates are finite."""
         fits = [fit_relaxation(self.time, self.deviation(seed), 1.0) for seed in range(seeds)]
         for fit in fits:
             for values in (fit.rate, fit.amplitude, fit.rate_free):
@@ -74,21 +74,21 @@ class Data(NamedTuple):
 
 
 def waves(rng, blocks, x):
-    """Return noise of unit size that varies slowly over 0 < x < 1, as that of rough lines does."""
+    """Return noise of unit variance that varies slowly over 0 < x < 1, as with rough lines."""
     angle = 1.5 * np.multiply.outer(np.arange(1, 6), x)
     phase, size = rng.uniform(0.0, 2.0 * np.pi, (blocks, 5)), rng.standard_normal((blocks, 5))
     return np.einsum("bk,bkt->bt", size, np.cos(angle + phase[..., None])) / np.sqrt(2.5)
 
 
 def pulls(fits, name, truth):
-    """Return the pulls of an estimate over all fits that have it."""
+    """Return the pulls of an estimate in all fits that determine it."""
     values = [getattr(fit, name) for fit in fits if fit.status == FITTED]
     return np.array([(v[0] - truth) / standard_error(v, 0) for v in values if np.isfinite(v[0])])
 
 
 def assert_students(found, blocks):
-    """Assert that neither the mean nor the size of pulls is beyond chance (1 in 1000)."""
-    score = norm.ppf(t(blocks - 1).cdf(found))  # normal, where pulls follow Student's t
+    """Assert that mean and size of the pulls have a probability above 1 in 1000."""
+    score = norm.ppf(t(blocks - 1).cdf(found))  # normal if pulls follow Student's t
     assert 2.0 * norm.sf(abs(score.sum()) / np.sqrt(score.size)) > 1e-3, "biased"
     above = chi2(score.size).sf(np.sum(score**2))
     assert 2.0 * min(above, 1.0 - above) > 1e-3, "errors of the wrong size"
@@ -134,7 +134,7 @@ def test_pulls_follow_students_t(name, seeds):
 @pytest.mark.parametrize("name", REFUSED)
 def test_what_cannot_be_known_has_a_status(name, seeds):
     data, allowed = REFUSED[name]
-    # None of 25, 3 of 100: what befalls 17 % or 10 % of all seeds is found out with 99 %.
+    # None of 25, or 3 of 100, may fail. A failure of 17 % or 10 % of seeds is detected with 99 %.
     assert sum(fit.status in allowed for fit in data.fits(seeds)) >= 0.97 * seeds
 
 
@@ -150,7 +150,7 @@ NOISE = {
 def test_pure_noise_is_hardly_ever_fitted(blocks, noise):
     every = (replicates(noise(np.random.default_rng(k), blocks), 0) for k in range(200))
     fitted = sum(fit_relaxation(TIME, one, 1.0).status == FITTED for one in every)
-    assert fitted <= 9  # 1 % by chance; 5 deviations. 10 % would be found out with 99.6 %
+    assert fitted <= 9  # 5 deviations above chance, 1 %; a rate of 10 % is detected with 99.6 %
 
 
 @SEEDS

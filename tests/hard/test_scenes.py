@@ -1,4 +1,4 @@
-"""Scenes at their limits: many branches, ages at rest, turns, lines without a slope."""
+"""Scenes at their limits: many branches, long rests, reversals, lines without a slope."""
 
 import numpy as np
 import pytest
@@ -17,7 +17,7 @@ PROGRAMME = (Slide(0.5, 4.3), Hold(2.0), Slide(-0.8, 3.0), Ramp(-0.8, 0.7, 6.0))
 
 
 def assert_sound(found, load=0.3):
-    """Assert that all values are finite, forces carry the load, energy only dissipates."""
+    """Assert that values are finite, forces carry the load, and dissipation never decreases."""
     for name, values in found.items():
         assert np.isfinite(values).all(), name
     np.testing.assert_allclose(found["trace_normal_force"], load, rtol=1e-7)
@@ -29,7 +29,7 @@ def assert_sound(found, load=0.3):
 @pytest.mark.parametrize("start", ["steady", "relaxed", "fresh"])
 @pytest.mark.parametrize("scheme", FORMS_BY_SCHEME)
 def test_thirty_branches_over_fourteen_decades(scheme, start):
-    """Some relax within a step and some not in the whole programme."""
+    """Some branches relax within a step, and some do not relax in the whole programme."""
     requested = ANY_MOTION if scheme == "exponential" else ("trace",)
     options = {"scheme": scheme, "start": start, "requested": requested}
     actual = trace(a_line(size(40, 12)), PROGRAMME, THIRTY, **options)
@@ -57,7 +57,7 @@ def test_a_hold_of_ages_ends_relaxed(name):
 
 @pytest.mark.parametrize("name", MATERIALS)
 def test_an_indentation_that_lifts_off_and_returns(name):
-    """Friction is not a number where nothing touches, and after ages nothing is remembered."""
+    """Friction is NaN where nothing touches, and after a long time the past is forgotten."""
     line = a_line()
     history = ((0.0, 4.0, 5.0, 1e6, 1e6 + 1.0), (1.0, 1.0, -9.0, -9.0, 1.0))
     programme = (Slide(0.5, 2.0), Hold(1e6 - 3.0), Slide(0.5, 2.0))
@@ -70,7 +70,7 @@ def test_an_indentation_that_lifts_off_and_returns(name):
     assert not touching.all()
     if name == "kelvin":
         return
-    # The same from a start at which nothing has ever touched.
+    # The end is the same after a start without contact.
     late = ((0.0, 1.0, 2.0, 9.0), (-9.0, -9.0, 1.0, 1.0))
     again = trace(
         line, (Hold(1.0), Slide(0.5, 2.0)), MATERIALS[name], indentation=late, start="relaxed"
@@ -81,7 +81,7 @@ def test_an_indentation_that_lifts_off_and_returns(name):
 
 
 def test_a_reversal_within_a_contact_turns_friction_round():
-    """By the time the line has gone back by the size of a contact, and not at once."""
+    """Friction changes its sign within the size of a contact, and not at once."""
     actual = trace(a_line(), (Slide(0.5, 10.25), Slide(-0.5, 30.0)), SOLID)
     mu = actual["trace_mu"]
     assert mu[-1] < 0.0 < mu[0]
@@ -99,7 +99,7 @@ def test_an_oscillation_of_a_thousandth_of_a_sample_shows_the_complex_modulus(om
 
 @pytest.mark.parametrize("name", MATERIALS)
 def test_an_oscillation_of_a_thousandth_of_a_sample_is_linear_where_few_touch(name):
-    """Ten times the motion, ten times what friction follows with: no force of a lattice."""
+    """Ten times the motion changes friction ten times as much: samples cause no extra force."""
     line, spans = a_line(12), []
     for samples in (1e-3, 1e-4):
         motion = (Slide(0.5, 1.3), Hold(1e3), Oscillation(0.0, samples / 4, 1.0, 2))
@@ -122,5 +122,5 @@ def test_profiles_with_spikes_and_plateaus(profile, name):
     line = Line.measured(PROFILES[profile], 1)
     actual = trace(line, PROGRAMME, MATERIALS[name], requested=ANY_MOTION)
     assert_sound(actual)
-    between = Line.measured(PROFILES[profile], 16).slope  # the line turns at fractions of samples
+    between = Line.measured(PROFILES[profile], 16).slope  # reversals occur between samples
     assert np.abs(actual["trace_mu"]).max() <= 1.02 * np.abs(between).max()

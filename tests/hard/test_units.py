@@ -1,4 +1,4 @@
-"""Physical units from 1e-12 to 1e6: the dimensionless problem, and its results, are the same."""
+"""Physical units from 1e-12 to 1e6: the dimensionless problem does not change."""
 
 import pytest
 
@@ -8,7 +8,7 @@ from tests.support.small import small_study
 
 
 def problems(roughness, time, length=0.01):
-    """Return the problems of the small study in other units, its dimensionless numbers kept."""
+    """Return the problems of the small study in other units with equal dimensionless numbers."""
     settings = {
         "surface.length": length,
         "material.relaxation_time": time,
@@ -24,7 +24,7 @@ def problems(roughness, time, length=0.01):
 @pytest.mark.parametrize("time", [1e-12, 2.9e-7, 1e-3, 1.0, 1e6])  # s
 @pytest.mark.parametrize("roughness", [1e-12, 3.7e-9, 1e-5, 1.0, 1e3])  # m
 def test_units_leave_the_problems_as_they_are(roughness, time, length):
-    """To the bit: what rounding of the input splits, the canonical mantissa joins."""
+    """Problems are bitwise equal, as rounding to a canonical mantissa removes input rounding."""
     assert problems(roughness, time, length) == problems(1e-5, 1e-3)
 
 

@@ -1,7 +1,7 @@
-"""A record read back from a damaged store is equal to the bit, or missing.
+"""A record read back from a damaged store is bitwise equal, or missing.
 
-Shards and journals are cut and spoilt at some bytes in `make test`, at every byte in
-`make test-all`. If a call fails or the process ends anywhere, all stored records are kept.
+Shards and journals are cut and damaged at some bytes in `make test`, and at every byte in
+`make test-all`. If any call fails or the process ends, all stored records are kept.
 """
 
 import contextlib
@@ -25,11 +25,11 @@ from tests.support.sweeps import mostly_exhaustive, sweep
 
 
 class Crash(BaseException):
-    """The end of the process, wherever it is."""
+    """The end of the process at any place."""
 
 
 class Faults:
-    """Makes the nth call that changes a folder fail, a write half-way; counts the calls."""
+    """Failure of the nth call that changes a folder; a write fails after a share of its bytes."""
 
     def __init__(self, nth, error, share):
         self.nth, self.error, self.share, self.calls = nth, error, share, 0
@@ -41,7 +41,7 @@ class Faults:
             raise self.error
 
     def before(self, function):
-        """Return the function, failing in its turn."""
+        """Return the function, failing if it is the nth call."""
 
         def call(*args, **named):
             self.count()
@@ -50,7 +50,7 @@ class Faults:
         return call
 
     def opened(self, function):
-        """Return Path.open whose files for writing fail in their turn."""
+        """Return Path.open with files whose nth call or write fails."""
         faults = self
 
         class Torn(io.FileIO):
@@ -76,7 +76,7 @@ STRIDE = sweep("stride", 271, 1)
 
 @pytest.fixture
 def instant(monkeypatch):
-    """Do not wait for the disk."""
+    """Disable fsync."""
     monkeypatch.setattr(os, "fsync", lambda _: None)
 
 
@@ -136,7 +136,7 @@ def test_shard_that_the_journal_does_not_know_is_whole_or_missing(sound, stride)
 
 
 def test_full_disk_keeps_what_was_stored(tmp_path, sound):
-    """The disk is full after any number of pages."""
+    """The disk becomes full after any number of pages."""
     needed = sum(-(-path.stat().st_size // 4096) * 4096 for path in sound.iterdir())
     refused = 0
     with mounted(tmp_path / "disk", str(2 * needed)) as disk:
@@ -200,6 +200,6 @@ def test_call_that_fails_loses_at_most_what_was_not_yet_stored(
         assert promised < TRUTH.keys()
         assert checked(store) == promised
         assert readable(folder) >= promised
-        fill(reopened(folder))  # the next run goes on
+        fill(reopened(folder))  # the next run continues
         assert checked(Store(folder)) == TRUTH.keys()
-    assert nth > 3 * len(SHARDS) * 3  # calls per file, shards, files changed at least
+    assert nth > 3 * len(SHARDS) * 3  # least number: calls per file x shards x files

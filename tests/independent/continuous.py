@@ -1,12 +1,12 @@
 """Elements that slide continuously in time, by scipy's solve_ivp with contact events.
 
-A few elements under a line of a few modes; nothing is stepped by samples. Touching elements sit
-at z - d, free ones decay as exp(-t) exactly, so only d is integrated, from the balance of forces
+A few elements are under a line of a few modes; time is not divided into steps of a sample. Touching
+elements have u = z - d, and those of free elements decay as exp(-t), so only d is integrated, from
 
     sum over touching (d - z_i + v z_i' + dd/dt) = load        (eqs 3 and 4),
 
-and beside it the friction force. An event is an element whose force or gap has vanished.
-Units of kernels/__init__.py; the line moves towards +x.
+together with the friction force. An event occurs if the force or the gap of an element vanishes.
+Units are those of kernels/__init__.py; the line moves towards +x.
 """
 
 from typing import NamedTuple
@@ -17,7 +17,7 @@ from scipy.integrate import solve_ivp
 from tests.references import sorted_root
 
 ACCURACY = 1e-10
-SLACK = 1e-12  # a force or gap that far below zero is an event: rounding is none
+SLACK = 1e-12  # a force or gap this far below zero is an event; less is rounding
 
 
 class Modes(NamedTuple):
@@ -35,23 +35,23 @@ class Modes(NamedTuple):
 
 
 class Sliding:
-    """The elements at positions x under a moving line, from displacements u and indentation d."""
+    """Elements at positions x under a moving line, initially at displacements u, indentation d."""
 
     def __init__(self, line, x, u, d, load, speed):
         self.line, self.x, self.load, self.speed = line, x, load, speed
-        self.u, self.since = u.copy(), np.zeros(u.size)  # of free elements: u when they were freed
-        self.time, self.depth, self.work = 0.0, d, 0.0  # work: of friction, per distance
+        self.u, self.since = u.copy(), np.zeros(u.size)  # u and time at which elements became free
+        self.time, self.depth, self.work = 0.0, d, 0.0  # work: time integral of the friction force
         self.settle(u >= line(x)[0] - d - SLACK)
 
     def settle(self, near):
-        """Let those elements touch that a rate with sum of forces = load presses."""
+        """Set the touching elements: those of ``near`` with pressure at the dd/dt by eq. 4."""
         z, slope = self.line(self.x - self.speed * self.time)
         pressure = self.depth - z + self.speed * slope
         rate = sorted_root(-pressure[near], self.load)
         self.touching = near & (pressure + rate > SLACK)
 
     def state(self, time, d):
-        """Return heights, slopes, p of all elements were they to touch, and dd/dt."""
+        """Return heights, slopes, the pressure of all elements if they touched, and dd/dt."""
         z, slope = self.line(self.x - self.speed * time)
         pressure = d - z + self.speed * slope
         rate = (self.load - pressure[self.touching].sum()) / self.touching.sum()
@@ -63,12 +63,12 @@ class Sliding:
         return [rate, float(pressure[self.touching] @ slope[self.touching])]
 
     def margins(self, time, d):
-        """Return the force of each touching element and the gap below each free one."""
+        """Return the force of each touching element, and the gap of each free one."""
         z, _, pressure, _ = self.state(time, d)
         return np.where(self.touching, pressure, z - d - self.u * np.exp(self.since - time))
 
     def advance(self, end):
-        """Slide until the time ``end``; return the friction averaged over the way there."""
+        """Slide until the time ``end``; return the friction averaged over this time."""
 
         def event(time, y):
             return self.margins(time, y[0]).min() + SLACK
@@ -87,7 +87,7 @@ class Sliding:
         return (self.work - before) / (self.load * (end - start))
 
     def _change(self):
-        """Free the element whose force vanished, or let the one touch whose gap closed."""
+        """Release the element whose force vanished, or add the one whose gap closed."""
         i = int(np.argmin(self.margins(self.time, self.depth)))
         before = self.touching
         self.settle(before ^ (np.arange(self.x.size) == i))

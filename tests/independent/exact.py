@@ -1,7 +1,7 @@
-"""The Kelvin element, contact and the balance of forces, literally, in any exact arithmetic.
+"""Kelvin elements, contact and the balance of forces, written as in the paper, without rounding.
 
-All numbers are of one type: ``fractions.Fraction`` (implicit Euler is rational: nothing is
-rounded) or ``decimal.Decimal`` of many digits (the exponential scheme). Units of
+All numbers have one type: ``fractions.Fraction`` for implicit Euler, which is rational, or
+``decimal.Decimal`` with many digits for the exponential scheme. Units are those of
 kernels/__init__.py. The line moves towards +x by one sample per step: the element under sample
 j + 1 comes under sample j.
 """
@@ -14,17 +14,17 @@ from typing import NamedTuple
 
 
 class ImplicitEuler(NamedTuple):
-    """f = -(u + du/dt) (eq. 2 with G = tau = 1), du/dt taken over the step, f at its end."""
+    """f = -(u + du/dt) at the end of a step (eq. 2, G = tau = 1), du/dt averaged over the step."""
 
     dt: Fraction
     lag = 0
 
     def force(self, new, old):
-        """Return the force that takes the displacement from old to new."""
+        """Return the force that moves the displacement from old to new."""
         return -(new + (new - old) / self.dt)
 
     def free(self, old):
-        """Return where no force takes it: force(new, old) = 0."""
+        """Return the displacement after a step without force: force(new, old) = 0."""
         return old / (1 + self.dt)
 
 
@@ -40,35 +40,35 @@ class Exponential(NamedTuple):
 
     @property
     def lag(self):
-        """Return the centre of the weight e^-b of times b before the end, in steps."""
-        gone = _decay(self.dt)
-        return (1 - gone * (1 + self.dt)) / (1 - gone) / self.dt
+        """Return the mean time before the end of the step with weight e^-time, in steps."""
+        decay = _decay(self.dt)
+        return (1 - decay * (1 + self.dt)) / (1 - decay) / self.dt
 
     def force(self, new, old):
-        """Return the force that takes the displacement from old to new."""
-        gone = _decay(self.dt)
-        return (old * gone - new) / (1 - gone)
+        """Return the force that moves the displacement from old to new."""
+        decay = _decay(self.dt)
+        return (old * decay - new) / (1 - decay)
 
     def free(self, old):
-        """Return where no force takes it."""
+        """Return the displacement after a step without force."""
         return old * _decay(self.dt)
 
 
 def root_of_lines(zeros, slopes, load):
     """Return d with sum_i slope_i max(0, d - zero_i) = load.
 
-    Without max, the sum over some i is never larger, and equal for those below d, the lowest: of
-    the roots for so many lowest zeros the least is the one wanted.
+    Without max, a sum over any subset of i is not larger, and it is equal for those with
+    zero_i < d. So d is the smallest of the roots for the k lowest zeros, k = 1, 2, ...
     """
     lowest = sorted(zip(zeros, slopes, strict=True))
-    some = (lowest[: count + 1] for count in range(len(lowest)))
-    return min((load + sum(z * s for z, s in each)) / sum(s for _, s in each) for each in some)
+    subsets = (lowest[: count + 1] for count in range(len(lowest)))
+    return min((load + sum(z * s for z, s in some)) / sum(s for _, s in some) for some in subsets)
 
 
 def contact_step(scheme, z, old, load):
-    """Return (u, f, d) after one step: f >= 0, u <= z - d, one of them equal, sum f = load.
+    """Return (u, f, d) after a step: f >= 0 and u <= z - d with one of them equal, sum f = load.
 
-    z : heights over the elements now. A pressed element sits at z - d; its force is linear in d.
+    z : heights over the elements after the step. The force at u = z - d is linear in d.
     """
     at_0 = [scheme.force(h, u) for h, u in zip(z, old, strict=True)]
     slopes = [scheme.force(h - 1, u) - f for h, u, f in zip(z, old, at_0, strict=True)]
@@ -79,16 +79,16 @@ def contact_step(scheme, z, old, load):
 
 
 class Steady(NamedTuple):
-    """Steady sliding at constant d: per sample displacement, force and the free displacement."""
+    """Steady sliding at constant d; one entry per sample."""
 
-    u: list
-    f: list
-    w: list
+    u: list  # displacement
+    f: list  # force
+    w: list  # free displacement
     d: object
 
 
 def steady(scheme, z, load):
-    """Return the steady state by trying every set of touching samples: one alone must fit."""
+    """Return the steady state by trying all sets of touching samples; exactly one must fit."""
     actual = [
         _steady_with(scheme, z, load, touching) for touching in product((0, 1), repeat=len(z))
     ]
@@ -98,11 +98,11 @@ def steady(scheme, z, load):
 
 
 def _steady_with(scheme, z, load, touching):
-    """Return the steady state touching there, or None where a force pulls or heights cross."""
+    """Return the steady state with these touching samples, or None for tension or penetration."""
     if not any(touching):
         return None
     n = len(z)
-    total = []  # sum of forces at d = 0 and d = 1, linear in between
+    total = []  # sums of forces at d = 0 and d = 1; they are linear in d
     for d in (0 * load, 1 + 0 * load):
         u = _carried(scheme, z, d, touching)
         total.append(sum(scheme.force(u[j], u[(j + 1) % n]) for j in range(n)))
@@ -118,7 +118,7 @@ def _steady_with(scheme, z, load, touching):
 
 
 def _carried(scheme, z, d, touching):
-    """Return u at the samples: z - d where it touches, the decayed one from upstream elsewhere."""
+    """Return u at the samples: z - d in contact, else that from upstream after a free step."""
     n = len(z)
     last = touching.index(1)
     u = [None] * n
@@ -129,7 +129,7 @@ def _carried(scheme, z, d, touching):
 
 
 def step_friction(scheme, f, slope, moved):
-    """Return eq. 5 over a step, element i ending under sample i - moved, slope read at its lag."""
+    """Return mu over a step (eq. 5); element i ends under sample i - moved, slopes lag."""
     n = len(f)
     under = [(i - moved) % n for i in range(n)]
     lever = [(1 - scheme.lag) * slope[j] + scheme.lag * slope[(j + 1) % n] for j in under]
@@ -148,10 +148,10 @@ def relaxation(scheme, z, slope, start, load, steps):
 
 
 def _edges(z, slope, state, formed):
-    """Return {touching sample: [way to its trailing edge, way to its leading edge]}, in samples.
+    """Return {touching sample: [distance to trailing edge, distance to leading edge]}, in samples.
 
-    The leading edge lies where d meets the free height, the trailing edge where the steady
-    pressure vanishes, both on straight lines between samples; inside a contact half a sample.
+    The leading edge is where d equals the free height, the trailing edge where the steady pressure
+    vanishes, both by linear interpolation; inside a contact the distances are half a sample.
     """
     n = len(z)
     half = (1 + 0 * state.d) / 2
@@ -168,9 +168,9 @@ def _edges(z, slope, state, formed):
 
 
 def friction_at_once(z, slope, state, formed, speed, load):
-    """Return (mu, d') by eqs 5 and 4 at an instant of the state that ``formed`` led to.
+    """Return (mu, d') by eqs 5 and 4 at an instant. state : of steady sliding at speed ``formed``.
 
-    p = d - z + speed z' + d' over the touching samples, each as far as the contact covers it.
+    p = d - z + speed z' + d' at the touching samples, each weighted by its length in contact.
     """
     ways = _edges(z, slope, state, formed)
     weights = [max(sum(way), (1 + 0 * load) / 100) for way in ways.values()]
@@ -181,7 +181,7 @@ def friction_at_once(z, slope, state, formed, speed, load):
 
 
 def elastic_correction(z, slope, state, speed, rate, steps):
-    """Return what the sum of eq. 5 misses of -steps [(d + d' - z)^2 / 2], cell by cell."""
+    """Return -steps [(d + d' - z)^2 / 2] minus the elastic part of the sum of eq. 5, over cells."""
     ways, n = _edges(z, slope, state, speed), len(z)
     half, missing = (1 + 0 * rate) / 2, 0 * rate
     for j, (back, upto) in ways.items():

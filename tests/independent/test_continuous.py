@@ -1,4 +1,4 @@
-"""The kernels refined in time run into the motion that is continuous in time, at their order."""
+"""Convergence of the kernels to motion that is continuous in time, at their stated orders."""
 
 from typing import NamedTuple
 
@@ -26,7 +26,7 @@ STEPS = {"faster": (0.3, 1.0, 1.5), "slower": (0.3, 1.0, 0.5), "light": (0.05, 0
 
 
 class Start(NamedTuple):
-    """Steady sliding on the line with m samples per spacing, as the kernels find it."""
+    """Steady sliding on the line with m samples per spacing, by the kernels."""
 
     x: np.ndarray
     z: np.ndarray
@@ -38,7 +38,7 @@ class Start(NamedTuple):
 
     @classmethod
     def at(cls, m, scheme, load, speed):
-        """Return it, the highest point first."""
+        """Return steady sliding on the line, whose first sample is the highest."""
         x = np.arange(LENGTH * m) / m
         x = np.roll(x, -int(np.argmax(LINE(x)[0])))
         z, slope = LINE(x)
@@ -46,16 +46,16 @@ class Start(NamedTuple):
         return cls(x, z, slope, w, d, load * z.size, speed)
 
     def sliding(self, speed):
-        """Return the same elements, to slide continuously."""
+        """Return the same elements for continuous sliding."""
         return Sliding(LINE, self.x, np.minimum(self.w, self.z - self.d), self.d, self.load, speed)
 
     def friction(self, speed):
-        """Return mu at once after a change of the speed."""
+        """Return mu just after a change of the speed."""
         return quadrature(self.z, self.slope, self.w, self.d, self.speed, speed, self.load)[0]
 
 
 def after_the_jump(m, scheme, load, speed, ratio):
-    """Return mu averaged over each step of one tau after the jump: of the kernels, continuous."""
+    """Return mu averaged over each step for one tau after the jump: (kernels, continuous)."""
     start, after = Start.at(m, scheme, load, speed), ratio * speed
     law = SCHEMES[scheme](1.0 / (m * after))
     kept_steps = np.arange(1, round(m * after) + 1)
@@ -86,7 +86,7 @@ def test_steady_sliding_is_the_mean_of_the_continuous_motion(load):
         start = Start.at(m, "exponential", load, 1.0)
         mu, sliding = start.friction(1.0), start.sliding(1.0)
         sliding.advance(3.0)
-        errors.append([mu - sliding.advance(3.0 + 1.0 / m)])  # to where the next element was
+        errors.append([mu - sliding.advance(3.0 + 1.0 / m)])  # over a sample, the period
     assert abs(errors[-1][0]) < 1e-3 * mu
     assert observed_order(REFINEMENTS, errors) > 1.5
 

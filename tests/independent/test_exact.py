@@ -1,4 +1,4 @@
-"""The kernels against exact arithmetic on tiny lines: steady state, jump, a whole velocity step."""
+"""The kernels against exact arithmetic on tiny lines: steady states, jump and relaxation."""
 
 import math
 import random
@@ -41,14 +41,14 @@ M = 2
 
 @pytest.fixture(autouse=True)
 def digits():
-    """Compute decimals with many digits."""
+    """Set the precision of decimals to DIGITS."""
     with localcontext() as context:
         context.prec = DIGITS
         yield
 
 
 def tiny_line(seed, samples=6, ties=False):
-    """Return a line whose heights and slopes are floats that fractions hold exactly."""
+    """Return a line with heights and slopes in multiples of 1/32, exact in all number types."""
     rng = random.Random(seed)
     span = 3 if ties else 64
     z = np.array([rng.randint(-span, span) / 32 for _ in range(samples)])
@@ -57,7 +57,7 @@ def tiny_line(seed, samples=6, ties=False):
 
 
 class Both(NamedTuple):
-    """One velocity step on a tiny line: the floats of the kernels and the exact numbers."""
+    """One velocity step on a tiny line, by the kernels and in exact arithmetic."""
 
     line: Line
     scheme: str
@@ -74,7 +74,7 @@ class Both(NamedTuple):
         before, after = law(1 / (M * v1)), law(1 / (M * v2))
 
         def steady_friction(state, speed):
-            """Return mu with its elastic part corrected as in run_case, and without."""
+            """Return mu with the elastic correction of run_case, and mu without it."""
             mu, rate = friction_at_once(z, slope, state, speed, speed, load)
             share = math.exp(-((M * float(speed)) ** 2))
             if share < 1e-3:
@@ -94,7 +94,7 @@ class Both(NamedTuple):
         return mu_1, mu_2, mu_0 - summed, curve, one.d, [d for _, d in rows]
 
     def kernels(self):
-        """Return the same from the kernels."""
+        """Return the same values from the kernels."""
         kept_steps = np.arange(1, STEPS + 1)
         case = Case(self.load, self.speed, (self.ratio,), (kept_steps,), self.scheme)
         actual = run_case(self.line, case, Quantities())
@@ -107,7 +107,7 @@ class Both(NamedTuple):
 
 
 def assert_equal(both):
-    """Compare all results: friction relative to the steepest slope, depths to the height."""
+    """Compare all results; friction is relative to the largest slope, depths to the height."""
     steepest = float(np.abs(both.line.slope).max())
     height = float(np.ptp(both.line.z)) + both.load
     names = ("mu_1", "mu_2", "jump", "mu after the jump", "d", "d after the jump")

@@ -1,9 +1,9 @@
-"""The contact package tamaas as a foundation of Kelvin elements, over a whole velocity step.
+"""Comparison with the contact package tamaas for Kelvin elements, over a whole velocity step.
 
-tamaas solves contact of a generalized Maxwell solid, u_t = spring + branches. A spring of unit
-modulus beside one branch of viscosity G_1 tau_1 = 1 and tau_1 far below dt is the Kelvin element
-under implicit Euler, to the share tau_1/dt; influence coefficients of one in Fourier space make
-the half-space a foundation of independent springs. tamaas pushes a surface upwards: it gets -z.
+tamaas solves contact of a generalized Maxwell solid: a spring in parallel with branches. A spring
+of modulus 1 with one branch of viscosity G_1 tau_1 = 1 and tau_1 << dt equals the Kelvin element
+under implicit Euler, up to tau_1/dt. Influence coefficients of one in Fourier space turn the
+half-space into a foundation of independent springs. tamaas presses surfaces upwards, so it gets -z.
 (L. Frerot, G. Anciaux, V. Rey, S. Pham-Ba, J.-F. Molinari, J. Open Source Softw. 5, 2121 (2020).)
 """
 
@@ -23,7 +23,7 @@ from tests.support.sweeps import mostly_exhaustive
 
 tamaas = pytest.importorskip("tamaas", reason="needs the extra 'verify': pip install '.[verify]'")
 
-tamaas.set_log_level(tamaas.LogLevel.warning)  # or every solution is a table on stderr
+tamaas.set_log_level(tamaas.LogLevel.warning)  # print no table of every solution
 
 ELEMENTS = 5000
 LOAD, SPEED, RATIO = 0.01, 4.0, 2.0
@@ -38,7 +38,7 @@ class Foundation:
     def __init__(self, z):
         self.z, self.moved = z, 0
         self.model = tamaas.ModelFactory.createModel(tamaas.model_type.basic_1d, [1.0], [z.size])
-        self.model.nu, self.model.E = 0.0, 2.0  # shear modulus 1, the spring beside the branch
+        self.model.nu, self.model.E = 0.0, 2.0  # shear modulus 1, that of the spring
         short = BRANCH / SPEED
         self.solver = tamaas.MaxwellViscoelastic(
             self.model, -z, 1e-14, 1.0 / SPEED, [1.0 / short], [short]
@@ -76,4 +76,4 @@ def test_a_whole_velocity_step(hurst):
     kept_steps = np.arange(1, AFTER + 1)
     mu, _, _, _ = march(two, ConstantForce(load), z, weight, state, kept_steps, np.inf)
     np.testing.assert_allclose(actual, mu, rtol=TOLERANCE)
-    assert np.ptp(mu) > 1e3 * TOLERANCE * mu[-1]  # there is something to follow
+    assert np.ptp(mu) > 1e3 * TOLERANCE * mu[-1]  # friction changes enough for the test

@@ -1,9 +1,9 @@
-"""The contact package tamaas as a foundation with two branches, followed forth and back.
+"""Comparison with the contact package tamaas for two branches, sliding forth and back.
 
-A branch of tamaas, a spring g and a dashpot of time t, is stepped by backward Euler: its stress
-becomes (s + g du) t / (t + dt). That of the relaxation form becomes E s + g phi du. With the time
-E dt / (1 - E) and the modulus g phi / E the first is the second, for steps of one length: the
-contact, the memory and the balance are then solved twice, by programs that share nothing.
+tamaas steps a branch, a spring g with relaxation time t, by backward Euler: the new stress is
+(s + g du) t / (t + dt). In the relaxation form it is E s + g phi du. For equal steps both agree if
+tamaas is given the time E dt / (1 - E) and the modulus g phi / E. Contact, memory and balance are
+then solved by two independent programs.
 (tamaas: J. Open Source Softw. 5, 2121 (2020); see test_tamaas.py.)
 """
 
@@ -21,7 +21,7 @@ from tests.lines import random_line
 
 tamaas = pytest.importorskip("tamaas", reason="needs the extra 'verify': pip install '.[verify]'")
 
-tamaas.set_log_level(tamaas.LogLevel.warning)  # or every solution is a table on stderr
+tamaas.set_log_level(tamaas.LogLevel.warning)  # print no table of every solution
 
 SPECTRUM = Spectrum((2.0, 5.0), (0.8, 0.1), 0.0)
 ELEMENTS, LOAD, SPEED = 1000, 0.02, 4.0
@@ -30,10 +30,10 @@ TOLERANCE = 1e-6
 
 
 def by_tamaas(line):
-    """Return mu at the end of every step, from a foundation that nothing has touched."""
+    """Return mu at the end of every step; initially the foundation has no memory."""
     law = law_of(FORMS_BY_SCHEME["implicit-euler"](SPECTRUM), 1.0 / SPEED)
     model = tamaas.ModelFactory.createModel(tamaas.model_type.basic_1d, [1.0], [line.z.size])
-    model.nu, model.E = 0.0, 2.0  # shear modulus 1, the spring beside the branches
+    model.nu, model.E = 0.0, 2.0  # shear modulus 1, that of the spring
     times = law.decay / (1.0 - law.decay) / SPEED
     branches = (law.gain / law.decay).tolist(), times.tolist()
     solver = tamaas.MaxwellViscoelastic(model, -line.z, 1e-14, 1.0 / SPEED, *branches)
@@ -63,4 +63,4 @@ def test_two_branches_forth_and_back():
     )
     mu = run_scene(line, scene, untouched)["trace_mu"]
     np.testing.assert_allclose(by_tamaas(line), mu, rtol=0.0, atol=TOLERANCE * np.ptp(mu))
-    assert mu[-1] < 0.0 < mu[FORTH - 1]  # there is something to follow
+    assert mu[-1] < 0.0 < mu[FORTH - 1]  # friction changes enough for the test

@@ -1,8 +1,8 @@
-"""The contact package tamaas as a half-space: an elastic contact, and two branches forth and back.
+"""Comparison with tamaas on a half-space: elastic contact, and two branches forth and back.
 
-Its shear modulus must be 1 where there are branches: E* is 2 there, and pressures are twice those
-of a half-space whose relaxed E* is 1. Its branches become those of the relaxation form by the
-change of times and moduli that test_tamaas_branches.py explains.
+With branches tamaas requires the shear modulus 1, i.e. E* = 2, so its pressures are twice those of
+a half-space with relaxed E* = 1. Times and moduli of the branches are converted to those of the
+relaxation form as in test_tamaas_branches.py.
 """
 
 import numpy as np
@@ -17,7 +17,7 @@ from elastomer_friction.kernels.rheology.spectrum import Spectrum
 
 tamaas = pytest.importorskip("tamaas", reason="needs the extra 'verify': pip install '.[verify]'")
 
-tamaas.set_log_level(tamaas.LogLevel.warning)  # or every solution is a table on stderr
+tamaas.set_log_level(tamaas.LogLevel.warning)  # print no table of every solution
 
 SPECTRUM = Spectrum((2.0, 5.0), (0.8, 0.1), 0.0)
 ELEMENTS, M, PRESSURE, SPEED = 8, 4, 0.05, 1.0
