@@ -1,1 +1,1 @@
-"""Test-suite: run `python -m pytest` from the top of the repository."""
+"""Test suite: run `python -m pytest` in the root of the repository."""

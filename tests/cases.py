@@ -1,4 +1,4 @@
-"""The small case that tests of whole realizations share."""
+"""A small case shared by the tests of whole realizations."""
 
 import numpy as np
 
@@ -20,7 +20,7 @@ def bits(outcome):
 
 
 def line_of(elements=ELEMENTS, shift=0.0, steps=M):
-    """Return a random line, shifted by so many spacings."""
+    """Return a random line. shift : in spacings."""
     phases = draw_phases(np.random.default_rng(1), elements)
-    turned = phases + 2.0 * np.pi * mode_numbers(elements) * shift / elements
-    return Line.self_affine(amplitudes(0.7, elements), turned, elements, steps)
+    shifted = phases + 2.0 * np.pi * mode_numbers(elements) * shift / elements
+    return Line.self_affine(amplitudes(0.7, elements), shifted, elements, steps)

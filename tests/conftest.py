@@ -1,4 +1,4 @@
-"""How tests are spread over processes, what all hide, one cluster for all that compute in one."""
+"""Configuration of pytest: order of the tests, number of processes, and shared fixtures."""
 
 import os
 from collections.abc import Iterator
@@ -13,13 +13,13 @@ from tests.support import skips
 from tests.support.python import PATIENCE
 
 perturb()
-# No test depends on the speed of the machine.
+# Tests must not depend on the speed of the machine.
 settings.register_profile("usual", deadline=None, suppress_health_check=[HealthCheck.too_slow])
 settings.register_profile("exhaustive", settings.get_profile("usual"), max_examples=1000)
 settings.load_profile("usual")
 
-# One process begins with what compiles most kernels, which one does at a time; the others meanwhile
-# with what needs none. Then what takes longest, so that nobody is left alone with it in the end.
+# One process starts with the tests that compile most kernels, which only one process can do at a
+# time; the others start with tests without kernels. The longest tests follow, the short ones last.
 COMPILING = "studies/test_figures.py"
 WITHOUT_KERNELS = tuple(
     f"workflow/{room}" for room in ("study", "store", "plan", "reduce", "laboratory", "system")
@@ -30,7 +30,7 @@ ORDER = (COMPILING, *WITHOUT_KERNELS, *WITH_KERNELS, *CLUSTERS)
 
 
 def pytest_configure(config: pytest.Config) -> None:
-    """Let CI fail on a skip that is not on its list."""
+    """Let CI fail if a skipped test is not on its list."""
     config.pluginmanager.register(skips)
 
 
@@ -41,7 +41,7 @@ def pytest_xdist_auto_num_workers() -> int:
 
 
 def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
-    """Begin with what takes longest."""
+    """Sort the tests by ORDER."""
     folder = config.rootpath / "tests"
 
     def place(item: pytest.Item) -> int:
@@ -53,7 +53,7 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item
 
 @pytest.fixture(scope="session", autouse=True)
 def no_commit() -> Iterator[None]:
-    """Hide git: files are compared byte for byte, and someone may commit during the tests."""
+    """Hide git: results contain the commit, which may change during the tests."""
     with pytest.MonkeyPatch.context() as patch:
         patch.setenv("GIT_DIR", "/nowhere")
         yield
@@ -61,10 +61,10 @@ def no_commit() -> Iterator[None]:
 
 @pytest.fixture(scope="session")
 def local() -> Iterator[LocalCluster]:
-    """Return a scheduler with two workers, threads that need no start of their own.
+    """Return a cluster with two workers, which are threads and so start quickly.
 
-    They talk as processes do; what processes alone can show, starts its own. The memory of the
-    tests is not theirs: they would pause for it where there is little.
+    They communicate by TCP as processes do; tests that need processes start their own. Without a
+    memory limit workers do not pause because of the memory of the tests.
     """
     threads = {"processes": False, "protocol": "tcp", "dashboard_address": ":0", "memory_limit": 0}
     with (
@@ -76,7 +76,7 @@ def local() -> Iterator[LocalCluster]:
 
 @pytest.fixture(scope="session")
 def scheduler(local: LocalCluster) -> Iterator[str]:
-    """Return the address of a scheduler with two workers, which has longer to answer than usual."""
+    """Return the address of a scheduler with two workers; connections have a longer timeout."""
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr("elastomer_friction.workflow.cluster.client.CONNECT_SECONDS", PATIENCE)
         yield str(local.scheduler_address)

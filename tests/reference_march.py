@@ -1,7 +1,7 @@
-"""The paper's equations, element by element: slow, plain numpy, an independent check.
+"""Reference march: the paper's equations for every element, in plain numpy, slow.
 
-Every element of the periodic line is kept, moved and solved for at every step: no stretches,
-no gaps, no iteration for d. Motion in either direction, for the mirror image.
+Every element of the periodic line is moved and solved for at every step, without an active set and
+without iterations for d. The line moves in either direction, to test mirror images.
 """
 
 import numpy as np
@@ -15,9 +15,9 @@ _NODES, _WEIGHTS = np.polynomial.legendre.leggauss(20)
 def constants(scheme: str, dt: float) -> tuple[float, float, float]:
     """Return decay E, stiffness K and lag of one step from the defining formulas.
 
-    implicit-euler: u_new (1 + dt) = u_old - dt f, the slope read at the end of the step.
-    exponential: u_new = e^-dt u_old - int e^-(dt - s) f(s) ds: the force acts at the centre
-    of this weight, here by Gauss quadrature.
+    implicit-euler: u_new (1 + dt) = u_old - dt f; the slope is that at the end of the step.
+    exponential: u_new = e^-dt u_old - int e^-(dt - s) f(s) ds; the force acts at the centre of
+    this weight, computed by Gauss quadrature.
     """
     if scheme == "implicit-euler":
         return 1.0 / (1.0 + dt), (1.0 + dt) / dt, 0.0
@@ -28,18 +28,18 @@ def constants(scheme: str, dt: float) -> tuple[float, float, float]:
 
 
 def one_element_round_the_line(z, d: float, decay: float, direction: int):
-    """Return (u, w) at the samples for an element carried twice round the line at constant d.
+    """Return (u, w) at the samples for an element that passes twice round the line at constant d.
 
-    The line moves towards +x (``direction`` 1): the element sees ever lower sample numbers.
-    One turn forgets the start as decay^n, or at the deepest sample, which always touches.
+    If the line moves towards +x (``direction`` 1), the element meets samples of decreasing number.
+    In one turn the initial state decays by decay^n, or is lost at the deepest sample, in contact.
     """
     u = np.zeros(z.size)
     w = np.zeros(z.size)
-    now = 0.0
+    current = 0.0
     for k in range(2 * z.size):
         at = -direction * k % z.size
-        w[at] = decay * now
-        now = u[at] = min(w[at], z[at] - d)
+        w[at] = decay * current
+        current = u[at] = min(w[at], z[at] - d)
     return u, w
 
 
@@ -66,7 +66,7 @@ class Elements:
         self.z, self.slope, self.u, self.d = z, slope, u.copy(), d
         self.load, self.direction = load, direction
         self.decay, self.stiffness, self.lag = step
-        self.at = np.arange(z.size)  # the sample that each element sits under
+        self.at = np.arange(z.size)  # the sample above each element
 
     def advance(self) -> float:
         """Move the line by one sample, solve for d and return the friction of the step."""
@@ -82,13 +82,13 @@ class Elements:
 
 
 class RigidElements(Elements):
-    """The same with eq. 3 as printed: the indentation rate costs no force.
+    """The same with eq. 3 as printed, without the force of the indentation rate.
 
     The last displacement of an element in contact is taken to be z - d with the new d.
     """
 
     def free(self, d, line_before, touched):
-        """Return where free elements would go if those in contact had been at the new d."""
+        """Return displacements after a step without force, with z - d in contact before it."""
         return self.decay * np.where(touched, line_before - d, self.u)
 
     def advance(self) -> float:
@@ -110,5 +110,5 @@ class RigidElements(Elements):
 
 
 def relaxation(elements: Elements, steps: int):
-    """Return mu and d after each of the steps, both of shape (steps,)."""
+    """Return mu and d after each step, both of shape (steps,)."""
     return np.array([(elements.advance(), elements.d) for _ in range(steps)]).T

@@ -1,4 +1,4 @@
-"""What the documents name is there: files of ours, links between pages, targets of make."""
+"""Files, links and targets of make that the documents name exist."""
 
 import re
 import subprocess
@@ -21,15 +21,15 @@ ROOT = Path(__file__).resolve().parents[1]
 PAGES = [ROOT / "README.md", ROOT / "CONTRIBUTING.md", *sorted((ROOT / "docs").rglob("*.md"))]
 NAMES = [page.relative_to(ROOT).as_posix() for page in PAGES]
 FOLDERS = r"(?:kernels|workflow|studies|tests|docs|\.ci)"
-# A path is written from the top of the repository; `NAME`, `<room>` and `*` stand for any name,
-# and a reader's own study is called mine.
+# Paths start at the root of the repository; `NAME`, `<room>` and `*` represent any name, and
+# ``mine`` is a study of the reader.
 PATH = re.compile(rf"(?<![\w./~-])({FOLDERS}/[\w./*<>-]*[\w*>/])")
 LINK = re.compile(r"\]\((?!https?://|mailto:|#)([^)\s#]+)(?:#[^)]*)?\)")
 TARGET = re.compile(r"(?:`|^ {4}|\(|^(?=make [\w-]+(?:  |$)))make ([a-z%-][\w%-]*)", re.MULTILINE)
 
 
 def found(pattern: re.Pattern, page: str) -> set[str]:
-    """Return what a pattern matches on a page."""
+    """Return the matches of a pattern on a page."""
     return set(pattern.findall((ROOT / page).read_text(encoding="utf-8")))
 
 
@@ -80,9 +80,9 @@ def test_every_key_of_a_scene_is_described():
     ids=["by its name", "by its path"],
 )
 def test_a_study_is_run_and_then_drawn(target, study):
-    told = subprocess.run(
+    done = subprocess.run(
         ["make", "-n", *target, "SCALE=smoke"], cwd=ROOT, capture_output=True, text=True, check=True
     )
-    lines = [line for line in told.stdout.splitlines() if " -m workflow " in line]
+    lines = [line for line in done.stdout.splitlines() if " -m workflow " in line]
     commands = [line.partition(" -m workflow ")[2] for line in lines]
     assert commands == [f"run {study} --scale smoke ", f"figure {study} --scale smoke "]

@@ -1,4 +1,4 @@
-"""docs/model.md says where each equation stands: the function is there, and names its equation."""
+"""The functions that docs/model.md lists for each equation exist and name the equation."""
 
 import ast
 import re
@@ -17,25 +17,25 @@ FOUND = [
 
 
 def test_every_equation_that_is_computed_is_listed():
-    """Eqs. 7 to 11 define quantities and limits, which are measured or contained in eq. 12."""
+    """Eqs. 7 to 11 define quantities and limits that are measured, or contained in eq. 12."""
     assert {number for number, *_ in FOUND} == {1, 2, 3, 4, 5, 6, 12, 13, 14, 15, 16}
 
 
 def documented(file, name):
-    """Return the docstring of a function or class of a file, or of a method of a class."""
-    found = ast.parse((ROOT / file).read_text(encoding="utf-8"))
+    """Return the docstring of a function, class or method in a file."""
+    definition = ast.parse((ROOT / file).read_text(encoding="utf-8"))
     for part in name.split("."):
-        (found,) = (node for node in found.body if getattr(node, "name", "") == part)
-    return ast.get_docstring(found)
+        (definition,) = (n for n in definition.body if getattr(n, "name", "") == part)
+    return ast.get_docstring(definition)
 
 
 def numbers_in(text):
-    """Return the numbers of equations that a text names: "eq. 3", "eqs. 1 and 2", "eqs. 3 to 5"."""
-    found = set()
+    """Return the numbers of the equations in a text: "eq. 3", "eqs. 1 and 2", "eqs. 3 to 5"."""
+    numbers = set()
     for listed in re.findall(r"[Ee]qs?\. (\d+(?:(?:, | and | to )\d+)*)", text):
         first, *others = map(int, re.findall(r"\d+", listed))
-        found |= set(range(first, others[-1] + 1)) if " to " in listed else {first, *others}
-    return found
+        numbers |= set(range(first, others[-1] + 1)) if " to " in listed else {first, *others}
+    return numbers
 
 
 @pytest.mark.parametrize(("number", "file", "name"), FOUND)

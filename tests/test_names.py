@@ -1,4 +1,4 @@
-"""One word for one thing: no public name and no file name stands twice in the program."""
+"""No public name and no file name occurs twice in the program."""
 
 import ast
 from collections import defaultdict
@@ -7,7 +7,7 @@ from pathlib import Path
 ROOT = Path(__file__).parents[1]
 ROOMS = ("kernels", "workflow", "studies")
 
-# What stands more than once for a reason.
+# Names that may occur more than once, with the reason.
 CONTRACT_FILES = {
     "__init__": "the name that Python gives to a package",
     "__main__": "the name that Python gives to what a package runs",
@@ -33,7 +33,7 @@ def modules() -> list[Path]:
 
 
 def public(path: Path) -> set[str]:
-    """The classes and functions that a module defines for others."""
+    """Return the names of the public classes and functions of a module."""
     kinds = (ast.ClassDef, ast.FunctionDef)
     return {
         node.name
@@ -43,19 +43,19 @@ def public(path: Path) -> set[str]:
 
 
 def twice(words) -> set[str]:
-    """The words that stand in two places or more, of pairs of a place and its words."""
+    """Return the words in two or more places. words : pairs of a place and its words."""
     places = defaultdict(list)
-    for path, found in words:
-        for word in found:
+    for path, names in words:
+        for word in names:
             places[word].append(path)
     return {word for word, where in places.items() if len(where) > 1}
 
 
 def test_no_public_name_is_defined_in_two_modules() -> None:
-    found = twice((path, public(path)) for path in modules())
-    assert found == set(CONTRACT_NAMES)
+    repeated = twice((path, public(path)) for path in modules())
+    assert repeated == set(CONTRACT_NAMES)
 
 
 def test_no_file_name_stands_twice() -> None:
-    found = twice((path, [path.stem]) for path in modules())
-    assert found == set(CONTRACT_FILES)
+    repeated = twice((path, [path.stem]) for path in modules())
+    assert repeated == set(CONTRACT_FILES)

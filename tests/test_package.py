@@ -1,4 +1,4 @@
-"""The package as it is installed and imported: one name, its public names, its command."""
+"""The package as installed and imported: its public names and its command."""
 
 import os
 import subprocess
@@ -21,14 +21,14 @@ CALL = "import sys; from elastomer_friction.__main__ import main; sys.exit(main(
 
 
 def called(*arguments: str, path: str = str(ROOT), folder: Path = ROOT) -> tuple[int, str, str]:
-    """Return exit status, stdout and stderr of the command."""
+    """Run the command; return its exit status, stdout and stderr. path : of the package."""
     done = python("-P", "-c", CALL, *arguments, cwd=folder, PYTHONPATH=path)
     return done.returncode, done.stdout, done.stderr
 
 
 def test_it_says_its_version(tmp_path):
-    said = f"elastomer-friction {version_of('elastomer-friction')}\n"
-    assert called("--version", folder=tmp_path) == (0, said, "")
+    expected = f"elastomer-friction {version_of('elastomer-friction')}\n"
+    assert called("--version", folder=tmp_path) == (0, expected, "")
 
 
 def test_what_is_asked_from_python_is_listed_and_nothing_else():
@@ -68,9 +68,9 @@ sys.meta_path.insert(0, Note)
 
 
 def test_no_module_is_loaded_by_a_second_name(tmp_path):
-    """Or a class would be two: in the driver, in workers, here.
+    """Otherwise a class would exist twice, in the driver, in workers and in the tests.
 
-    Noted as it is looked for: a worker that is slow to end is killed, and says nothing at its end.
+    Imports are recorded as they happen, since a worker that is slow to end is killed.
     """
     (tmp_path / "sitecustomize.py").write_text(NOTE)
     (tmp_path / "notes").mkdir()
@@ -78,13 +78,13 @@ def test_no_module_is_loaded_by_a_second_name(tmp_path):
     words = ["run", write_study(tmp_path), "--workers", "1", "--out", tmp_path]
     printed("-m", "workflow", *words, PYTHONPATH=path, NOTES=str(tmp_path / "notes"))
     found = [note.read_text().split() for note in (tmp_path / "notes").iterdir()]
-    driver = ["distributed", "workflow", "workflow.__main__"]  # of the second, a docstring
+    driver = ["distributed", "workflow", "workflow.__main__"]  # workflow is only a docstring
     assert sorted(sorted(set(names)) for names in found) == [["distributed"], driver]
     assert not {name.partition(".")[0] for name in sys.modules} & {"kernels", "workflow", "studies"}
 
 
 def test_the_citation_is_of_this_version():
-    """And what is cited is what is installed under the name of the program."""
+    """The citation and the changelog name the version of the package."""
     project = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
     assert f"\nversion: {project['version']}\n" in (ROOT / "CITATION.cff").read_text("utf-8")
     assert f"\n## {project['version']} (" in (ROOT / "CHANGELOG.md").read_text("utf-8")
@@ -92,7 +92,7 @@ def test_the_citation_is_of_this_version():
 
 @pytest.mark.exhaustive
 def test_a_wheel_holds_all_that_the_command_needs(tmp_path, monkeypatch):
-    """Built from the sources, installed without its dependencies, and used from elsewhere."""
+    """It is built from the sources, installed without dependencies, and used elsewhere."""
     monkeypatch.delenv("GIT_DIR", raising=False)  # other tests hide the repository
     pip = [sys.executable, "-m", "pip", "-q", "--disable-pip-version-check"]
     subprocess.run([*pip, "wheel", "--no-deps", "-w", tmp_path, ROOT], check=True)

@@ -1,4 +1,4 @@
-"""How tests are run: a skip that is not on the list is a failure; a file is in one process."""
+"""A skipped test that is not on the list of allowed skips is a failure."""
 
 import pytest
 
@@ -18,7 +18,7 @@ pytest.importorskip("no_such_package_as_this")
 
 
 def tried(folder, skips, *options):
-    """Return the exit status and the output of the tests in a folder."""
+    """Write tests and a list of skips to a folder; return exit status and output of the tests."""
     (folder / "test_some.py").write_text(TESTS)
     (folder / "pytest.ini").write_text("[pytest]\n")
     (folder / "skips.txt").write_text(skips)

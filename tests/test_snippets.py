@@ -1,11 +1,11 @@
-"""The fenced commands and snippets of the documents run as they are printed.
+"""Fenced commands and snippets in the documents run as printed.
 
-An HTML comment on the line before a block says what is special about it:
+An HTML comment on the line before a block marks special blocks:
 
-    <!-- file: PATH -->         it is the file PATH, from the working folder
-    <!-- needs: STUDY -->       it opens results/STUDY.nc, which is computed before, if roughly
-    <!-- exhaustive -->         it takes long: make test-all runs it
-    <!-- not run: REASON -->    it is read, but not run
+    <!-- file: PATH -->         the block is the file PATH, relative to the working folder
+    <!-- needs: STUDY -->       it opens results/STUDY.nc, which is computed before, at low cost
+    <!-- exhaustive -->         it takes long, and only make test-all runs it
+    <!-- not run: REASON -->    it is checked, but not run
 """
 
 import re
@@ -29,7 +29,7 @@ BLOCK = re.compile(
     re.MULTILINE | re.DOTALL,
 )
 PROGRAM = "elastomer-friction "
-ROUGHLY = {"fig7": ("--scale", "smoke", "--set", "study.realizations=8")}  # of what is needed
+ROUGHLY = {"fig7": ("--scale", "smoke", "--set", "study.realizations=8")}  # by needed study
 
 
 class Block(NamedTuple):
@@ -37,13 +37,13 @@ class Block(NamedTuple):
 
     page: str
     line: int
-    mark: str  # file, needs, exhaustive, not run; empty: it is run as it is
-    value: str  # what the mark says after its colon
+    mark: str  # file, needs, exhaustive, not run; empty: none
+    value: str  # text after the colon of the mark
     language: str
     text: str
 
     def __str__(self) -> str:
-        """Name the block."""
+        """Return the place of the block."""
         return f"{self.page}:{self.line}"
 
 
@@ -60,14 +60,14 @@ def blocks(page: Path) -> list[Block]:
 
 
 def commands(text: str) -> list[str]:
-    """Return the commands of a block of shell, one line each, without comments."""
+    """Return the commands of a shell block, one line each, without comments."""
     lines = text.replace("\\\n", " ").splitlines()
     stripped = (re.sub(r"\s+#.*$", "", line).strip() for line in lines)
     return [line for line in stripped if line and not line.startswith("#")]
 
 
 def run_block(block: Block, names: dict[str, Any]) -> None:
-    """Run a block in the working folder; ``names`` are those of Python on its page."""
+    """Run a block in the working folder. names : Python names defined on its page so far."""
     if block.mark == "file":
         path = Path(block.value)
         path.parent.mkdir(parents=True, exist_ok=True)
@@ -80,7 +80,7 @@ def run_block(block: Block, names: dict[str, Any]) -> None:
 
 
 def provide(study: str) -> None:
-    """Compute results/STUDY.nc, if roughly, where it is not there."""
+    """Compute results/STUDY.nc at low cost if it does not exist."""
     result = Path("results") / f"{study}.nc"
     if not result.is_file():
         assert main(["run", study, "--out", str(result), *ROUGHLY[study]]) == 0
@@ -89,7 +89,7 @@ def provide(study: str) -> None:
 def _run(command: str) -> None:
     if command.startswith(PROGRAM):
         assert main(shlex.split(command.removeprefix(PROGRAM))) == 0, command
-    elif command.startswith("make "):  # said what it would do, as it needs an environment
+    elif command.startswith("make "):  # dry run, as make needs an environment
         subprocess.run(["make", "-n", *shlex.split(command)[1:]], cwd=ROOT, check=True)
     else:
         subprocess.run(["bash", "-ec", command], check=True)
@@ -97,10 +97,10 @@ def _run(command: str) -> None:
 
 BLOCKS = [block for page in PAGES for block in blocks(page)]
 MARKS = {"", "file", "needs", "exhaustive", "not run"}
-# Inline and in tables, not of usage with options in brackets.
+# Commands inline and in tables, but not usage with options in brackets.
 INLINE = re.compile(rf"(?:`|^ {{4}}){re.escape(PROGRAM)}([^`\n\[]*)(?:`|$)", re.MULTILINE)
 RUN = sorted({block.page for block in BLOCKS if block.mark != "not run"})
-USUAL = ("README.md",)  # of the others what takes seconds is left to test-all
+USUAL = ("README.md",)  # pages that run in make test; the others take seconds
 
 
 def ids(values: list) -> list[str]:
@@ -122,18 +122,18 @@ def test_a_block_is_of_a_known_kind(block: Block):
 
 def told() -> list[tuple[str, str]]:
     """Return (page, command) for all commands of the program on all pages."""
-    found = []
+    pairs = []
     for page in PAGES:
         name = page.relative_to(ROOT).as_posix()
-        found += [(name, text) for text in INLINE.findall(page.read_text(encoding="utf-8"))]
+        pairs += [(name, text) for text in INLINE.findall(page.read_text(encoding="utf-8"))]
     for block in BLOCKS:
         if block.language == "bash":
-            found += [
+            pairs += [
                 (block.page, command.removeprefix(PROGRAM))
                 for command in commands(block.text)
                 if command.startswith(PROGRAM)
             ]
-    return [(page, text) for page, text in found if text.split("&&")[0].strip() != "COMMAND"]
+    return [(page, text) for page, text in pairs if text.split("&&")[0].strip() != "COMMAND"]
 
 
 @pytest.mark.parametrize(("page", "command"), told())
@@ -146,7 +146,7 @@ def test_a_command_has_the_options_that_it_is_told_with(page, command):
 
 
 def run_page(page: str, folder, monkeypatch, marks: set[str]) -> None:
-    """Run the blocks of a page that have one of some marks, in order, in an empty folder."""
+    """Run the blocks of a page with one of the marks, in order, in an empty folder."""
     monkeypatch.chdir(folder)
     mpl.use("Agg")
     names: dict[str, Any] = {"__name__": "page"}

@@ -1,4 +1,4 @@
-"""Materials and a plain march of elements with internal variables, for several tests."""
+"""Materials, and a plain march of elements with internal variables, shared by several tests."""
 
 import numpy as np
 
@@ -31,7 +31,7 @@ MATERIALS = {
 
 
 class Foundation:
-    """Elements at x_i under a line that moves: plain numpy, every element in every step."""
+    """Elements at x_i under a moving line, in plain numpy, all stepped in every step."""
 
     def __init__(self, form, z, elements: Elements):
         self.form, self.z, self.d = form, z, elements.d
