@@ -18,7 +18,7 @@ from .sampling import GROUP_SIZES, LineRuns, Method, run_lines, sampling_errors,
 
 Run = Callable[[Point, list[RandomLine], Method], LineRuns]  # runs a scheme on lines
 SCHEMES = ("exponential", "implicit-euler")
-MIN_LINES = 20  # a rate needs 18
+MIN_LINES = 20  # smallest number of lines; a rate needs 18
 TIME_PARTS = ("mu_1 and jump", "everything")
 QUANTITIES = ("mu_1", "jump", "rate", "curve")
 CURVE_TIMES = 24  # number of times at which curves are compared

@@ -22,7 +22,7 @@ def cheapest(data: xr.Dataset) -> xr.Dataset:
 
     All are NaN if no m is fine enough.
     """
-    data = data.drop_attrs().assign_coords(data.coords)  # derived variables have other meanings
+    data = data.drop_attrs().assign_coords(data.coords)  # attributes do not hold for results
     methods = cost(data).stack(way=("scheme", "steps"))
     best = methods.seconds.fillna(np.inf).argmin("way")
     chosen = methods.isel(way=best).drop_vars(["way", "scheme", "steps"])

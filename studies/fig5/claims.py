@@ -66,7 +66,7 @@ def _zeta(points: xr.Dataset) -> tuple[xr.DataArray, xr.DataArray | None]:
 
 
 def _xi(points: xr.Dataset) -> tuple[xr.DataArray, xr.DataArray | None]:
-    """Return xi and a bound of its error; xi is zeta minus mu*/mu_1/(dv/v1), which relaxes."""
+    """Return xi and a bound of its error; xi is zeta minus the relaxing mu*/mu_1/(dv/v1)."""
     mu, step = points.mu_1, points.velocity_step
     xi = (points.mu_2 - mu) / mu / step
     zeta, error = _zeta(points)

@@ -37,7 +37,7 @@ def fit_shifts(
     reference: float,
     law: str | None = None,
 ) -> ShiftFit:
-    """Return the law with the least scatter among those that fit the shifts, else their table.
+    """Return the law that fits the shifts with the least scatter, or their table if none fits.
 
     temperatures : °C, ascending, shape (sweeps,). decades : log10 a_T, 0 at one of them.
     covariance : shape (sweeps, sweeps). reference : °C, where a_T is 1, within the temperatures.

@@ -42,7 +42,7 @@ class Sprung(NamedTuple):
     residual: np.ndarray  # fit minus data
     factor: float  # by which correlation of the noise increases variances
     mu_1: Estimate
-    levels: dict[str, Estimate]  # mu_2, the jump a ln(v2/v1) of a stiff machine, b ln(v2/v1)
+    levels: dict[str, Estimate]  # mu_2; jump: a ln(v2/v1), if stiff; amplitude: b ln(v2/v1)
     log_length: Estimate  # of D_c in m
 
 

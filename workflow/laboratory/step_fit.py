@@ -30,7 +30,7 @@ SLOWEST = 0.1  # smallest rate times the recorded time; slower relaxation is a s
 FASTEST = 1.0  # largest rate times the sampling interval; faster relaxation is part of the jump
 STEADY = 0.1  # smallest drift before a step that counts, over the largest change after it
 POOR = 5.0  # residual over noise above which noise does not explain it
-SMALL = 1e-12  # of a coefficient of friction: smaller changes are rounding
+SMALL = 1e-12  # change of friction up to which it counts as rounding
 LARGEST_SHARE = 1.0 / DEVIATIONS  # largest relative standard error of an estimate
 
 NOTHING = "nothing relaxes that stands out from the noise"
@@ -86,7 +86,7 @@ def fit_relaxation_curve(t: np.ndarray, values: np.ndarray, shape: Shape) -> Rel
     """
     fastest = max(FASTEST / (t[1] - t[0]), 2.0 / t[-1])
     rates = np.geomspace(SLOWEST / t[-1], fastest, RATES)
-    squares, best, inverse = _tried(t, values, shape, rates)
+    squares, best, inverse = _fits_at_rates(t, values, shape, rates)
     place = int(np.argmin(squares))
     start = np.array([*best[place], np.log(rates[place])])
     p, jacobian = _refined(t, values, shape, start, np.log(rates[[0, -1]]))
@@ -115,7 +115,7 @@ def _model(t: np.ndarray, shape: Shape, p: np.ndarray) -> tuple[np.ndarray, np.n
     return p[0] + values[0], np.column_stack([np.ones_like(t), slopes[0]])
 
 
-def _tried(
+def _fits_at_rates(
     t: np.ndarray, values: np.ndarray, shape: Shape, rates: np.ndarray
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Return the sum of squares, the best mu_2 and b, and inv(J'J) at each rate."""

@@ -1,4 +1,4 @@
-"""The active-set march: the march of model/march.py, which here steps only undecided samples."""
+"""The active-set march: like the march of model/march.py, but it steps only undecided samples."""
 
 import numpy as np
 
@@ -23,7 +23,7 @@ def active_march(problem, control, kept_steps, margins=BOUND_MARGINS):
     problem : JumpProblem. control : ConstantForce.
     kept_steps : increasing step numbers (first step = 1) at which mu and d are recorded.
     mu, indentation : see model/march.py. settled : mu of steady sliding at v2, averaged over a
-    step. work : element updates. inside : whether d and D stayed within the bounds in the end.
+    step. work : element updates. inside : whether d and D stayed within the last bounds.
     """
     law, start, end = problem.law, problem.start, problem.end
     recorder = Recorder(kept_steps, np.empty(kept_steps.size), np.empty(kept_steps.size))

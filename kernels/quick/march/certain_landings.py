@@ -16,7 +16,7 @@ from ...compile.jit import kernel, refcount_free_kernel
 from .gap_crossings import NEGLIGIBLE_DECAY
 from .listed_samples import TALLY_DEPTH, TALLY_MOMENT, TALLY_SAMPLES, TALLY_WEIGHT
 
-EQUAL_DISPLACEMENT = 2e-15  # relative to d: a difference within rounding
+EQUAL_DISPLACEMENT = 2e-15  # largest difference, relative to d, that counts as rounding
 
 
 class Gap(NamedTuple):

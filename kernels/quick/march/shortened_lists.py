@@ -3,7 +3,7 @@
 They pay off in long marches in which d moves far (docs/speed.md). Samples that have become decided
 move from the lists to the sums, or to the gaps. Only the runs are visited. Samples where elements
 certainly land after a gap are summed too (certain_landings.py). Gaps g are bounded as in
-undecided_runs.py, and also by bounds of arriving displacements, as the present ones are known.
+undecided_runs.py, but with bounds of displacements that follow from the present ones.
 """
 
 from typing import NamedTuple

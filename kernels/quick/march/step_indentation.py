@@ -16,7 +16,7 @@ RATE_FACTOR = 1.2  # predicted change of d, over the change at the rate d' just 
 
 @refcount_free_kernel
 def predict_first_indentation(control, problem):
-    """Return an estimate of d after the first step that rather overestimates its change.
+    """Return an estimate of d after the first step that tends to overestimate its change.
 
     In a step d changes by about d' (1 - E) = d' / K. At almost zero load d' is mere rounding
     error, so the estimate is limited to the d at which a single element carries the load.
@@ -61,7 +61,7 @@ def next_indentation(control, law, listed, sums, landings, d, guess):
 
     Solves n (D - level) + sum (level - a) + sum max(0, d - c) = load / K (eq. 4).
     landings : number of certain landings, and their overlap at the old d (certain_landings.py).
-    d, guess : old d and guess of the new one, which is infinite if nothing can carry the load.
+    d, guess : old d and guess of the new d, returned as inf if nothing can carry the load.
     """
     load = control.load / law.stiffness - landings[1]
     carried = sums.samples * (d / law.stiffness - sums.level) + sums.depth
