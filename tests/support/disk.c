@@ -1,8 +1,8 @@
-/* A disk that refuses: for LD_PRELOAD, see faulty_disk.py.
+/* Disk errors by LD_PRELOAD, see faulty_disk.py.
 
-   Each line of DISK_FAULTS is "CALL ERRNO PREFIX FLAG": the call fails by that error on files whose
-   path begins with PREFIX, while the file FLAG exists. CALL is open, read, write, fsync (of a file),
-   fsyncdir (of a folder) or flock. */
+   Each line of DISK_FAULTS is "CALL ERRNO PREFIX FLAG": the call fails with this error on files with
+   a path that begins with PREFIX, while the file FLAG exists. CALL is open, read, write, fsync (of a
+   file), fsyncdir (fsync of a folder) or flock. */
 #define _GNU_SOURCE
 #include <dlfcn.h>
 #include <errno.h>

@@ -1,11 +1,11 @@
-/* The same core in C, every element in every step: what `make bench` compares the kernels with.
+/* The same kernels in C, with every element in every step, for comparison in `make bench`.
  * Built with -O3 -march=native -ffast-math, so that loops over elements are vectorised.
- * Kelvin elements, one line in its own frame: the neighbour that an element moves to is j + 1.
+ * Kelvin elements under one line, in the frame of the line: elements move from sample j + 1 to j.
  */
 #include <math.h>
 #include <stdlib.h>
 
-/* Free displacements w of steady sliding at indentation d; returns the excess over target / K. */
+/* Free displacements w of steady sliding at indentation d; returns the sum of overlaps. */
 static double sweep(const double *z, double *w, long n, long deepest, double E, double d, double *slope)
 {
     double u = z[deepest] - d, du = 1.0, total = 0.0, s = 0.0;
@@ -38,7 +38,7 @@ static double overlap(const double *z, const double *w, long n, double d, double
     return total;
 }
 
-/* Newton from a guess, for sum max(0, d - z + w) = target. */
+/* Solve sum max(0, d - z + w) = target by Newton's method, from a guess d. */
 static double balance(const double *z, const double *w, long n, double target, double d)
 {
     double before = -1.0;

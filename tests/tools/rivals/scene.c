@@ -1,11 +1,11 @@
-/* Scenes in C, every element in every step: one pass settles the last step of all units and predicts the
- * next, then the load is balanced. Elements stay where they are, the line moves (kernels/motion/track.py).
- */
+/* Scenes in C, with every element in every step: one pass completes the last step of all units and
+ * predicts the next one, then the load is balanced. Elements are fixed, and the line moves
+ * (kernels/motion/track.py). */
 #include <math.h>
 
 enum { CHUNK = 256 }; /* samples whose sums stay in the first cache */
 
-/* Newton from a guess, for sum max(0, d - c) = target. */
+/* Solve sum max(0, d - c) = target by Newton's method, from a guess d. */
 static double threshold(const double *c, long n, double target, double d)
 {
     double before = -1.0;
@@ -31,7 +31,7 @@ static double threshold(const double *c, long n, double target, double d)
     return d;
 }
 
-/* The weights of the force at the end and at the start of a step; returns what a unit moves in it. */
+/* Weights of the force at the end and at the start of a step; returns the share that a unit relaxes. */
 static double moments(double x, double *end, double *start)
 {
     double gone = -expm1(-x), term = x, beta = 0.0, alpha = 0.0;
@@ -79,7 +79,7 @@ static double law_of(long K, double glass, const double *J, const double *times,
     return 1.0 / sum;
 }
 
-/* The median over the load of how many samples a patch is wide (kernels/scene/samples.py).
+/* Median, weighted by load, of the width of contact patches in samples (kernels/scene/samples.py).
  * carried: by patches of each width, (n + 1), all zero before and after. */
 static double patch_width(const double *p, long n, double *carried)
 {
@@ -111,7 +111,7 @@ static double patch_width(const double *p, long n, double *carried)
     return median;
 }
 
-/* Take elements along a track. z2, slope2: two periods of every line, (lines, 2 n). load: n Fbar.
+/* Step elements along a track. z2, slope2: two periods of every line, (lines, 2 n). load: n Fbar.
  * memory: (K, n), p: (n), changed; older, c: room, (n); carried: of patch_width.
  * values: a Trace (kernels/scene/records.py), (9, keeps). Returns the last d. */
 double follow(long n, long K, double glass, const double *J, const double *times, const double *z2, const double *slope2,
@@ -121,7 +121,7 @@ double follow(long n, long K, double glass, const double *J, const double *times
 {
     double E[K], B[K], A[K], decay[K], fresh[K], stale[K], lag = 0.0, stiffness = 1.0, w[CHUNK];
     for (long k = 0; k < K; k++)
-        decay[k] = 1.0, fresh[k] = stale[k] = 0.0; /* nothing is to be settled yet */
+        decay[k] = 1.0, fresh[k] = stale[k] = 0.0; /* no step to complete yet */
     for (long s = 0, at = 0; s < steps; s++) {
         if (s == 0 || dt[s] != dt[s - 1])
             stiffness = law_of(K, glass, J, times, dt[s], E, B, A, &lag);
