@@ -77,9 +77,9 @@ def test_no_module_is_loaded_by_a_second_name(tmp_path):
     path = f"{tmp_path}{os.pathsep}{ROOT}"
     words = ["run", write_study(tmp_path), "--workers", "1", "--out", tmp_path]
     printed("-m", "workflow", *words, PYTHONPATH=path, NOTES=str(tmp_path / "notes"))
-    found = [note.read_text().split() for note in (tmp_path / "notes").iterdir()]
+    imported = [note.read_text().split() for note in (tmp_path / "notes").iterdir()]
     driver = ["distributed", "workflow", "workflow.__main__"]  # workflow is only a docstring
-    assert sorted(sorted(set(names)) for names in found) == [["distributed"], driver]
+    assert sorted(sorted(set(names)) for names in imported) == [["distributed"], driver]
     assert not {name.partition(".")[0] for name in sys.modules} & {"kernels", "workflow", "studies"}
 
 

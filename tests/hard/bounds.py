@@ -41,9 +41,9 @@ def bounds(motion) -> dict[str, float]:
     }
 
 
-def assert_stable(motion, found: dict[str, float]) -> None:
+def assert_stable(motion, residuals: dict[str, float]) -> None:
     """Assert that every residual is within its bound."""
     allowed = bounds(motion)
-    assert found.keys() == allowed.keys()
-    beyond = {k: (found[k], allowed[k]) for k in allowed if not found[k] <= allowed[k]}
-    assert not beyond, f"(found, allowed): {beyond}"
+    assert residuals.keys() == allowed.keys()
+    beyond = {k: (residuals[k], allowed[k]) for k in allowed if not residuals[k] <= allowed[k]}
+    assert not beyond, f"(residuals, allowed): {beyond}"

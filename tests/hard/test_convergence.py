@@ -55,7 +55,7 @@ def test_order_holds_from_slow_to_fast_and_light_to_heavy(scheme, speed, depth):
 def test_halving_the_step_changes_friction_by_less_than_predicted(scheme, x, load):
     """The bound, relative to mu, is 100 / (samples in contact)^2, plus 0.5 / m for first order.
 
-    See docs/stability.md. There is no bound for contacts narrower than 8 samples.
+    See docs/stability.md. Contacts narrower than 8 samples are not tested.
     """
     elements = 16
     amplitude = amplitudes(1.0, elements)

@@ -84,10 +84,10 @@ def process(disk, stores):
     process.communicate(timeout=PATIENCE)
 
 
-def after_a_while(disk, process, folder, what):
+def after_a_while(disk, process, folder, mode):
     """Make the disk fail until the process has warned and 0.5 s longer; return its messages."""
     disk.flag.touch()
-    tell(process, folder, 60, what)
+    tell(process, folder, 60, mode)
     message = process.stderr.readline()
     time.sleep(0.5)
     disk.flag.unlink()

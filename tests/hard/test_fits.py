@@ -86,9 +86,9 @@ def pulls(fits, name, truth):
     return np.array([(v[0] - truth) / standard_error(v, 0) for v in values if np.isfinite(v[0])])
 
 
-def assert_students(found, blocks):
+def assert_students(sample, blocks):
     """Assert that mean and size of the pulls have a probability above 1 in 1000."""
-    score = norm.ppf(t(blocks - 1).cdf(found))  # normal if pulls follow Student's t
+    score = norm.ppf(t(blocks - 1).cdf(sample))  # normal if pulls follow Student's t
     assert 2.0 * norm.sf(abs(score.sum()) / np.sqrt(score.size)) > 1e-3, "biased"
     above = chi2(score.size).sf(np.sum(score**2))
     assert 2.0 * min(above, 1.0 - above) > 1e-3, "errors of the wrong size"

@@ -16,14 +16,14 @@ THIRTY = Spectrum((0.7,) * 30, tuple(SPREAD / (0.7 * SPREAD.sum())), 0.0)
 PROGRAMME = (Slide(0.5, 4.3), Hold(2.0), Slide(-0.8, 3.0), Ramp(-0.8, 0.7, 6.0))
 
 
-def assert_sound(found, load=0.3):
+def assert_sound(traces, load=0.3):
     """Assert that values are finite, forces carry the load, and dissipation never decreases."""
-    for name, values in found.items():
+    for name, values in traces.items():
         assert np.isfinite(values).all(), name
-    np.testing.assert_allclose(found["trace_normal_force"], load, rtol=1e-7)
-    assert found["trace_contact_fraction"].min() > 0.0
-    if "dissipated_energy" in found:
-        assert np.diff(found["dissipated_energy"]).min() >= 0.0
+    np.testing.assert_allclose(traces["trace_normal_force"], load, rtol=1e-7)
+    assert traces["trace_contact_fraction"].min() > 0.0
+    if "dissipated_energy" in traces:
+        assert np.diff(traces["dissipated_energy"]).min() >= 0.0
 
 
 @pytest.mark.parametrize("start", ["steady", "relaxed", "fresh"])

@@ -157,14 +157,14 @@ def _edges(z, slope, state, formed):
     half = (1 + 0 * state.d) / 2
     free = [z[j] - state.w[j] for j in range(n)]
     pressure = [state.d - z[j] + formed * slope[j] for j in range(n)]
-    ways = {j: [half, half] for j in range(n) if free[j] < state.d}
-    for j, way in ways.items():
+    reaches = {j: [half, half] for j in range(n) if free[j] < state.d}
+    for j, reach in reaches.items():
         ahead, behind = (j + 1) % n, (j - 1) % n
-        if ahead not in ways:
-            way[1] = (state.d - free[j]) / (free[ahead] - free[j])
-        if behind not in ways and pressure[j] > pressure[behind]:
-            way[0] = min(max(pressure[j] / (pressure[j] - pressure[behind]), -half), 3 * half)
-    return ways
+        if ahead not in reaches:
+            reach[1] = (state.d - free[j]) / (free[ahead] - free[j])
+        if behind not in reaches and pressure[j] > pressure[behind]:
+            reach[0] = min(max(pressure[j] / (pressure[j] - pressure[behind]), -half), 3 * half)
+    return reaches
 
 
 def friction_at_once(z, slope, state, formed, speed, load):
@@ -172,20 +172,20 @@ def friction_at_once(z, slope, state, formed, speed, load):
 
     p = d - z + speed z' + d' at the touching samples, each weighted by its length in contact.
     """
-    ways = _edges(z, slope, state, formed)
-    weights = [max(sum(way), (1 + 0 * load) / 100) for way in ways.values()]
-    pressure = [state.d - z[j] + speed * slope[j] for j in ways]
+    reaches = _edges(z, slope, state, formed)
+    weights = [max(sum(reach), (1 + 0 * load) / 100) for reach in reaches.values()]
+    pressure = [state.d - z[j] + speed * slope[j] for j in reaches]
     rate = root_of_lines([-p for p in pressure], weights, load)
     forces = [w * max(0, p + rate) for w, p in zip(weights, pressure, strict=True)]
-    return sum(f * slope[j] for f, j in zip(forces, ways, strict=True)) / sum(forces), rate
+    return sum(f * slope[j] for f, j in zip(forces, reaches, strict=True)) / sum(forces), rate
 
 
 def elastic_correction(z, slope, state, speed, rate, steps):
     """Return -steps [(d + d' - z)^2 / 2] minus the elastic part of the sum of eq. 5, over cells."""
-    ways, n = _edges(z, slope, state, speed), len(z)
+    reaches, n = _edges(z, slope, state, speed), len(z)
     half, missing = (1 + 0 * rate) / 2, 0 * rate
-    for j, (back, upto) in ways.items():
-        if (j - 1) % n not in ways and back in (-half, 3 * half):
+    for j, (back, upto) in reaches.items():
+        if (j - 1) % n not in reaches and back in (-half, 3 * half):
             continue
         ends = [z[j] + back * (z[j - 1] - z[j]), z[j] + upto * (z[(j + 1) % n] - z[j])]
         before, after = ((state.d + rate - end) ** 2 / 2 for end in ends)

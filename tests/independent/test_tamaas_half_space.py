@@ -57,8 +57,8 @@ def test_two_branches_forth_and_back_have_the_same_pressures() -> None:
     nothing = np.zeros((3, surface.z.size))
     body = Body(nothing, nothing[0], np.full(surface.z.shape, PRESSURE), 0.0, 0)
     for place in [*range(1, FORTH + 1), *range(FORTH - 1, FORTH - BACK - 1, -1)]:
-        way = 1.0 if body.offset < place else -1.0
-        body, _ = take_step(space, body, Step.of(form, surface, way * SPEED), 1e-9)
+        direction = 1.0 if body.offset < place else -1.0
+        body, _ = take_step(space, body, Step.of(form, surface, direction * SPEED), 1e-9)
         assert body.offset == place
         solver.surface[:] = -np.roll(surface.z, place, axis=1).ravel()
         solver.solve(2.0 * PRESSURE)

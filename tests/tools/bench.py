@@ -89,15 +89,15 @@ TASKS = {  # name: modules that it needs, arguments of the command
 
 def cpu_seconds(arguments: tuple[str, ...], folder: Path) -> float:
     """Return the smallest CPU time of Python with these arguments, with its child processes."""
-    taken = []
+    seconds = []
     for _ in range(TURNS):
         if "run" in arguments:
             shutil.rmtree(folder / "results", ignore_errors=True)
         before = resource.getrusage(resource.RUSAGE_CHILDREN)
         subprocess.run([sys.executable, *arguments], cwd=folder, check=True, capture_output=True)
         after = resource.getrusage(resource.RUSAGE_CHILDREN)
-        taken.append(after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime)
-    return min(taken)
+        seconds.append(after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime)
+    return min(seconds)
 
 
 def print_tasks() -> None:
@@ -107,8 +107,8 @@ def print_tasks() -> None:
     with tempfile.TemporaryDirectory() as place:
         for name, (needed, words) in TASKS.items():
             bare = cpu_seconds(("-c", f"import {needed}"), Path(place))
-            taken = cpu_seconds(("-m", "elastomer_friction", *words), Path(place))
-            print(f"| {name} | {needed} | {taken:.2f} | {taken / bare:.2f} |", flush=True)
+            seconds = cpu_seconds(("-m", "elastomer_friction", *words), Path(place))
+            print(f"| {name} | {needed} | {seconds:.2f} | {seconds / bare:.2f} |", flush=True)
 
 
 def print_drives() -> None:
@@ -134,8 +134,8 @@ def plain_march(line: Line) -> Callable[[], object]:
     load = LOAD * line.z.size
     state, _ = steady_sliding(law, line.z, load)
     weight = lagged_slope(line.slope, law.lag)
-    kept = np.unique(np.linspace(1, MARCHED, 64, dtype=int))
-    return partial(march, law, ConstantForce(load), line.z, weight, state, kept, math.inf)
+    recorded = np.unique(np.linspace(1, MARCHED, 64, dtype=int))
+    return partial(march, law, ConstantForce(load), line.z, weight, state, recorded, math.inf)
 
 
 def scenes() -> dict[str, tuple[Line, SceneCase, str]]:
@@ -177,11 +177,11 @@ def print_effects_of_scenes() -> None:
     runs[ALL_SAMPLES] = plain_march(random_line(HURST, ELEMENTS, M, 1, 0))
     steps[ALL_SAMPLES] = MARCHED
     times = in_turns(runs.values(), REPEATS, ONCE)
-    taken = {name: s / steps[name] for name, s in zip(runs, times, strict=True)}
+    seconds = {name: s / steps[name] for name, s in zip(runs, times, strict=True)}
     print(f"\nWhat a step of a scene costs (N = {ELEMENTS}, m = {M})\n")
     print("| effect | ratio | to |\n|---|---|---|")
     for name, (_, _, other) in compared.items():
-        print(f"| {name} | {taken[name] / taken[other]:.2f} | {other} |")
+        print(f"| {name} | {seconds[name] / seconds[other]:.2f} | {other} |")
 
 
 def run_lines(lines: list[Line], case: Case, quantities: Quantities) -> None:
@@ -199,10 +199,10 @@ def print_effects_of_steps() -> None:
         kept_steps = np.unique(np.ceil(np.linspace(span / 16, span, 16) * M).astype(np.int64))
         case = Case(load, x / math.pi, (1.2,), (kept_steps,), "exponential")
         runs = [partial(run_lines, lines, case, quantities) for quantities in EFFECTS.values()]
-        taken = dict(zip(EFFECTS, in_turns(runs, TURNS, 0.1), strict=True))
+        seconds = dict(zip(EFFECTS, in_turns(runs, TURNS, 0.1), strict=True))
         print(f"\n{point}")
-        for name, value in taken.items():
-            print(f"  {name:40s}{value / taken[EVERYTHING]:6.2f}")
+        for name, value in seconds.items():
+            print(f"  {name:40s}{value / seconds[EVERYTHING]:6.2f}")
 
 
 def main() -> None:

@@ -26,15 +26,15 @@ SHARES = {"slurm": 0.3, "local": 0.2}  # of the strikes; the rest is on the stan
 
 def stored(store: Path) -> tuple[int, int, int]:
     """Return the numbers of stored chunks, of records, and of records stored more than once."""
-    keys, chunks, seen = {}, 0, Counter()
+    keys, chunks, written = {}, 0, Counter()
     for entry, _ in journal.entries(store):
         if "part" in entry:
             keys[entry["part"]] = entry["keys"]
         for part, first, blocks in entry.get("chunks", ()):
             chunks += 1
             tasks = [keys[part][i : i + 32] for i in range(0, len(keys[part]), 32)]
-            seen.update((key, first + block) for key in tasks for block in range(blocks))
-    return chunks, len(seen), sum(count > 1 for count in seen.values())
+            written.update((key, first + block) for key in tasks for block in range(blocks))
+    return chunks, len(written), sum(count > 1 for count in written.values())
 
 
 def run_chaos(folder: Path, count: Count, seed: int, core_seconds: float) -> list[str]:

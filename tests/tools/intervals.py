@@ -122,21 +122,21 @@ def stopped(lines: Lines, problem: Problem, wanted: float) -> tuple[Estimates, n
     return actual, size
 
 
-def coverage(found: Estimates, truth: Estimates, name: str) -> tuple[np.ndarray, int]:
+def coverage(result: Estimates, truth: Estimates, name: str) -> tuple[np.ndarray, int]:
     """Return how often intervals at LEVELS contain the reference, and the number of studies."""
-    off = np.abs(found[name] - truth[name]) / found[f"{name}_error"]
-    widths = student.ppf(0.5 + 0.5 * LEVELS, found["degrees_of_freedom"][:, None])
+    off = np.abs(result[name] - truth[name]) / result[f"{name}_error"]
+    widths = student.ppf(0.5 + 0.5 * LEVELS, result["degrees_of_freedom"][:, None])
     known = ~np.isnan(off)
     if not known.any():
         return np.full(LEVELS.size, np.nan), 0
     return np.mean(off[known, None] <= widths[known], axis=0), int(known.sum())
 
 
-def row(label: str, found: Estimates, truth: Estimates) -> list[np.ndarray]:
+def row(label: str, result: Estimates, truth: Estimates) -> list[np.ndarray]:
     """Print the coverage of all estimates; return their deviations in binomial errors."""
     cells, off = [], []
     for name in NAMES:
-        shares, studies = coverage(found, truth, name)
+        shares, studies = coverage(result, truth, name)
         if not studies:  # with two quartets no b is significant
             cells.append(f"{'none':17s}")
             continue

@@ -112,8 +112,8 @@ class Room(NamedTuple):
         """
         lines = self.lines.get(str(mutant.path.resolve()), {})
         actual = set().union(*(lines.get(n, ()) for n in range(mutant.line, mutant.last + 1)))
-        own = f"test_{mutant.path.stem}.py"
-        return sorted(actual or self.cost, key=lambda test: (own not in test, self.cost[test]))
+        file = f"test_{mutant.path.stem}.py"
+        return sorted(actual or self.cost, key=lambda test: (file not in test, self.cost[test]))
 
 
 def room_of(place: Path, scratch: Path) -> Room:
@@ -196,9 +196,9 @@ def main() -> None:
         count = min(given.count, len(room.mutants))
         print(f"{given.place}: {len(room.cost)} tests of {sum(room.cost.values()):.0f} s of CPU")
         for mutant in random.Random(given.seed).sample(room.mutants, count):
-            what = try_one(room, mutant, scratch / "log")
-            actual[what] += 1
-            print(f"{what:9} {mutant}", flush=True)
+            outcome = try_one(room, mutant, scratch / "log")
+            actual[outcome] += 1
+            print(f"{outcome:9} {mutant}", flush=True)
     times = os.times()
     used = times.children_user + times.children_system
     print(f"{given.place}: {dict(actual)} of {count}, {used:.0f} s of CPU")

@@ -44,8 +44,8 @@ def mean_of_lines(problem: Problem, steps: int, lines: int, seed: int) -> np.nda
     b is NaN without a fit.
     """
     hurst, elements, load, speed, ratio = problem[:5]
-    kept = record_steps(horizon_steps(problem, Numerics(), steps), Numerics().curve_samples)
-    case = Case(load, speed, (ratio,), (kept,), "exponential")
+    recorded = record_steps(horizon_steps(problem, Numerics(), steps), Numerics().curve_samples)
+    case = Case(load, speed, (ratio,), (recorded,), "exponential")
     amplitude = amplitudes(hurst, elements)
     actual, curves = [], []
     for index in range(lines):
@@ -54,7 +54,7 @@ def mean_of_lines(problem: Problem, steps: int, lines: int, seed: int) -> np.nda
         outcome = run_case(line, case, Quantities())
         actual.append((outcome.mu_1, outcome.jump[0], outcome.samples_per_contact))
         curves.append(outcome.curves[0] - outcome.mu_2[0])
-    time = curve_times(kept, steps * speed * ratio, "exponential")
+    time = curve_times(recorded, steps * speed * ratio, "exponential")
     fit = fit_relaxation(time, replicates(np.array(curves), 0), 1.0)
     mu_1, jump, samples = np.mean(actual, axis=0)
     return np.array([mu_1, jump, fit.rate[0] if fit.status == FITTED else np.nan, samples])

@@ -3,7 +3,7 @@
 One step determines the friction before and after, the jump, and one rate k = b/tau. A state law has
 the equivalent constants a = jump/ln r, b = amplitude/ln r, D_c = v2/k with r = v2/v1.
 
-For a given rate the model mu_2 + b g(k t) is linear, so many rates are tried, and the best one is
+For a given rate the model mu_2 + b g(k t) is linear. Many rates are tried, and the best one is
 refined by scipy's ``least_squares``. All rates whose sum of squares exceeds the minimum by less
 than nine variances are compatible with the data within three standard errors. If the rate is
 undetermined, e.g. because nothing relaxes or the record is too short, errors include all compatible

@@ -56,13 +56,13 @@ class Compiled:
         self._march(z, weight, w, z.size, d, decay, stiffness, load, steps, mu)
         return mu
 
-    def follow(self, form, track, load, elements, kept):
-        """Return a Trace of the kept steps of a scene under a load."""
+    def follow(self, form, track, load, elements, recorded):
+        """Return a Trace of the recorded steps of a scene under a load."""
         n = elements.p.size
         of_form = form.times.size, form.glass, form.compliances, form.times
         of_track = *track[:5], track.place, track.time, track.dt.size
         room = np.zeros(n), np.empty(n), np.zeros(n + 1)
         state = elements.d, elements.memory.copy(), elements.p.copy(), *room
-        values = np.empty((len(Trace._fields), kept.size))
-        self._follow(n, *of_form, *of_track, load, *state, kept, kept.size, values)
+        values = np.empty((len(Trace._fields), recorded.size))
+        self._follow(n, *of_form, *of_track, load, *state, recorded, recorded.size, values)
         return Trace(*values)

@@ -85,12 +85,12 @@ TOLERANCES = (5e-9, 1e-8)  # of the program and of tamaas, which give equal erro
 def fastest(function: Callable[[], object], least: float = MIN_SECONDS) -> float:
     """Return the smallest CPU time of a call, after a first call that is not timed."""
     function()
-    taken: list[float] = []
-    while len(taken) < MAX_REPEATS and sum(taken) < least:
+    seconds: list[float] = []
+    while len(seconds) < MAX_REPEATS and sum(seconds) < least:
         began = time.thread_time()
         function()
-        taken.append(time.thread_time() - began)
-    return min(taken)
+        seconds.append(time.thread_time() - began)
+    return min(seconds)
 
 
 def in_turns(runs: Iterable[Callable[[], object]], turns: int, least: float) -> list[float]:
@@ -111,8 +111,8 @@ def a_scene(programme: Programme, spectrum: Spectrum, **changes: Any) -> SceneCa
     """Return a scene from rest that records a trace at up to 64 times."""
     usual: dict[str, Any] = {"load": LOAD, "start": "relaxed"}
     scene = given.a_scene(programme, spectrum, M, **usual | changes)
-    kept = np.linspace(0, scene.recorded[-1], 65).astype(np.int64)
-    return scene._replace(recorded=np.unique(kept)[1:])
+    recorded = np.linspace(0, scene.recorded[-1], 65).astype(np.int64)
+    return scene._replace(recorded=np.unique(recorded)[1:])
 
 
 def step_in_c(compiled: Compiled, line: Line, case: Case, steps: int) -> np.ndarray:
@@ -135,12 +135,12 @@ def print_velocity_steps(compiled: Compiled) -> None:
     print("| H, N, m, x, Fbar, steps | ms | C |\n|---|---|---|")
     for row in ROWS:
         line = random_line(row.hurst, row.elements, row.m, 1, 0)
-        kept = np.array([1, row.steps])
-        case = Case(row.load, row.x / math.pi, (RATIO,), (kept,), "exponential")
+        recorded = np.array([1, row.steps])
+        case = Case(row.load, row.x / math.pi, (RATIO,), (recorded,), "exponential")
         as_sampled = run_case(line, case._replace(refine=False), Quantities())
         in_c = step_in_c(compiled, line, case, row.steps)
         # Curves end towards the steady friction between samples, so compare their changes.
-        change = in_c[kept[1:] - 1] - in_c[0]
+        change = in_c[recorded[1:] - 1] - in_c[0]
         np.testing.assert_allclose(np.diff(as_sampled.curves[0]), change, 1e-7, 1e-9 * in_c[0])
         prepared = prepare([case], row.m, Quantities())
         lines = [line] * lines_at_once(line.z.size)
@@ -148,11 +148,11 @@ def print_velocity_steps(compiled: Compiled) -> None:
             lambda lines=lines, prepared=prepared: run_prepared(lines, prepared),
             lambda line=line, case=case, row=row: step_in_c(compiled, line, case, row.steps),
         )
-        taken, other = in_turns(ways, TURNS, MIN_SECONDS)
-        each = taken / len(lines)
+        seconds, other = in_turns(ways, TURNS, MIN_SECONDS)
+        per_line = seconds / len(lines)
         print(
-            f"| {', '.join(f'{value:g}' for value in row)} | {1e3 * each:.3g} | "
-            f"{other / each:.2f} |",
+            f"| {', '.join(f'{value:g}' for value in row)} | {1e3 * per_line:.3g} | "
+            f"{other / per_line:.2f} |",
             flush=True,
         )
 
@@ -177,8 +177,8 @@ def scene_ratio(compiled: Compiled, line: Line, scene: SceneCase) -> float:
         atol = 1e-11 * np.abs(values).max()
         np.testing.assert_allclose(actual[name], values, rtol=0.0, atol=atol, err_msg=name)
     ways = (lambda: run_scene(line, scene), lambda: scene_in_c(compiled, line, scene))
-    taken, other = in_turns(ways, TURNS, 0.02)
-    return other / taken
+    seconds, other = in_turns(ways, TURNS, 0.02)
+    return other / seconds
 
 
 def print_scenes(compiled: Compiled) -> None:
@@ -230,7 +230,7 @@ def print_contacts() -> None:
         ways = [lambda z=z, p=pressure, o=operator: press(z, p, o, None, TOLERANCES[0]).p]
         with contextlib.suppress(ImportError):
             ways.append(by_tamaas(surface, elements, pressure))
-        taken = in_turns(ways, TURNS, MIN_SECONDS)
+        seconds = in_turns(ways, TURNS, MIN_SECONDS)
         errors = (np.abs(way() - exact).max() / exact.max() for way in ways)
-        ratio = f"{taken[1] / taken[0]:.1f}" if len(ways) == 2 else "not installed"
-        print(elements * M, f"{taken[0]:.4f}", ratio, *(f"{e:.0e}" for e in errors), sep="; ")
+        ratio = f"{seconds[1] / seconds[0]:.1f}" if len(ways) == 2 else "not installed"
+        print(elements * M, f"{seconds[0]:.4f}", ratio, *(f"{e:.0e}" for e in errors), sep="; ")
