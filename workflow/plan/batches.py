@@ -15,7 +15,7 @@ from .variant import Variant, samples_of, sharing
 
 MIN_BATCH_SECONDS, MAX_BATCH_SECONDS = 1.0, 10.0
 MANY_BATCHES = 200  # beyond it batches get longer, as each costs the scheduler milliseconds
-MAX_SHARED_LENGTH = 6.0  # in batch lengths; tasks that share sweeps stay together up to it
+MAX_SHARED_LENGTH = 6.0  # of a piece of tasks that share sweeps, in batch lengths
 RECUT_FACTOR = 2.0  # pieces that exceed the target by this factor are cut again
 
 
@@ -67,7 +67,7 @@ def block_seconds(plan: Plan, variant: Variant, tasks: list[Task]) -> float:
 
 
 def cut(plan: Plan, missing: list[Missing], target: float) -> list[Missing]:
-    """Return missing work in pieces of at most about ``target`` seconds for each block.
+    """Return pieces of missing work, with blocks of at most about ``target`` seconds.
 
     Tasks that share sweeps stay together up to MAX_SHARED_LENGTH times the target, and a single
     task is never divided. Pieces longer than the target come first, the longest first, so that no
@@ -91,7 +91,7 @@ def make_batches(
     piece when its batches are made, so that finished batches correct later ones.
     """
     for piece in pieces:
-        predicted = target / rate(piece.variant.label)  # predicted seconds done in ``target``
+        predicted = target / rate(piece.variant.label)  # ``target`` in predicted seconds
         long = piece.seconds > RECUT_FACTOR * predicted
         for part in _pieces(plan, piece, predicted) if long else [piece]:
             blocks, end = max(1, round(predicted / part.seconds)), part.first_block + part.blocks
@@ -148,7 +148,7 @@ def _missing_runs(
 
 
 def _pieces(plan: Plan, whole: Missing, target: float) -> Iterator[Missing]:
-    """Yield the tasks of missing work in groups of about ``target`` seconds for each block."""
+    """Yield groups of the tasks of missing work, with blocks of about ``target`` seconds."""
     block_size = plan.study.realizations_per_block
     chosen: list[Task] = []
     lines: set[int] = set()

@@ -39,7 +39,7 @@ HALVED_STEPS_COST = 4.0  # cost of a repeated run with halved steps, over the fi
 
 
 def drawing_seconds(samples: Numbers) -> Numbers:
-    """Return the predicted time to draw a line or a map. samples : their number."""
+    """Return the predicted time to draw a line or a map. samples : its size."""
     return DRAWING_SECONDS * samples
 
 

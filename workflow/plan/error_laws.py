@@ -27,7 +27,7 @@ FEW = 2.0  # with fewer contact patches, marches are shorter (window_rate)
 
 
 def known(problem: Problem, body: str = FOUNDATION) -> Numbers:
-    """Return whether the laws hold: Kelvin elements, random surface, load > 0, no programme."""
+    """Return whether laws hold: Kelvin, random surface, no programme; load, speed and r > 0."""
     plain = problem.spectrum == KELVIN and not problem.programme and not problem.surface.measured
     plain = plain and problem.surface.body == body
     numbers = np.stack([problem.load, problem.speed, problem.ratio])
@@ -42,8 +42,8 @@ class Coarseness(NamedTuple):
     pressed: float  # exponent of 1 + viscous pressure/load
     sliding: float  # exponent of 1 + 1/vbar
     elements: float  # unit of the number of elements
-    rough: float  # exponent of the number of elements, times H
-    whole: float  # error times m^2 for any contacts, added in quadrature
+    rough: float  # exponent of the number of elements, over H
+    whole: float  # least error times m^2, added in quadrature
 
 
 STEADY = Coarseness(0.060, -0.32, 0.41, 0.92, 88.0, -1.22, 0.03)
@@ -116,9 +116,9 @@ def allowed_share(problem: Problem) -> Numbers:
 def contact_width(problem: Problem) -> Numbers:
     """Return the width of the contacts that carry half of the load, in dx; valid above x = 1.
 
-    Law 1: if one peak carries the load, only its front touches, over 2 sqrt(R F_N / (8 G v tau)).
-    Law 2: if many peaks do, contacts are wider for higher H and, except near H = 0, longer lines.
-    The smaller width holds. Of 88 measured ones below 15 dx, 8 in 10 are within a factor of 1.5.
+    Law 1: a single peak of radius R touches only in front, over 2 sqrt(R F_N / (8 G v tau)).
+    Law 2: with many peaks in contact, the width grows with H and, except near H = 0, with N.
+    The smaller holds. Of 88 measured widths below 15 dx, 8 in 10 are within a factor of 1.5.
     """
     hurst, elements, load, speed, _ = problem[:5]
     line, fast = np.log(elements), np.log(speed)
@@ -129,11 +129,11 @@ def contact_width(problem: Problem) -> Numbers:
 
 
 def touchable_share(hurst: Numbers, load: Numbers, viscous_pressure: Numbers) -> Numbers:
-    """Return the share of the line that the indentation reaches, which a march visits.
+    """Return the share of the line that lies below z = d, which a march visits.
 
-    At rest it grows with the load. At speed a smaller share carries the load, about the load over
-    the viscous pressure. Of 1500 random problems, Fbar 1e-4 ... 30, vbar 0.02 ... 1000, N 700 ...
-    12000, half are within 20 % and nine in ten within a factor of 2.2.
+    At rest it grows with the load. At speed a smaller share carries it, about load over viscous
+    pressure. Of 1500 random problems, Fbar 1e-4 ... 30, vbar 0.02 ... 1000, N 700 ... 12000,
+    half are within 20 % and nine in ten within a factor of 2.2.
     """
     rest = np.exp(-0.40 + 0.78 * hurst) * load**0.635
     speed = np.exp(1.58 + 0.44 * hurst) * (load / viscous_pressure**0.72) ** 1.06
@@ -143,9 +143,9 @@ def touchable_share(hurst: Numbers, load: Numbers, viscous_pressure: Numbers) ->
 def window_rate(problem: Problem) -> Numbers:
     """Return the rate that sets the length of a march, at least the expected rate b.
 
-    It is x^(1 - H) if many patches carry the load. One or two patches are renewed once they have
-    slid their own width. Of 92 measured curves with x > 1, N to 3000, 94 % fell to 5 % within
-    4 over this rate, the others within 4.2. By x^(1 - H) alone marches took up to 100 times longer.
+    It is b if many patches carry the load. One or two patches are renewed once they have slid
+    their own width. Of 92 measured curves with x > 1, N to 3000, 94 % fell to 5 % within 4/rate,
+    the others within 4.2/rate. With b alone marches took up to 100 times longer.
     """
     rate = expected_rate(problem)
     with np.errstate(all="ignore"):  # loads of zero, where no law holds
@@ -158,7 +158,7 @@ def window_rate(problem: Problem) -> Numbers:
 def relaxing_share(problem: Problem) -> Numbers:
     """Return the magnitude of the share of the jump that relaxes, valid above 1e-3.
 
-    It was below 0.01 in 112 of the measured problems; by the law in 105 of these and 4 others.
+    It was below 0.01 in 112 measured problems; the law says so of 105 of these and 4 others.
     """
     hurst, elements, load, _, _ = problem[:5]
     x = speed_ratio(problem)

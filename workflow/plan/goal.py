@@ -74,7 +74,7 @@ def goal_of(problem: Problem, scene: Scene, numerics: Numerics) -> Goal:
     first = LEAST_OF_MAPS if on_map else least_steps(problem, scene)
     least = np.broadcast_to(first, np.shape(problem.load))
     check_resolution(problem, least, numerics)
-    # Initial value, which the first steps that are tried replace.
+    # Replaced by the first steps that are tried.
     best, tried = Goal(least, dict.fromkeys(names, np.inf), scatter, np.inf), np.zeros_like(least)
     lowest, steps = np.full(least.shape, np.inf), least
     share = touchable_share(problem.hurst, problem.load, viscous_pressure(problem))
@@ -119,7 +119,7 @@ def least_blocks(names: tuple[str, ...]) -> int:
 
 
 def most_blocks(study: Study, most: int) -> int:
-    """Return the largest number of blocks of a point. Raises UserError if it is out of range."""
+    """Return the number of blocks in ``most`` realizations. Raises UserError if out of range."""
     blocks = most // study.realizations_per_block
     if blocks > MAX_BLOCKS:
         raise UserError(
@@ -170,9 +170,9 @@ def steps_per_spacing(problem: Problem, scene: Scene, numerics: Numerics) -> Num
     """Return m: the given number, or for "auto" the smallest with a bias of at most BIAS.
 
     For steady friction and jumps it is 4 (quick/contacts/between_samples.py). A relaxation needs
-    small steps in time and in space (error_laws.py). For contacts m is at most MOST_FOR_CONTACTS,
-    and the line must fit into a worker; the result marks points that remain coarse. First-order
-    schemes take FIRST_ORDER times as many steps.
+    small steps in time and in space (error_laws.py). For contacts m grows to MOST_FOR_CONTACTS
+    at most, if the line fits into a worker; the result marks points still coarse. By these laws,
+    first-order schemes take FIRST_ORDER times m.
     """
     steps: Numbers = numerics.steps_per_spacing
     if steps is None and problem.surface.body == HALF_SPACE:
@@ -263,7 +263,7 @@ def _check_map(elements: np.ndarray, steps: np.ndarray, samples: Numbers) -> Non
 
 
 def horizon_steps(problem: Problem, numerics: Numerics, steps: Numbers) -> Numbers:
-    """Return the number of steps to march: ``horizon`` expected relaxation times, at least 8.
+    """Return the number of steps to march: for the time ``horizon``/window_rate, at least 8.
 
     With internal variables the march also covers at least ``horizon`` times the distance that
     renews all contacts.

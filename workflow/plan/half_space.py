@@ -65,7 +65,7 @@ def map_error(name: str, steps: Numbers, samples: Numbers) -> Numbers:
 
 
 def expected_samples(problem: Problem, steps: Numbers) -> Numbers:
-    """Return the expected samples per contact patch, within a factor of two or more."""
+    """Return the expected samples per contact patch, within a factor of two at best."""
     load = nominal_pressure(problem) / line_slope(problem)
     patch = 1500.0 * load**0.9 / (1.0 + speed_ratio(problem) / 2.5)
     return np.maximum(patch, 3.0) * np.asarray(steps) ** 2.0 / 16.0

@@ -36,7 +36,7 @@ from ..study import (
     accuracy_estimates,
 )
 
-MANTISSA_BITS = 40  # values within 1e-12 become equal despite rounding of the input
+MANTISSA_BITS = 40  # to 1e-12: values that differ by input rounding become equal
 MIN_ROUNDING = 0.02  # largest rounding error of a force over the tolerance; at 1, no step converges
 
 
@@ -103,7 +103,7 @@ def _drive(spring: Spring | None, scale: Scale) -> Drive | None:
 
 
 def _speeds(scene: Scene, scale: Scale) -> tuple[float, float]:
-    """Return the speed before the first velocity step, and the ratio of the speed after it.
+    """Return the speed before the first velocity step, and the factor on it in this step.
 
     Without a step the speed is the initial one of the programme or, if that is zero, the typical
     speed.

@@ -116,7 +116,7 @@ def _settings(
 
 
 def _numbers(study: Study, label: str, all_parts: list[Parts], points: Points) -> list[np.ndarray]:
-    """Return load, speed (0 in a programme) and ratio (1) at all points; last axis : all_parts."""
+    """Return load, speed and ratio (programme: 0, 1) at all points; last axis : all_parts."""
     modulus = np.array([parts.material.contact_modulus for parts in all_parts])
     tau = np.array([parts.material.tau for parts in all_parts])
     at = {axis: values[..., None] for axis, values in points.items()}

@@ -105,7 +105,7 @@ def _between(
 
 @cache
 def _table() -> dict[str, dict[float, dict[float, dict[str, np.ndarray]]]]:
-    """Return kind -> waves -> H -> columns, ratio and error over (load, speed_ratio)."""
+    """Return kind -> waves -> H -> columns: ln ratio and its error over (load, x)."""
     ratios: dict = {}
     with TABLE.open(encoding="utf-8") as file:
         for row in csv.DictReader(file):

@@ -53,7 +53,7 @@ class Variant(NamedTuple):
         return drawing + sum(self.seconds[self.rows[task.key]] for task in tasks)
 
     def total_seconds(self, blocks: dict[str, int]) -> float:
-        """Return the predicted time of blocks of one realization. blocks : number by task key."""
+        """Return the predicted time at one realization per block. blocks : number by task key."""
         total = sum(blocks[task.key] * self.seconds[row] for row, task in enumerate(self.tasks))
         for line in self.by_line:
             for samples, tasks in groupby(line, samples_of):

@@ -11,7 +11,7 @@ displacement, and leaves where its pressure vanishes. Between two such events eq
 integrals of polynomials or exponentials. Bounds of heights and slopes show that most intervals
 have no event, so no root is sought there; spans of sixteen intervals are passed at once.
 ``between_samples`` solves the load balance by Newton's method, with one such turn per iteration.
-It includes the last correction of d to first order and solves for d' after each velocity jump.
+The last correction of d enters mu to first order; d' is found after each velocity jump.
 The result does not depend on the sampling.
 
 *At the samples.* Other lines, and states in which rounding prevents the first method, use the

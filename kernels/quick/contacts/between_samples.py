@@ -28,8 +28,8 @@ from .events import (
 from .smooth_line import first_zero, pressure, products, slope_square, span_of
 
 MIN_SMOOTH_STEPS = 4  # samples per spacing: eight in the shortest wave give mu to 1e-6
-LINEAR_LOAD_ERROR = 5e-4  # relative load error left to a first-order correction
-LINEAR_JUMP_ERROR = 5e-3  # the same after a jump, times min(1, |v2/v1 - 1|)
+LINEAR_LOAD_ERROR = 5e-4  # largest relative load error corrected to first order
+LINEAR_JUMP_ERROR = 5e-3  # the same after a jump, over min(1, |v2/v1 - 1|)
 MAX_NEWTON_TURNS = 40
 MIN_DEPTH = 1e-9  # relative to the rise of the line beside its deepest point; less is rounding
 
@@ -116,7 +116,7 @@ def _balance_load(line, speed, load, guess, patches):
 
 @refcount_free_kernel
 def _interval(first, i, n):
-    """Return the index of the interval, of n, that elements reach i intervals after ``first``."""
+    """Return the interval that elements reach i intervals after ``first``; n : their number."""
     return first - i if i <= first else first - i + n
 
 

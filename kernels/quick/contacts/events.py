@@ -21,7 +21,7 @@ from ..steady.spans import SPAN
 from .smooth_line import first_zero, integral, pressure, span_of
 
 MAX_EVENTS = 4  # per interval; more would be due to rounding
-MIN_EDGE_PRESSURE = 1e-9  # in h: lower bound of the pressures by which GROWTH is divided
+MIN_EDGE_PRESSURE = 1e-9  # in h: least pressure used as a divisor in GROWTH
 LEADING_END, TRAILING_END = 0, 1  # of a patch: where elements land and where they leave
 AREA, WIDTH, RISE, GROWTH = 2, 3, 4, 5  # columns of Patches.values; GROWTH + end for each end
 

@@ -75,7 +75,7 @@ class FrictionOptions(NamedTuple):
     steps: float  # samples per spacing
     elastic_share: float  # share of the elastic part that is corrected
     band_limited: bool  # whether the line has no modes above q = pi/dx
-    followed: bool  # in partial contact compute d alone; contacts are followed between samples
+    followed: bool  # whether to compute d alone in partial contacts, which are followed later
 
 
 @kernel
@@ -146,7 +146,7 @@ def slide_under_loads(decay, z, slope, spans, speeds, loads, options, results):
 
 @kernel
 def _sampled_friction(line, speeds, contacts, load, d, full, options, rooms, jumps, rates):
-    """Return (mu, number of pressed samples, its minimum over the states after jumps) at d.
+    """Return (mu, number of pressed samples, its minimum before and after all jumps) at d.
 
     Fill ``jumps`` and ``rates``.
     """

@@ -36,7 +36,7 @@ class PressedContact(NamedTuple):
     loose_slope: np.ndarray  # z' of those samples
     spans: np.ndarray  # indices of the spans that the guess presses everywhere
     first_threshold: np.ndarray  # of the first sample of each of these spans
-    threshold_sum: np.ndarray  # per such span: sum of its thresholds minus the first one
+    threshold_sum: np.ndarray  # per such span: sum of (threshold - first threshold)
 
 
 @kernel

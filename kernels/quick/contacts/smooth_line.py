@@ -103,7 +103,7 @@ def _allocate(n):
 
 @kernel
 def span_of(j, left):
-    """Return the span that elements enter with interval j, or -1 if they enter none.
+    """Return the span that elements enter with interval j and pass entirely, or -1.
 
     Elements pass intervals in descending order. left : number of intervals still to pass.
     """
@@ -189,7 +189,7 @@ def _minimum(c, u, a, start, stop):
         else:
             high = t
         new = t - slope / bend
-        # Test this before the bracket: t is now one of its ends, which a last step may cross.
+        # Test convergence first: t is now an end of the bracket, which a last step may cross.
         if abs(new - t) <= LAST_STEP * LAST_STEP:
             return min(max(new, start), stop)
         t = new if low < new < high else 0.5 * (low + high)

@@ -28,7 +28,7 @@ from .loads import (
 )
 from .smooth_line import SmoothLine, smooth_line
 
-# Least effective number of samples of a followed contact. A sampled jump then errs by 2 %.
+# Least effective samples of a followed contact; with as many, a sampled jump errs by 2 %.
 FOLLOWED_SAMPLES = 24.0
 
 
@@ -107,8 +107,8 @@ class SteadySliding(NamedTuple):
     thresholds: np.ndarray  # d above which whole spans touch (thresholds.py), shape (lines, spans)
     decay: DecayFactors
     loads: np.ndarray  # n Fbar, shape (loads,)
-    results: LoadTable  # jumps and rates are replaced once contacts are followed
-    d: np.ndarray  # indentation over the deepest sample, in h, of sampled contacts as in a march
+    results: LoadTable  # jumps and rates are replaced by follow_contacts
+    d: np.ndarray  # indentation over the deepest sample, in h, by the samples as in a march
     full: np.ndarray  # whether the whole line touches
     mu: np.ndarray  # in h/dx
     contact: np.ndarray  # share of the line

@@ -9,8 +9,8 @@ the *rise* of the line at sample j and the *advance* of the indentation (``jump_
 element that arrives at sample j from contact at the upstream sample j + 1 overlaps the line by
 D - a_j. While d and D stay within bounds, every sample is of one of three kinds:
 
-- It always touches, and so does the sample upstream. The n samples of this kind overlap the line
-  by n D - sum a in total, so only sums over them are kept (``listed_samples``).
+- It always touches, and so does the sample upstream. Elements at these n samples overlap the line
+  by n D - sum a, so only sums over them are kept (``listed_samples``).
 - It never touches. Samples of this kind form gaps. An element that leaves contact at the upstream
   end of a gap with displacement u arrives at the other end, q samples farther, with E^q u
   (``gap_crossings``).
@@ -28,7 +28,7 @@ with wider bounds, up to three times (``active``). Then the caller uses the plai
 
 **Shorter lists.** As d approaches its final value, narrower bounds hold, and many listed samples
 become decided. ``shortened_lists`` then makes shorter lists if they save more time than they
-cost. Where an element certainly lands after a gap that it entered from certain contact, its
-overlap depends on the past of d alone, and ``certain_landings`` sums all these samples. If d
-or D leaves the narrower bounds, the march goes back to the step at which it left longer lists.
+cost. Some samples always touch, but lie behind a gap whose upstream end always touches too. Their
+overlap depends on the past of d alone, and ``certain_landings`` sums it. If d or D leaves the
+narrower bounds, the march returns to longer lists, at the step where it replaced them.
 """

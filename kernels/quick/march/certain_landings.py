@@ -1,4 +1,4 @@
-"""Sums over samples where elements certainly land after a gap that they entered from contact.
+"""Sums over samples that always touch and lie behind a gap that begins at such a sample.
 
 If an element leaves sample s, which always touches, crosses a gap, arrives q samples farther at
 sample j, and always touches there, its overlap is
@@ -119,7 +119,7 @@ def landing_sums(landings, step, d, row):
 
 @refcount_free_kernel
 def crossing_decay(law, gap, past, w, steps):
-    """Return E^q if all elements in a gap left contact at its source within the march, else 0.
+    """Return E^q if all elements in a gap left its source during the march, else 0.
 
     A negligible E^q counts as 0. past : d up to now. w : present displacements, valid for
     elements that arrive within ``steps``.

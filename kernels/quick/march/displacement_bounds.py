@@ -1,7 +1,7 @@
 """Contact kinds of single samples and whole spans, from two steady states and the bounds of d.
 
-The displacements of the two steady states bound those on the way from one to the other: u of free
-elements decays by the factor E of either speed, and touching elements have u = z - d.
+The displacements of the two steady states bound those on the way from one to the other: a free u
+decays by the factor E of v1 before the jump, of v2 after it; in contact u = z - d.
 """
 
 from typing import NamedTuple
@@ -11,7 +11,7 @@ from ...rheology.law import MIN_MAGNITUDE
 from ..steady.spans import SPAN
 from .jump_problem import SteadyState, line_rise
 
-# Contact kinds. ALWAYS_TOUCHES includes that the sample upstream always touches.
+# Contact kinds. ALWAYS_TOUCHES requires that the sample upstream always touches.
 # FORCED_UNDECIDED, only for the first sample of the line: UNDECIDED whatever the bounds.
 NEVER_TOUCHES, UNDECIDED, ALWAYS_TOUCHES, FORCED_UNDECIDED = 0, 2, 3, 4
 
@@ -27,7 +27,7 @@ class DisplacementBounds(NamedTuple):
 
 @kernel
 def displacement_bounds(problem, bounds):
-    """Return the DisplacementBounds; a slack is E times how far d may pass its steady value."""
+    """Return the DisplacementBounds; slacks are E (near.d - d_min)+ and E (d_max - far.d)+."""
     near, far, near_is_start = problem.start, problem.end, True
     if problem.before.decay > problem.law.decay:
         near, far, near_is_start = far, near, False

@@ -73,7 +73,7 @@ def listed_samples(runs, collected):
 
 @refcount_free_kernel
 def add_span(problem, level, b, tally):
-    """Add a span whose samples all always touch to a tally."""
+    """Add to a tally a span whose samples always touch."""
     rows, law = problem.spans.rows, problem.law
     z, s = rows[b, FIRST_HEIGHT], rows[b, FIRST_SLOPE]
     rise, turn = rows[b + 1, FIRST_HEIGHT] - z, rows[b + 1, FIRST_SLOPE] - s
@@ -90,7 +90,7 @@ def add_span(problem, level, b, tally):
 
 @refcount_free_kernel
 def add_sample(depth, weight, tally):
-    """Add a sample that always touches to a tally. depth : level - a_j. weight : lagged slope."""
+    """Add to a tally a sample that always touches. depth : level - a_j. weight : lagged slope."""
     tally[TALLY_SAMPLES] += 1.0
     tally[TALLY_DEPTH] += depth
     tally[TALLY_WEIGHT] += weight

@@ -3,7 +3,7 @@
 They pay off in long marches in which d moves far (docs/speed.md). Samples that have become decided
 move from the lists to the sums, or to the gaps. Only the runs are visited. Samples where elements
 certainly land after a gap are summed too (certain_landings.py). Gaps g are bounded as in
-undecided_runs.py, but with bounds of displacements that follow from the present ones.
+undecided_runs.py, but from present displacements in place of steady states.
 """
 
 from typing import NamedTuple
@@ -69,8 +69,8 @@ class RunSlots(NamedTuple):
 def march_with_shortening(problem, control, active, bounds, state, last, recorder, worth):
     """March as step_until does, with shorter lists wherever they save more than they cost.
 
-    If d or D leaves the bounds, the march goes back to the step at which it left longer lists
-    whose bounds hold, and continues with these. The next narrower bounds have a larger margin.
+    If d or D leaves the bounds, the march returns to the last longer lists whose bounds hold, at
+    the step where it replaced them. The next narrower bounds have a larger margin.
     active : the ActiveSet at the start. worth : factor that multiplies the savings.
     """
     law, margin = problem.law, FIRST_MARGIN
@@ -246,7 +246,7 @@ def _list_sample(slots, count, j, i, previous, source, near):
 
 @refcount_free_kernel
 def _entering_bounds(law, line, bounds, runs, r, crossings, crossing, steps, upstream):
-    """Return (bounds of the displacements that enter run r, SampleBounds upstream of the run).
+    """Return (bounds of u of the elements that enter run r, SampleBounds upstream of the run).
 
     crossing : index of the next crossing. steps : number of steps to come. upstream : SampleBounds
     at the end of the previous run.

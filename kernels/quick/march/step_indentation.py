@@ -27,14 +27,14 @@ def predict_first_indentation(control, problem):
 
 
 class PartlyListed(NamedTuple):
-    """The contact in a step: thresholds of listed samples, and the force on all others.
+    """The contact in a step: thresholds of listed samples, and sums over all others.
 
-    Forces are in units of the stiffness of the law.
+    Forces are divided by the stiffness of the law.
     """
 
     c: np.ndarray  # thresholds of the listed samples
     d_old: float  # indentation before the step
-    carried: float  # force that all others carry at ``d_old``
+    carried: float  # force of summed samples at ``d_old``
     samples: float  # number of the others
 
 
@@ -57,11 +57,11 @@ def _lowest_of_partly_listed(contact, load):
 
 @refcount_free_kernel
 def next_indentation(control, law, listed, sums, landings, d, guess):
-    """Return (d, D of the summed samples, passes over the listed samples) of a step.
+    """Return (d, D, number of passes over the listed samples) of a step.
 
-    Solves n (D - level) + sum (level - a) + sum max(0, d - c) = load / K (eq. 4).
+    Solves n (D - level) + sum (level - a) + landings + sum max(0, d - c) = load / K (eq. 4).
     landings : number of certain landings, and their overlap at the old d (certain_landings.py).
-    d, guess : old d and guess of the new d, returned as inf if nothing can carry the load.
+    d, guess : old d, guess of the new d. The new d is inf if nothing can carry the load.
     """
     load = control.load / law.stiffness - landings[1]
     carried = sums.samples * (d / law.stiffness - sums.level) + sums.depth

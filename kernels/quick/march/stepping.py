@@ -88,7 +88,7 @@ def average_friction(listed, sums, landing_depth, landing_moment, d, advance):
     """Return mu averaged over a step by eq. 5, as step_average in model/friction.py does.
 
     contacts/pressure.py has the same sums at an instant.
-    landing_depth, landing_moment : sums of certain landings. advance : D of the summed samples.
+    landing_depth, landing_moment : rows 0 and 1 of landing_sums. advance : D of this step.
     """
     depth, moment, _ = pressure_sums(listed.c, None, listed.weight, d)
     excess = advance - sums.level

@@ -1,4 +1,4 @@
-"""Runs of undecided samples, and sums over certain contacts, from one pass over the line.
+"""Undecided runs, and sums over samples that always touch, from one pass over the line.
 
 The gap g_j(t) = c_j(t) - d(t) above the element at sample j is negative where it touches. With
 a_j and D of jump_problem.py
@@ -45,7 +45,7 @@ class Runs(NamedTuple):
 
     leading: np.ndarray  # sample of each run that elements reach first; it has the highest number
     trailing: np.ndarray  # sample of each run that elements reach last
-    distance: np.ndarray  # from the leading sample to the source, the sample elements come from
+    distance: np.ndarray  # from the leading sample to its source, the next that may touch
     source_touches: np.ndarray  # whether the source always touches
 
 
@@ -54,7 +54,7 @@ def undecided_runs(problem, bounds):
     """Return (Runs, CollectedSamples, SummedContact); all other samples never touch."""
     levels = displacement_bounds(problem, bounds)
     first = kind_of_first(problem, bounds, levels)
-    # Certain contact requires certain contact upstream, round the period: assume it, then check.
+    # ALWAYS_TOUCHES requires the same upstream, round the period: assume it at z[0], then check.
     runs, collected, sums, gap_max = walk_line(problem, bounds, levels, first)
     if first == ALWAYS_TOUCHES and gap_max > 0.0:
         runs, collected, sums, _ = walk_line(problem, bounds, levels, FORCED_UNDECIDED)
@@ -65,7 +65,7 @@ def undecided_runs(problem, bounds):
 def walk_line(problem, bounds, levels, first):
     """Return (Runs, CollectedSamples, SummedContact, upper bound of max(g, 0) at z[0]).
 
-    first : contact kind of z[0]; a positive bound refutes ALWAYS_TOUCHES. State of the walk
+    first : assumed kind of z[0]; a bound > 0 refutes ALWAYS_TOUCHES. State of the walk
     between two samples : contact kind of the last sample; last sample that may touch, and whether
     it always touches; bounds of max(g, 0); number of runs; number of listed samples.
     """
