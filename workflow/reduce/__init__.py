@@ -16,7 +16,7 @@ if TYPE_CHECKING:
         attained,
         with_measured_bias,
     )
-    from .blocks import Blocks, Estimates, blocks_of
+    from .blocks import Blocks, Estimates, Reduction, blocks_of, reduction_of
     from .complete import completed, exponents_of
     from .estimates import reduce_blocks
     from .fits import (
@@ -32,6 +32,7 @@ if TYPE_CHECKING:
     )
     from .jackknife import grouped_means, replicates, standard_error
     from .models import EXPONENTIAL, MODEL_MEANINGS, STRETCHED, TWO_EXPONENTIALS
+    from .portions import Place, Portion, StoredBlocks, reduce_portion
     from .rate_state import STATE_LAWS, state_change, step_law
     from .resolution import (
         LARGE_BIAS,

@@ -5,10 +5,11 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from ...kernels import ENERGIES, Programme
+from ...kernels import ENERGIES, Programme, Quantities
 from ...kernels.drive import PULLED_TRACES
 from ..plan import Plan, Variant, line_slope
 from ..simulate import (
+    Recording,
     Task,
     curve_times,
     programme_steps,
@@ -17,6 +18,7 @@ from ..simulate import (
     trace_steps,
     unpack,
 )
+from ..study import Numerics
 from .jackknife import standard_error
 
 Estimates = dict[str, np.ndarray]
@@ -37,6 +39,31 @@ class Blocks(NamedTuple):
     negligible: float = 0.0  # relaxation below this share of the jump is negligible
 
 
+class Reduction(NamedTuple):
+    """Settings by which block means of a variant are reduced."""
+
+    kernel_quantities: Quantities
+    quantities: tuple[str, ...]
+    numerics: Numerics
+    recording: Recording
+    events: int  # samples of the longest trace
+    normalisation: str  # of the lines
+    jumps: bool  # friction jumps with the velocity
+
+
+def reduction_of(plan: Plan, variant: Variant) -> Reduction:
+    """Return the settings by which block means of a variant are reduced."""
+    return Reduction(
+        plan.quantities,
+        plan.study.scene.quantities,
+        variant.numerics,
+        variant.recording,
+        variant.events,
+        variant.lines.normalisation,
+        variant.material.jumps,
+    )
+
+
 def columns(fits: Sequence[Any]) -> Any:
     """Return a named tuple whose fields are arrays over the given named tuples."""
     return type(fits[0])(*map(np.array, zip(*fits, strict=True)))
@@ -48,34 +75,32 @@ def enter(estimates: Estimates, name: str, values: np.ndarray) -> None:
     estimates[f"{name}_error"] = standard_error(values, 1)
 
 
-def blocks_of(
-    plan: Plan, variant: Variant, tasks: list[Task], scalars: np.ndarray, rows: np.ndarray
-) -> Blocks:
-    """Return the block means of tasks of a variant, ready to be reduced.
+def blocks_of(how: Reduction, tasks: list[Task], scalars: np.ndarray, rows: np.ndarray) -> Blocks:
+    """Return the block means of tasks, ready to be reduced.
 
     scalars : shape (tasks, blocks, len(SCALARS)). rows : (tasks, blocks, width), in the layout of
     simulate/layout.py. Arrays that differ in length between tasks are padded with NaN.
     """
-    settings = plan.quantities, variant.numerics.scheme, variant.recording
-    parts = [unpack(row, row_layout(t, *settings)) for row, t in zip(rows, tasks, strict=True)]
+    layout = how.kernel_quantities, how.numerics.scheme, how.recording
+    parts = [unpack(row, row_layout(t, *layout)) for row, t in zip(rows, tasks, strict=True)]
     traces = {name for name in parts[0] if name in (*PULLED_TRACES, *ENERGIES)}
     values = {
-        name: np.stack([_filled(p[name], variant.events if name in traces else 0) for p in parts])
+        name: np.stack([_filled(p[name], how.events if name in traces else 0) for p in parts])
         for name in parts[0]
     }
     speeds = [(t.problem.speed, t.problem.speed * t.problem.ratio) for t in tasks]
-    slopes = [line_slope(t.problem, variant.lines.normalisation) for t in tasks]
+    slopes = [line_slope(t.problem, how.normalisation) for t in tasks]
     return Blocks(
         scalars,
         values,
-        _times(plan, variant, tasks),
+        _times(how, tasks),
         np.array(slopes),
-        plan.study.scene.quantities,
-        variant.material.jumps,
+        how.quantities,
+        how.jumps,
         np.array(speeds),
         tuple(task.problem.programme for task in tasks),
-        _legs(variant, tasks),
-        variant.numerics.negligible,
+        _legs(how, tasks),
+        how.numerics.negligible,
     )
 
 
@@ -85,22 +110,22 @@ def _filled(values: np.ndarray, length: int) -> np.ndarray:
     return np.pad(values, ends, constant_values=np.nan) if ends[-1][1] else values
 
 
-def _legs(variant: Variant, tasks: list[Task]) -> np.ndarray:
+def _legs(how: Reduction, tasks: list[Task]) -> np.ndarray:
     """Return the numbers of the legs of the trace samples, shape (tasks, events)."""
-    legs = np.full((len(tasks), variant.events), np.nan)
-    for row, task in enumerate(tasks) if variant.events else ():
+    legs = np.full((len(tasks), how.events), np.nan)
+    for row, task in enumerate(tasks) if how.events else ():
         setting = task.problem, task.steps_per_spacing
-        sampled = trace_steps(*setting, variant.recording)
-        steps = programme_steps(*setting, variant.recording.origin)
+        sampled = trace_steps(*setting, how.recording)
+        steps = programme_steps(*setting, how.recording.origin)
         legs[row, : sampled.size] = steps.leg[np.maximum(sampled - 1, 0)]
     return legs
 
 
-def _times(plan: Plan, variant: Variant, tasks: list[Task]) -> np.ndarray:
+def _times(how: Reduction, tasks: list[Task]) -> np.ndarray:
     """Return the times of the curves after the velocity step, shape (tasks, samples - 1)."""
-    samples, scheme = variant.numerics.curve_samples, variant.numerics.scheme
+    samples, scheme = how.numerics.curve_samples, how.numerics.scheme
     time = np.full((len(tasks), samples - 1), np.nan)
-    for row, task in enumerate(tasks) if plan.quantities.relaxation else ():
+    for row, task in enumerate(tasks) if how.kernel_quantities.relaxation else ():
         steps_per_tau = abs(task.problem.speed * task.problem.ratio) * task.steps_per_spacing
         sampled = record_steps(task.march_steps, samples, task.problem.spectrum)
         time[row, : sampled.size] = curve_times(

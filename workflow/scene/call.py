@@ -13,7 +13,7 @@ from ...kernels import ZERO_ORIGIN, SavedState, form_of, memory_size
 from ...kernels.compile import cache
 from ..ground import UserError
 from ..plan import Plan, Variant, cut, make_batches, make_plan, missing_work
-from ..reduce import Estimates, blocks_of, completed, reduce_blocks
+from ..reduce import Estimates, blocks_of, completed, reduce_blocks, reduction_of
 from ..result import build_dataset
 from ..simulate import block_means
 from ..study import (
@@ -200,7 +200,7 @@ def _estimates(plan: Plan, variant: Variant, resumed: SavedState | None) -> Esti
         scalars[at, blocks] = means.scalars
         values[at, blocks, : means.curves.shape[2]] = means.curves
     assert scalars is not None
-    estimates = reduce_blocks(blocks_of(plan, variant, tasks, scalars, values))
+    estimates = reduce_blocks(blocks_of(reduction_of(plan, variant), tasks, scalars, values))
     counts = np.full(len(tasks), study.realizations, np.int32)
     estimates.pop("rate_replicates", None)  # serve only fits over many points
     return completed(plan, variant, estimates, np.arange(len(tasks)), counts)

@@ -5,7 +5,7 @@ import pytest
 
 from elastomer_friction.workflow.plan.error_laws import LAWS
 from elastomer_friction.workflow.plan.goal import JACKKNIFE_GROUPS
-from elastomer_friction.workflow.reduce.blocks import blocks_of, enter
+from elastomer_friction.workflow.reduce.blocks import blocks_of, enter, reduction_of
 from elastomer_friction.workflow.reduce.complete import completed
 from elastomer_friction.workflow.reduce.estimates import reduce_blocks
 from elastomer_friction.workflow.reduce.fits import FITTED
@@ -29,7 +29,8 @@ VARIANT = PLAN.variants[0]
 def test_traces_of_tasks_are_filled_up_to_the_longest():
     tasks = VARIANT.tasks
     rows = np.ones((len(tasks), 4, PLAN.widest_row(VARIANT)))
-    actual = blocks_of(PLAN, VARIANT, tasks, np.ones((len(tasks), 4, len(SCALARS))), rows)
+    scalars = np.ones((len(tasks), 4, len(SCALARS)))
+    actual = blocks_of(reduction_of(PLAN, VARIANT), tasks, scalars, rows)
     assert actual.values["trace_mu"].shape == (2, 4, VARIANT.events)
     for row in range(2):
         kept = np.isfinite(actual.legs[row])

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from elastomer_friction.workflow.reduce import reduce_blocks
-from elastomer_friction.workflow.reduce.blocks import blocks_of
+from elastomer_friction.workflow.reduce.blocks import blocks_of, reduction_of
 from elastomer_friction.workflow.reduce.complete import completed
 from elastomer_friction.workflow.simulate.realizations import block_means
 from tests.support.small import cut_batches, small_plan
@@ -25,9 +25,8 @@ def test_in_full_contact_it_is_mu_1():
     variant = plan.variants[0]
     batch = next(b for b in cut_batches(plan, set(), 1e9) if b.tasks[0] in variant.tasks)
     actual = block_means(batch)
-    estimates = reduce_blocks(
-        blocks_of(plan, variant, list(batch.tasks), actual.scalars, actual.curves)
-    )
+    tasks, how = list(batch.tasks), reduction_of(plan, variant)
+    estimates = reduce_blocks(blocks_of(how, tasks, actual.scalars, actual.curves))
     rows, counts = np.arange(len(variant.tasks)), np.full(len(variant.tasks), 2, np.int32)
     whole = completed(plan, variant, estimates, rows, counts)
     assert whole["contact_fraction"] == pytest.approx(np.ones(rows.size))
