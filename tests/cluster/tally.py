@@ -11,7 +11,7 @@ class Tally(WorkerPlugin):
 
     def transition(self, key: str, start: str, finish: str, **_: object) -> None:
         """Write a line for each batch that begins."""
-        if finish == "executing" and "run_batch" in str(key):
+        if finish == "executing" and str(key).startswith("march-"):
             with Path(os.environ["TALLY"], str(os.getpid())).open("a") as file:
                 file.write(f"{key}\n")
 

@@ -1,11 +1,12 @@
 """A simulated cluster with the interface of a Pool of workers."""
 
 from collections import Counter
-from collections.abc import Callable, Collection, Iterable
+from collections.abc import Callable, Collection, Iterable, Mapping
 from concurrent.futures import Future
 from typing import Any
 
 from elastomer_friction.workflow.cluster.flow import stream
+from elastomer_friction.workflow.cluster.node import Node
 from elastomer_friction.workflow.cluster.pool import Arrival, Snapshot
 from tests.support.simulated_workers import Task, Workers
 
@@ -40,11 +41,12 @@ class Cluster(Workers):
         """Return the simulated time."""
         return self.now
 
-    def submit(self, items: list[Any], workers: Collection[str] = ()) -> list[str]:
-        """Submit items, each to one of ``workers`` if there are any; return their keys."""
-        tasks = [Task(str(next(self.numbers)), item, workers) for item in items]
+    def submit(self, nodes: list[Node], workers: Collection[str] = ()) -> list[str]:
+        """Give out nodes."""
+        tasks = [Task(str(next(self.numbers)), node.item, workers) for node in nodes]
         self.tasks |= {task.key: task for task in tasks}
-        for task in tasks:
+        for node, task in zip(nodes, tasks, strict=True):
+            node.result = task
             self.assign(task)
         return [task.key for task in tasks]
 
@@ -54,10 +56,11 @@ class Cluster(Workers):
         ended, self.ended = self.ended, []
         return [arrival for arrival in ended if self.tasks.pop(arrival.key, None)]
 
-    def drop(self, keys: Collection[str]) -> None:
-        """Cancel tasks."""
-        for key in keys:
+    def drop(self, nodes: Mapping[str, Node]) -> None:
+        """Wait for some no more."""
+        for key, node in nodes.items():
             self.forget(self.tasks.pop(key))
+            node.result = None
 
     def pending(self, key: str) -> bool:
         """Return whether a task is unfinished."""
@@ -72,9 +75,19 @@ class Cluster(Workers):
         return answer
 
 
-def streamed(cluster: Cluster, items: Iterable[Any], **how: Any) -> list[tuple[Any, Any]]:
-    """Return what ``stream`` yields for items on a simulated cluster."""
-    return list(stream(cluster, items, **how))
+def streamed(
+    cluster: Any,
+    items: Iterable[Any],
+    retry: Callable[[Any, Exception, bool], list[Any]] | None = None,
+    **how: Any,
+) -> list[tuple[Any, Any]]:
+    """Return (item, value) of all nodes that a stream yields. retry : of items."""
+    nodes = (Node("march", item) for item in items)
+    if retry is not None:
+        how["retry"] = lambda node, error, alone: [
+            Node("march", item) for item in retry(node.item, error, alone)
+        ]
+    return [(node.item, value) for node, value in stream(cluster, nodes, **how)]
 
 
 def tries(cluster, name):

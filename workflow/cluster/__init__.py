@@ -11,7 +11,8 @@ if TYPE_CHECKING:
     from .blame import Blame
     from .client import open_client
     from .flow import stream
-    from .pool import Arrival, Pool, Snapshot
+    from .node import Node
+    from .pool import Pool
     from .worker import run_batch
 
 __all__, __getattr__, __dir__ = public_names(__name__, __file__)

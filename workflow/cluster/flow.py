@@ -1,7 +1,7 @@
-"""Stream of items through the workers. The number of items in flight is bounded by a window."""
+"""The graph of a run through the workers, with a bounded window that is refilled in bulk."""
 
 import math
-from collections.abc import Callable, Collection, Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass, field
 from itertools import islice
 from types import SimpleNamespace
@@ -12,143 +12,166 @@ from distributed.scheduler import KilledWorker
 from ..ground import UserError
 from ..system import BEAT_SECONDS, NO_ANSWER, QUIET_SECONDS, Watch, say
 from .blame import Blame
+from .node import Node
 from .pool import ResultLost, Snapshot
 
-ITEMS_PER_THREAD, MIN_WINDOW = 4, 8  # items in flight
-BOUND_ITEMS_PER_THREAD = (
-    2  # while workers are excluded: items are then bound to workers and cannot move
+NODES_PER_THREAD, MIN_WINDOW = 4, 8  # nodes in flight
+BOUND_NODES_PER_THREAD = (
+    2  # if nodes are bound to certain workers, so that others can take the rest
 )
-TAKE_SECONDS = 0.2  # longest wait for an arrival before the stop flag is checked
-STOP_SECONDS = 10.0  # longest wait for running items after a stop
-MAX_WORKER_DEATHS = 3  # caused by one item before it is given up; dask has the same limit
+TAKE_SECONDS = 0.1  # between two looks at what has arrived, all of which is handled at once
+STOP_SECONDS = 10.0  # wait for running nodes after a stop
+MAX_WORKER_DEATHS = 3  # that a node may cause before it is given up; dask has the same limit
 
-# Called with (item, error, whether the item ran alone); returns the items to compute instead.
-Retry = Callable[[Any, Exception, bool], list[Any]]
+# Returns the nodes to compute instead of one that failed with an error, alone or not.
+Retry = Callable[[Node, Exception, bool], list[Node]]
 
 
-def raise_error(item: Any, error: Exception, alone: bool) -> list[Any]:
-    """Raise the error of an item; if its workers died, retry it once alone instead."""
+def raise_error(node: Node, error: Exception, alone: bool) -> list[Node]:
+    """Raise the error of a worker; retry a node once, alone, if its worker died."""
     if isinstance(error, KilledWorker) and not alone:
-        return [item]
+        return [node]
     raise error
 
 
 def stream(
     pool: Any,
-    items: Iterable[Any],
+    nodes: Iterable[Node],
     watch: Watch | None = None,
     retry: Retry = raise_error,
     blame: Blame | None = None,
-) -> Iterator[tuple[Any, Any]]:
-    """Yield (item, result) in order of arrival.
+) -> Iterator[tuple[Node, Any]]:
+    """Yield (node, value) in order of arrival; after watch() is true, only running nodes.
 
-    At most a few items per worker thread are in flight, so that memory does not grow with the
-    study. An item that raises is retried on another worker; it waits if a suitable worker may soon
-    connect. An item that failed on two workers, or twice on the only worker, is passed to
-    ``retry``, which returns its replacements. So is an item whose workers died several times; its
-    replacements run last and one at a time, to identify the item that kills workers. Once
-    ``watch()`` returns True, no item starts, and running items are awaited for at most
-    STOP_SECONDS. Raises UserError if the scheduler is lost, or when the patience of ``watch`` ends.
+    A node is submitted once those that it waits for are, whose futures it is given. A few nodes
+    per worker thread, or as many as finish in a second, are in flight, so that memory does not
+    grow with the study. A node that raises is retried on another worker; it waits for one if none
+    has connected or one was lost recently. ``retry`` returns the replacement of a node that failed
+    on two workers, or twice on the only worker. Nodes of killed workers run last and one at a time,
+    so that the node that kills is known. After a stop, running nodes are awaited for at most
+    STOP_SECONDS. Raises UserError if the scheduler is lost, or when patience ends.
 
     pool : a Pool, or its stand-in in tests. blame : state of the workers from earlier streams.
     """
-    return iter(_Stream(pool, iter(items), watch or Watch(), retry, blame or Blame()))
-
-
-@dataclass
-class _Work:
-    """An item with its failures and its worker."""
-
-    item: Any
-    failed: list[str] = field(default_factory=list)  # addresses at which it raised; "": unknown
-    deaths: int = 0  # number of its workers that died
-    workers: Collection[str] = ()  # addresses of allowed workers; empty: all
-    worker: str = ""  # address of its worker in the last snapshot
+    return iter(_Stream(pool, iter(nodes), watch or Watch(), retry, blame or Blame()))
 
 
 @dataclass
 class _Stream:
     pool: Any
-    source: Iterator[Any]
+    source: Iterator[Node]
     watch: Watch
     retry: Retry
     blame: Blame
-    in_flight: dict[str, _Work] = field(default_factory=dict)  # by key
-    again: list[_Work] = field(default_factory=list)  # submitted before the rest of the source
-    alone: list[_Work] = field(default_factory=list)  # submitted after the source, one at a time
-    isolated: bool = False  # whether the item in flight was submitted alone
-    window: int = MIN_WINDOW  # largest number of items in flight
+    in_flight: dict[str, Node] = field(default_factory=dict)  # by key
+    again: list[Node] = field(default_factory=list)  # submitted before the rest of the source
+    waiting: list[Node] = field(default_factory=list)  # for nodes that are not submitted
+    alone: list[Node] = field(default_factory=list)  # submitted after the rest, one at a time
+    isolated: bool = False  # whether the node in flight is the only one
+    drawn: bool = False  # whether there were nodes to submit the last time
+    window: int = MIN_WINDOW
+    arrived: int = 0  # values since the last snapshot
     answer: Any = None  # future of the next snapshot
     requested: float = -math.inf  # time of the last request for a snapshot, s
     checked: float = -math.inf  # time of the last check, s
     stopped: float = math.inf  # time of the stop, s
 
-    def __iter__(self) -> Iterator[tuple[Any, Any]]:
+    def __iter__(self) -> Iterator[tuple[Node, Any]]:
         try:
             self._look()
             self._submit()
-            while self.in_flight or (self.again and not self.watch()):
-                done = self._take()
+            while self.in_flight or ((self.drawn or self.again) and not self.watch()):
+                yield from self._take()
                 self._look()
                 self._submit()
-                yield from done
         finally:
             self.pool.drop(self.in_flight)
 
     def _submit(self) -> None:
-        """Fill the window with retries and new items; if none are left, submit one item alone."""
+        """Fill the window from the retries and the source; then submit nodes one at a time."""
         free = self.window - len(self.in_flight)
         if self.watch() or free <= self.window // 8 or (self.isolated and self.in_flight):
-            return  # the window is refilled in bulk
-        works = self.again[:free]
+            return  # refilled in bulk
+        nodes = self.again[:free]
         del self.again[:free]
-        works += map(_Work, islice(self.source, free - len(works)))
-        self.isolated = self.isolated and len(works) < 2
-        if not works and not self.in_flight and self.alone:
-            works, self.isolated = [self.alone.pop()], True
+        nodes += islice(self.source, free - len(nodes))
+        self.drawn = bool(nodes)
+        self._send_ready([node for node in nodes if not node.inputs])
+        self.waiting += [node for node in nodes if node.inputs]
+        ready = [node for node in self.waiting if node.ready()]
+        self.waiting = [node for node in self.waiting if node not in ready]
+        self._send_ready(ready)
+        self.isolated = self.isolated and len(self.in_flight) < 2
+        if not (self.in_flight or self.again) and self.alone:
+            self._send_ready([self.alone.pop()])
+            self.isolated = True
+
+    def _send_ready(self, nodes: list[Node]) -> None:
+        """Submit nodes; those that failed elsewhere, or wait for a worker that may come."""
         blame = self.blame
-        self._send([w for w in works if not w.failed], blame.fit() if blame.excluded else [])
-        for work in works:
-            if work.failed and blame.awaited(work.failed):
-                self.again.append(work)
-            elif work.failed:
-                self._send([work], blame.fit(work.failed))
+        self._send([n for n in nodes if not n.failed], blame.fit() if blame.excluded else [])
+        for node in nodes:
+            if node.failed and blame.awaited(node.failed):
+                self.again.append(node)
+            elif node.failed:
+                self._send([node], blame.fit(node.failed))
 
-    def _send(self, works: list[_Work], workers: list[str]) -> None:
-        """Submit items, restricted to ``workers`` unless it is empty.
+    def _send(self, nodes: list[Node], workers: list[str]) -> None:
+        """Submit nodes that are needed, restricted to ``workers`` unless it is empty.
 
-        A mere preference does not suffice: idle workers steal items, and a sick worker is idle.
+        A preference would not do, since idle workers steal nodes and a failing worker is idle.
         """
-        if works:
-            keys = self.pool.submit([work.item for work in works], workers)
-            for key, work in zip(keys, works, strict=True):
-                work.workers = workers
-                self.in_flight[key] = work
+        for other in (other for node in nodes for other in node.needs() if other.done):
+            if not self.pool.holds(other):
+                other.result = None
+        nodes = [node for node in nodes if node.prepare()]
+        if nodes:
+            keys = self.pool.submit(nodes, workers)
+            for key, node in zip(keys, nodes, strict=True):
+                node.workers = workers
+                self.in_flight[key] = node
 
-    def _take(self) -> list[tuple[Any, Any]]:
-        """Return the arrived (item, result) pairs, and reschedule failed items."""
-        done: list[tuple[Any, Any]] = []
+    def _take(self) -> Iterator[tuple[Node, Any]]:
+        """Yield the arrived (node, value), and schedule replacements of failed nodes."""
         for arrival in self.pool.take(TAKE_SECONDS):
-            work = self.in_flight.pop(arrival.key)
+            node = self.in_flight.pop(arrival.key, None)
+            if node is None:
+                continue  # it was withdrawn
             if arrival.error:
-                self._fail(work, arrival.error, arrival.address)
+                self._fail(node, arrival.error, arrival.address)
             else:
-                self.blame.succeeded(arrival.address, work.failed)
-                done.append((work.item, arrival.value))
-        return done
+                self.arrived += 1
+                self.blame.succeeded(arrival.address, node.failed)
+                node.finish()
+                yield node, arrival.value
 
-    def _fail(self, work: _Work, error: Exception, address: str = "") -> None:
-        """Schedule the retry or replacement of an item that failed or whose worker died."""
+    def _fail(self, node: Node, error: Exception, address: str = "") -> None:
+        """Schedule the retry or replacement of a node that failed or whose worker died.
+
+        An error of a node that waits for others counts once these are done, as it may be theirs.
+        """
+        self._withdraw(node)
+        if not all(other.done for other in node.given):
+            error = ResultLost()
         if isinstance(error, KilledWorker):
-            work.deaths = max(work.deaths, error.allowed_failures) + 1
+            node.deaths = max(node.deaths, error.allowed_failures) + 1
         elif not isinstance(error, ResultLost):
-            work.failed.append(address)
-        given_up = work.deaths > MAX_WORKER_DEATHS or self.blame.to_be_given_up(work.failed)
-        if given_up or isinstance(error, UserError):
-            replacements = map(_Work, self.retry(work.item, error, self.isolated))
-            (self.alone if isinstance(error, KilledWorker) else self.again).extend(replacements)
-        else:
-            self.again.append(work)
+            node.failed.append(address)
+        given_up = node.deaths > MAX_WORKER_DEATHS or self.blame.to_be_given_up(node.failed)
+        if not (given_up or isinstance(error, UserError)):
+            self.again.append(node)
+            return
+        node.failed, node.deaths = [], 0
+        nodes = self.retry(node, error, self.isolated)
+        node.instead = None if node in nodes else nodes
+        (self.alone if isinstance(error, KilledWorker) else self.again).extend(nodes)
+
+    def _withdraw(self, node: Node) -> None:
+        """Take back the nodes that wait for the result of one that failed."""
+        node.result = None
+        withdrawn = {key: other for key, other in self.in_flight.items() if node in other.given}
+        self._drop(withdrawn)
+        self.waiting += withdrawn.values()
 
     def _look(self) -> None:
         """Once a second, request a snapshot of the workers and report to the watch."""
@@ -169,33 +192,35 @@ class _Stream:
         silent = now - self.requested >= QUIET_SECONDS
         if self.in_flight and (now - self.stopped >= STOP_SECONDS or (stopping and silent)):
             say(f"abandoned: {len(self.in_flight)} batches that did not finish in time")
-            self._drop([*self.in_flight])
+            self._drop(self.in_flight)
         threads = sum(self.blame.now.threads.values())
         self.watch.look(threads, len(self.in_flight), NO_ANSWER if silent else "")
 
     def _note(self, snapshot: Snapshot, now: float) -> None:
-        """Update the state of the workers; resubmit the items of lost workers.
+        """Update the workers; resubmit the nodes of lost workers.
 
-        Dask resubmits them too, but does not count the loss of workers that retire, for instance at
-        the end of a job. After a stop, drop the items that are not on a worker in the snapshot.
+        Dask would resubmit them too, but does not count workers that retire, as at the end of a
+        job. After a stop, drop the nodes that no worker had started at the time of the snapshot.
         """
         blame = self.blame
         blame.note(snapshot, now)
-        per_thread = BOUND_ITEMS_PER_THREAD if blame.excluded else ITEMS_PER_THREAD
-        self.window = max(per_thread * sum(snapshot.threads.values()), MIN_WINDOW)
-        for key, work in [*self.in_flight.items()]:
-            lost = work.workers or {work.worker} - {""}
-            work.worker = snapshot.running.get(key, "")
-            if lost and snapshot.threads.keys().isdisjoint(lost):
-                self._drop([key])
+        per_thread = BOUND_NODES_PER_THREAD if blame.excluded else NODES_PER_THREAD
+        self.window = max(per_thread * sum(snapshot.threads.values()), MIN_WINDOW, self.arrived)
+        self.arrived = 0
+        for key, node in [*self.in_flight.items()]:
+            lost = node.workers or {node.worker} - {""}
+            node.worker = snapshot.running.get(key, "")
+            if lost and key in self.in_flight and snapshot.threads.keys().isdisjoint(lost):
+                self._drop({key: node})
                 last = cast(Any, SimpleNamespace(address=" or ".join(lost)))
-                self._fail(work, KilledWorker(key, last, work.deaths))
+                self._fail(node, KilledWorker(key, last, node.deaths))
         if self.requested >= self.stopped:
             waiting = self.in_flight.keys() - snapshot.running.keys()
-            self._drop([key for key in waiting if self.pool.pending(key)])
+            self._drop({k: self.in_flight[k] for k in waiting if self.pool.pending(k)})
 
-    def _drop(self, keys: list[str]) -> None:
-        """Stop waiting for items."""
-        self.pool.drop(keys)
-        for key in keys:
+    def _drop(self, nodes: dict[str, Node]) -> None:
+        """Stop waiting for nodes, given by key."""
+        nodes = dict(nodes)
+        self.pool.drop(nodes)
+        for key in nodes:
             del self.in_flight[key]

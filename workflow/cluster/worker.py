@@ -1,6 +1,8 @@
-"""Functions that run on worker processes, which need no setup."""
+"""Functions that run on workers and on the scheduler, which need no setup."""
 
-from collections.abc import Callable
+import pickle
+from collections.abc import Callable, Collection
+from functools import lru_cache
 from typing import Any
 
 from distributed import get_worker
@@ -9,6 +11,8 @@ from ..simulate import Batch, BatchResult, block_means
 from ..system import Versions, require
 
 ADDRESS_ATTRIBUTE = "elastomer_friction_worker"  # attribute of an error: address of its worker
+
+unpickled = lru_cache(8)(pickle.loads)  # of functions, which are the same for many tasks
 
 
 def run_batch(
@@ -19,11 +23,23 @@ def run_batch(
     return work(batch)
 
 
-def with_address(item: Any, function: Callable) -> tuple[str, Any]:
-    """Return the address of this worker and function(item); attach the address to any error."""
+def with_address(function: bytes, item: bytes, *inputs: tuple[str, Any]) -> tuple[str, Any]:
+    """Return the address of this worker and function(item, *values of the inputs).
+
+    Function and item are pickled, so that the scheduler only passes them on. Errors carry the
+    address too.
+    """
     address = get_worker().address
     try:
-        return address, function(item)
+        return address, unpickled(function)(pickle.loads(item), *(value for _, value in inputs))
     except Exception as error:
         setattr(error, ADDRESS_ATTRIBUTE, address)
         raise
+
+
+def forget_tasks(keys: Collection[str], dask_scheduler: Any) -> None:
+    """Let a scheduler keep results as data only, so that it computes no lost one again."""
+    for key in keys:
+        task = dask_scheduler.tasks.get(key)
+        if task and task.state == "memory":
+            task.run_spec = None

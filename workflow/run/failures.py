@@ -5,10 +5,12 @@ import math
 import sys
 from typing import Any
 
+from ..cluster import Node
 from ..ground import UserError
 from ..plan import Plan
 from ..simulate import Batch, Task
 from ..store import Store
+from .workers import MARCH
 
 
 class Failures:
@@ -27,8 +29,16 @@ class Failures:
         """Return whether a record is settled: it is stored, or its task failed."""
         return record[0] in self.store.failed or record in self.store
 
-    def __call__(self, batch: Batch, error: Exception, alone: bool) -> list[Batch]:
-        """Return the replacements of a failed batch (see flow.Retry)."""
+    def __call__(self, node: Node, error: Exception, alone: bool) -> list[Node]:
+        """Return the replacements of a failed node (see cluster/flow.py); a fit has none."""
+        if node.name == MARCH:
+            return [Node(MARCH, batch) for batch in self.replaced(node.item, error, alone)]
+        if _killed(error) and not alone:
+            return [node]
+        raise error
+
+    def replaced(self, batch: Batch, error: Exception, alone: bool) -> list[Batch]:
+        """Return the replacements of a failed batch."""
         if isinstance(error, UserError):
             raise error
         if isinstance(error, ImportError):

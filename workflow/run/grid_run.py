@@ -5,6 +5,8 @@ from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+import numpy as np
+
 from ...kernels.compile import cache
 from .. import result as results
 from ..ground import UserError
@@ -14,19 +16,17 @@ from ..plan import (
     Plan,
     batch_target,
     cut,
-    make_batches,
     missing_work,
     total_records,
     total_seconds,
 )
-from ..simulate import load_kernels
+from ..simulate import Batch, BatchResult, Record, load_kernels
 from ..store import DamagedShard, Store, WriteBuffer, enter_result, store_folder
 from ..study import LOCAL
 from ..system import (
     DiskRetry,
     Interrupt,
     Maker,
-    Reporter,
     Watch,
     check_place,
     clear_leftovers,
@@ -36,7 +36,9 @@ from ..system import (
 )
 from .collect import Collector, Rounds
 from .failures import Failures
-from .measured_rates import MeasuredRates, Remaining
+from .graph import Fit
+from .measured_rates import MeasuredRates
+from .progress import Progress
 from .status import Status, StatusWriter, status_file, study_digest
 from .store_key import KEY_ATTRIBUTE, is_unchanged, result_key
 from .summary import Summary
@@ -93,6 +95,7 @@ class _Run:
         self.summary = Summary(reused=done, predicted=left)
         status = Status(name, plan.records, done, left, len(self.failures.tasks()))
         self.status = StatusWriter(result, store.folder, status, self._extent)
+        self.progress = Progress(self.summary, status, self.rates, self.failures)
 
     def is_done(self) -> bool:
         """Return whether the result exists and is up to date; if so, complete the summary."""
@@ -134,23 +137,18 @@ class _Run:
             self.status.end(state)
 
     def _datasets(self, workers: Workers) -> "Groups":
-        """Compute and collect, again if a shard is damaged; return no datasets after a stop."""
-        collector = Collector(workers, self.store, self.plan, self.summary, self.watch)
+        """Compute and fit in rounds, then collect; begin again if shards are damaged."""
+        collector = Collector(self.plan, self.store)
         missing = self.missing if self.plan.first == self.plan.expected else None
         for _ in range(ATTEMPTS):
             rounds = Rounds(self.plan)
-            try:
-                while True:
-                    if missing is None:
-                        missing = missing_work(self.plan, self.failures, rounds.blocks)
-                    self._compute(workers, missing)
-                    missing = None
-                    if self._stops():
-                        return {}
-                    if not rounds.advance(collector):
-                        return self._marked(collector.datasets(rounds.blocks), rounds.blocks)
-            except DamagedShard:
-                continue
+            while self._compute(workers, collector, rounds.blocks, missing):
+                missing = None
+                if not rounds.advance(collector):
+                    return self._marked(collector.datasets(rounds.blocks), rounds.blocks)
+            if self._stops():
+                return {}
+            missing = None
         raise UserError(
             f"{self.store.folder}: shards were damaged {ATTEMPTS} times; is the disk sound?"
         )
@@ -165,33 +163,58 @@ class _Run:
         }
         return {label: data.assign_attrs(attributes) for label, data in datasets.items()}
 
-    def _compute(self, workers: Workers, missing: list[Missing]) -> None:
-        """Compute and store the missing records."""
+    def _compute(
+        self,
+        workers: Workers,
+        collector: Collector,
+        blocks: dict[str, int],
+        missing: list[Missing] | None,
+    ) -> bool:
+        """Compute and store what is missing, and fit all tasks from ``blocks`` of each.
+
+        missing : known missing records. Returns whether all is done: there was no stop, and no
+        stored record turned out damaged.
+        """
+        if missing is None:
+            missing = missing_work(self.plan, self.failures, blocks)
         target = self.how.batch_seconds or batch_target(total_seconds(missing))
         target = min(target, self.how.cluster.longest_batch)
         pieces = cut(self.plan, missing, target)
-        work = make_batches(self.plan, pieces, target, self.rates.rate)
-        remaining = Remaining(pieces, self.rates)
-        reporter = Reporter("computing", remaining.seconds())
-        with reporter, WriteBuffer(self.store, target) as buffer:
+        with WriteBuffer(self.store, target) as buffer:
+            graph = collector.graph(blocks, partial(self._read, buffer))
+            nodes = graph.nodes(pieces, target, self.rates.rate)
 
             def look(threads: int, in_flight: int) -> None:
-                del in_flight
-                if threads:  # otherwise the watch reports that workers are missing
-                    reporter.beat(threads, self.failures.fresh)
+                self.progress.look(threads, in_flight)
                 buffer.flush_when_due()
 
-            with self.watch.telling(look):
-                for batch, done in workers.stream(workers.work, work, self.watch, self.failures):
-                    self.makers.add(done.maker)
-                    require_one(self.makers, self.how.one_kind)
-                    with self.summary.filing():
-                        buffer.add(batch, done)
-                    self.summary.count(batch, done)
-                    self.rates.enter(batch, done.seconds)
-                    remaining.finish(batch)
-                    self.status.status.rate = remaining.rate()
-                    reporter.advance(done.seconds, remaining.seconds())
+            with self.progress.begin(pieces, graph), self.watch.telling(look):
+                for node, value in workers.stream(nodes, self.watch, self.failures):
+                    if isinstance(node, Fit):
+                        collector.enter(node, value[0])
+                        self.progress.fitted(node, value[1])
+                    else:
+                        self._store(buffer, node.item, value)
+        return not (self._stops() or graph.damaged)
+
+    def _store(self, buffer: WriteBuffer, batch: Batch, done: BatchResult) -> None:
+        """Store and count a finished batch. Raises UserError if its maker is another one."""
+        self.makers.add(done.maker)
+        require_one(self.makers, self.how.one_kind)
+        with self.summary.filing():
+            buffer.add(batch, done)
+        self.progress.computed(batch, done)
+
+    def _read(
+        self, buffer: WriteBuffer, records: list[Record], width: int
+    ) -> tuple[np.ndarray, np.ndarray]:
+        """Return scalars and curves of finished records. Raises DamagedShard."""
+        with self.summary.filing():
+            if not all(record in self.store for record in records):
+                buffer.flush()
+                if not all(record in self.store for record in records):
+                    raise DamagedShard  # found out before, and dropped
+            return self.store.read(records, width)
 
     def _extent(self, missing: list[Missing] | None = None) -> tuple[int, float]:
         """Return the number of settled records, and the predicted core-seconds of the others."""

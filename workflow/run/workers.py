@@ -6,7 +6,8 @@ from contextlib import contextmanager
 from functools import partial
 from typing import Any, NamedTuple
 
-from .. import cluster
+from .. import cluster, reduce
+from ..cluster import Node
 from ..ground import UserError
 from ..plan import Plan
 from ..simulate import Batch, BatchResult, block_means
@@ -16,8 +17,10 @@ from ..system import Watch, own_versions
 SECONDS_HERE = 10.0  # predicted time below which this process computes without workers
 SECONDS_PER_FIT = 3e-5  # core time of one fit to one jackknife replicate
 
-# stream(function, items, watch, retry) yields (item, function(item)).
-Stream = Callable[..., Iterator[tuple[Any, Any]]]
+MARCH, FIT = "march", "fit"  # names of nodes
+
+# stream(nodes, watch, retry) yields (node, its value).
+Stream = Callable[..., Iterator[tuple[Node, Any]]]
 
 
 class RunOptions(NamedTuple):
@@ -51,10 +54,9 @@ def fit_seconds(plan: Plan, groups: int) -> float:
 
 
 class Workers(NamedTuple):
-    """A function that streams items through the workers, and the function that computes a batch."""
+    """A stream of the nodes of a graph through the workers."""
 
     stream: Stream
-    work: Callable[[Batch], BatchResult]
 
 
 @contextmanager
@@ -64,56 +66,58 @@ def open_workers(how: RunOptions, seconds: float, watch: Watch) -> Iterator[Work
     Raises UserError if no workers are available.
     """
     if how.here(seconds):
-        yield Workers(stream_here, how.work)
+        yield Workers(partial(stream_here, functions_of(how.work)))
         return
     if how.cluster.where == LOCAL:
         print("Starting worker processes, about 3 s.", file=sys.stderr)
     with cluster.open_client(how.cluster, how.workers, how.dashboard, watch) as client:
-        work = partial(cluster.run_batch, expected=own_versions(), work=how.work)
-        through = partial(cluster.stream, blame=cluster.Blame())
+        march = partial(cluster.run_batch, expected=own_versions(), work=how.work)
+        pool = cluster.Pool(client, functions_of(march))
+        yield Workers(partial(cluster.stream, pool, blame=cluster.Blame()))
 
-        def stream(
-            function: Callable, items: Iterable[Any], *watch_and_retry: Any
-        ) -> Iterator[tuple[Any, Any]]:
-            return through(cluster.Pool(client, function), items, *watch_and_retry)
 
-        yield Workers(stream, work)
+def functions_of(march: Callable[..., BatchResult]) -> dict[str, Callable[..., Any]]:
+    """Return the functions of the nodes, by name."""
+    return {MARCH: march, FIT: reduce.reduce_portion}
 
 
 def stream_here(
-    function: Callable[[Any], Any],
-    items: Iterable[Any],
+    functions: dict[str, Callable[..., Any]],
+    nodes: Iterable[Node],
     watch: Watch,
-    retry: Callable[[Any, Exception, bool], list[Any]] | None = None,
-) -> Iterator[tuple[Any, Any]]:
-    """Yield (item, function(item)), one item at a time, until ``watch()`` returns True.
+    retry: Callable[[Node, Exception, bool], list[Node]],
+) -> Iterator[tuple[Node, Any]]:
+    """Yield (node, value), one after the other, until watch() is true.
 
-    As in cluster.stream, an item that raises twice is passed to ``retry``, which returns its
-    replacements; without ``retry`` the error ends the stream.
+    As in cluster.stream, a node that raises twice is passed to ``retry``, which returns its
+    replacements.
     """
-    source, again = iter(items), list[Any]()
+    source, again = iter(nodes), list[Node]()
     watch.look(1, 0)
     while not watch():
-        rest = object()
-        item = again.pop(0) if again else next(source, rest)
-        if item is rest:
+        node = again.pop(0) if again else next(source, None)
+        if node is None:
             return
+        if not node.prepare():
+            continue
         try:
-            done = _tried(function, item)
+            value = _tried(functions[node.name], node)
         except Exception as error:
-            if retry is None:
-                raise
-            again += retry(item, error, True)
+            node.instead = retry(node, error, True)
+            again += node.instead
             continue
         watch.look(1, 1)
-        yield item, done
+        node.result = value
+        node.finish()
+        yield node, value
 
 
-def _tried(function: Callable[[Any], Any], item: Any) -> Any:
-    """Return function(item), retried once unless it raises a UserError."""
+def _tried(function: Callable[..., Any], node: Node) -> Any:
+    """Return the value of a node, tried twice unless it raises a UserError."""
+    inputs = [other.result for other in node.given]
     try:
-        return function(item)
+        return function(node.item, *inputs)
     except UserError:
         raise
-    except Exception:  # retried as on a cluster, where a second worker tries it
-        return function(item)
+    except Exception:  # on a cluster two workers try it
+        return function(node.item, *inputs)

@@ -9,15 +9,22 @@ import pytest
 from distributed import Client, get_worker
 
 from elastomer_friction.workflow.cluster.flow import stream
+from elastomer_friction.workflow.cluster.node import Node
 from elastomer_friction.workflow.cluster.pool import Pool
 from elastomer_friction.workflow.ground import UserError
 from elastomer_friction.workflow.system.watch import Watch
 from tests.support.python import PATIENCE, standing
+from tests.support.simulated import streamed
+
+
+def pool(client, function):
+    """Return a pool whose marches are a function."""
+    return Pool(client, {"march": function})
 
 
 @pytest.mark.parametrize("items", [range(100), [4, 4, 4], []], ids=["many", "equal", "none"])
 def test_each_item_comes_back_once_with_its_result(client, items):
-    actual = list(stream(Pool(client, math.sqrt), items))
+    actual = streamed(pool(client, math.sqrt), items)
     assert sorted(actual) == [(i, math.sqrt(i)) for i in items]
 
 
@@ -34,31 +41,37 @@ def counted():
     return items(), drawn
 
 
-def test_few_items_are_in_flight(client, counted):
+def nap(item):
+    """Take a while."""
+    time.sleep(0.05)
+    return item
+
+
+def test_no_more_are_in_flight_than_are_done_in_a_second(client, counted):
     items, drawn = counted
-    ahead = [
-        len(drawn) - count for count, _ in enumerate(stream(Pool(client, abs), items), start=1)
-    ]
+    nodes = (Node("march", item) for item in items)
+    ahead = [len(drawn) - n for n, _ in enumerate(stream(pool(client, nap), nodes), start=1)]
     assert len(ahead) == len(drawn) == 100
-    assert max(ahead) <= 16  # eight in flight for two workers, eight being handed over
+    assert max(ahead) <= 60  # 40 in flight for two workers, some being handed over
 
 
 def test_after_a_stop_only_what_is_running_is_awaited(client, counted):
     items, drawn = counted
     actual = []
-    for item, _ in stream(Pool(client, abs), items, Watch(lambda: bool(actual))):
-        actual.append(item)
+    nodes = (Node("march", item) for item in items)
+    for node, _ in stream(pool(client, abs), nodes, Watch(lambda: bool(actual))):
+        actual.append(node.item)
     assert 1 <= len(set(actual)) == len(actual) <= len(drawn) <= 24
 
 
 def test_an_error_on_a_worker_is_raised_here(client):
     with pytest.raises(ValueError, match=r"math domain error|nonnegative"):
-        list(stream(Pool(client, math.sqrt), [1.0, -1.0]))
+        streamed(pool(client, math.sqrt), [1.0, -1.0])
 
 
 def test_what_failed_is_replaced_and_the_rest_goes_on(client):
     twice = {"retry": lambda item, error, alone: [abs(item) / 2.0] * 2}
-    actual = list(stream(Pool(client, math.sqrt), [4.0, -2.0, 9.0], **twice))
+    actual = streamed(pool(client, math.sqrt), [4.0, -2.0, 9.0], **twice)
     assert sorted(actual) == [(1.0, 1.0), (1.0, 1.0), (4.0, 2.0), (9.0, 3.0)]
 
 
@@ -76,7 +89,7 @@ def sick(item):
 def test_one_sick_worker_fails_nothing_and_is_left_out_and_named(client, capsys):
     workers = tuple(client.nthreads())
     FAILED.clear()
-    done = [result for _, result in stream(Pool(client, sick), [workers] * 40)]
+    done = [result for _, result in streamed(pool(client, sick), [workers] * 40)]
     assert done == [max(workers)] * 40
     (line,) = capsys.readouterr().err.splitlines()
     assert line.startswith(f"worker {min(workers)}: 3 consecutive batches failed there")
@@ -88,7 +101,7 @@ def test_while_the_sound_worker_is_busy_dask_hands_nothing_back_to_the_sick_one(
     FAILED.clear()
     DONE.clear()
     items = [(*workers, number) for number in range(8)]
-    assert len(list(stream(Pool(client, sick_beside_a_busy_one), items))) == 8
+    assert len(streamed(pool(client, sick_beside_a_busy_one), items)) == 8
     assert {*Counter(FAILED).values()} == {1}
 
 
@@ -118,7 +131,7 @@ def test_what_fails_everywhere_is_tried_on_two_workers_before_it_is_given_up(cli
         assert isinstance(error, ArithmeticError)
         return []
 
-    assert list(stream(Pool(client, nowhere), [7], retry=note)) == []
+    assert streamed(pool(client, nowhere), [7], retry=note) == []
     assert tried == [(7, False)]
     assert set(PLACES) == set(client.nthreads())
 
@@ -147,8 +160,9 @@ def test_a_scheduler_that_dies_is_no_end_of_the_work():
         standing(SCHEDULER) as (process, address),
         Client(address, timeout=PATIENCE) as client,
     ):
-        results = stream(Pool(client, time.sleep), [0.01] + [600.0] * 15)
-        assert next(results) == (0.01, None)
+        nodes = [Node("march", seconds) for seconds in [0.01] + [600.0] * 15]
+        results = stream(pool(client, time.sleep), nodes)
+        assert next(results) == (nodes[0], None)
         process.kill()
         with pytest.raises(UserError, match="the scheduler was lost; run again to resume"):
             list(results)

@@ -8,6 +8,7 @@ import numpy as np
 
 from elastomer_friction.workflow.cluster.client import open_client
 from elastomer_friction.workflow.cluster.flow import stream
+from elastomer_friction.workflow.cluster.node import Node
 from elastomer_friction.workflow.cluster.pool import Pool
 from elastomer_friction.workflow.study.cluster import Cluster
 from tests.support.python import PATIENCE
@@ -34,7 +35,8 @@ def test_what_was_sent_does_not_stay_in_memory():
             yield item
 
     with open_client(Cluster(), 1) as client:
-        assert len(list(map(len, stream(Pool(client, np.sum), items())))) == 60
+        pool = Pool(client, {"march": np.sum})
+        assert sum(1 for _ in stream(pool, (Node("march", item) for item in items()))) == 60
         assert alive(sent) <= 8
         (comm,) = client.cluster.scheduler.stream_comms.values()
         assert not comm.recent_message_log

@@ -9,6 +9,7 @@ import pytest
 from distributed.comm import CommClosedError
 
 from elastomer_friction.workflow.cluster import pool as module
+from elastomer_friction.workflow.cluster.node import Node
 from elastomer_friction.workflow.cluster.pool import Pool, ResultLost
 from elastomer_friction.workflow.ground import UserError
 from tests.support.python import PATIENCE
@@ -16,8 +17,15 @@ from tests.support.python import PATIENCE
 
 def arrival(pool):
     """Return what comes next."""
-    (actual,) = pool.take(PATIENCE)
-    return actual
+    while not (actual := pool.take(0.01)):
+        pass
+    return actual[0]
+
+
+def submitted(pool, items, workers=()):
+    """Submit marches; return them by key."""
+    nodes = [Node("march", item) for item in items]
+    return dict(zip(pool.submit(nodes, workers), nodes, strict=True))
 
 
 def reciprocal(value):
@@ -26,13 +34,14 @@ def reciprocal(value):
 
 
 def test_what_is_for_one_worker_is_computed_there_and_what_is_dropped_does_not_come(client):
-    pool, (first, _) = Pool(client, reciprocal), client.nthreads()
-    keys = pool.submit([1.0, 2.0, 3.0], [first])
-    pool.drop(keys[:1])
+    pool, (first, _) = Pool(client, {"march": reciprocal}), client.nthreads()
+    nodes = submitted(pool, [1.0, 2.0, 3.0], [first])
+    dropped = next(iter(nodes))
+    pool.drop({dropped: nodes.pop(dropped)})
     actual = []
     while len(actual) < 2:
-        actual += pool.take(PATIENCE)
-    assert {one.key: one.address for one in actual} == dict.fromkeys(keys[1:], first)
+        actual += pool.take(0.01)
+    assert {one.key: one.address for one in actual} == dict.fromkeys(nodes, first)
     assert pool.take(0.05) == []
 
 
@@ -51,7 +60,7 @@ def change(status, address, dask_scheduler):
 
 def test_a_snapshot_tells_who_is_there_who_takes_up_work_and_what_has_running(client):
     first, second = client.nthreads()
-    pool = Pool(client, until_seen)
+    pool = Pool(client, {"march": until_seen})
     SEEN.clear()
     client.run_on_scheduler(change, "paused", first)
     try:
@@ -61,13 +70,14 @@ def test_a_snapshot_tells_who_is_there_who_takes_up_work_and_what_has_running(cl
             [second],
             set(),
         )
-        running, waiting = (*pool.submit([1], [second]), *pool.submit([2], [first]))
+        nodes = submitted(pool, [1], [second]) | submitted(pool, [2], [first])
+        running, waiting = nodes
         while not (actual := pool.request_snapshot().result(PATIENCE)).running:
             time.sleep(0.01)
         assert {*actual.running} == {running}
         assert pool.pending(running)
         assert pool.pending(waiting)
-        pool.drop([running, waiting])
+        pool.drop(nodes)
     finally:
         SEEN.set()
         client.run_on_scheduler(change, "running", first)
@@ -81,8 +91,8 @@ def test_a_result_that_does_not_come_is_lost(client, monkeypatch):
 
     monkeypatch.setattr(module, "FETCH_SECONDS", 0.05)
     monkeypatch.setattr(client, "_gather", never)
-    pool = Pool(client, reciprocal)
-    (key,) = pool.submit([4.0])
+    pool = Pool(client, {"march": reciprocal})
+    (key,) = submitted(pool, [4.0])
     lost = arrival(pool)
     assert (lost.key, lost.address) == (key, "")
     assert isinstance(lost.error, ResultLost)
@@ -97,4 +107,4 @@ def test_a_scheduler_that_is_lost_while_it_is_asked_is_reported(client, monkeypa
 
     monkeypatch.setattr(client, "scheduler", Lost())
     with pytest.raises(UserError, match="the scheduler was lost; run again to resume"):
-        Pool(client, abs).request_snapshot().result(PATIENCE)
+        Pool(client, {}).request_snapshot().result(PATIENCE)

@@ -4,11 +4,13 @@ import numpy as np
 import pytest
 
 from elastomer_friction.workflow.ground import UserError
+from elastomer_friction.workflow.plan.batches import cut, make_batches, missing_work
 from elastomer_friction.workflow.plan.goal import JACKKNIFE_GROUPS
-from elastomer_friction.workflow.run import collect
-from elastomer_friction.workflow.run.collect import Collector, Fitted
-from elastomer_friction.workflow.run.summary import Summary
-from elastomer_friction.workflow.run.workers import Workers, stream_here
+from elastomer_friction.workflow.reduce.portions import reduce_portion
+from elastomer_friction.workflow.run import graph as graph_module
+from elastomer_friction.workflow.run.collect import Collector
+from elastomer_friction.workflow.run.graph import Fit
+from elastomer_friction.workflow.run.workers import stream_here
 from elastomer_friction.workflow.simulate.realizations import block_means
 from elastomer_friction.workflow.simulate.tasks import SCALARS
 from elastomer_friction.workflow.store.store import Store
@@ -29,17 +31,32 @@ def store(tmp_path):
     return store
 
 
-HERE = Workers(stream_here, block_means)
-
-
 @pytest.fixture
 def collector(store):
     """Return a collector of that store."""
-    return Collector(HERE, store, PLAN, Summary(), Watch())
+    return Collector(PLAN, store)
+
+
+def fit_all(collector, marches=(), blocks=None):
+    """Fit all tasks in this process; return the marches' nodes and the fits, in order."""
+    graph, done = collector.graph(blocks or BLOCKS, collector.store.read), []
+    nodes = graph.nodes([*marches], 1e9, lambda _: 1.0)
+    functions = {"march": block_means, "fit": reduce_portion}
+    for node, value in stream_here(functions, nodes, Watch(), pytest.fail):
+        done.append(node.name)
+        if isinstance(node, Fit):
+            collector.enter(node, value[0])
+    return done
+
+
+def datasets(collector):
+    """Return the datasets after all is fitted."""
+    fit_all(collector)
+    return collector.datasets(BLOCKS)
 
 
 def test_estimates_of_every_point_are_the_means_of_its_own_blocks(collector, store):
-    data = collector.datasets(BLOCKS)[""]
+    data = datasets(collector)[""]
     task = VARIANT.point_task
     h_over_dx = 1e-5 / 1e-4
     for place in np.ndindex(task.shape):
@@ -52,31 +69,45 @@ def test_estimates_of_every_point_are_the_means_of_its_own_blocks(collector, sto
     assert data.alpha.dims == ("hurst",)
 
 
-def test_portions_do_not_show(collector, monkeypatch):
-    whole = collector.datasets(BLOCKS)
-    monkeypatch.setattr(collect, "TASKS_PER_REDUCTION", 1)
-    collector.fitted = {variant.label: Fitted(variant) for variant in PLAN.variants}
-    for label, data in collector.datasets(BLOCKS).items():
+def test_portions_do_not_show(collector, store, monkeypatch):
+    whole = datasets(collector)
+    monkeypatch.setattr(graph_module, "MAX_TASKS", 1)
+    for label, data in datasets(Collector(PLAN, store)).items():
         assert data.identical(whole[label])
 
 
-def test_what_is_fitted_from_so_many_blocks_stays_as_it_is(collector, monkeypatch):
-    rows = [0, 2]
-    reporter = collector.reporter("fitting", [(VARIANT, rows)], BLOCKS)
-    assert reporter.total > 0.0
-    collector.fit(VARIANT, rows, BLOCKS, reporter)
-    assert reporter.done == pytest.approx(reporter.total)
-    assert collector.fitted[""].blocks.tolist() == [4, 0, 4, 0, 0, 0, 0, 0]
-    assert collector.summary.phases["fits"] > 0.0
-    assert collector.fitted[""].at(rows)["rate_replicates"].shape == (2, JACKKNIFE_GROUPS + 1)
-    monkeypatch.setattr(collector, "_load", pytest.fail)
-    assert collector.fit(VARIANT, rows, BLOCKS, reporter)
+@pytest.mark.parametrize("kept", [0, 12])
+def test_results_of_marches_and_stored_records_give_the_same_fit(tmp_path, kept):
+    """Of marches in batches of one block, some of which are stored; a fit precedes the last."""
+    batches = [*make_batches(PLAN, cut(PLAN, missing_work(PLAN, ()), 1e-9), 1e-9)]
+    store = Store(tmp_path)
+    if kept:
+        store.add([(batch, block_means(batch)) for batch in batches[:kept]])
+    collector, rest = Collector(PLAN, store), cut(PLAN, missing_work(PLAN, store), 1e-9)
+    done = fit_all(collector, rest)
+    assert done.index("fit") < len(done) - 1 - done[::-1].index("march")
+    left = [batch for batch in batches if (batch.tasks[0].key, batch.first_block) not in store]
+    store.add([(batch, block_means(batch)) for batch in left])
+    expected = datasets(Collector(PLAN, store))
+    for label, data in collector.datasets(BLOCKS).items():
+        assert data.identical(expected[label])
+
+
+def test_what_is_fitted_from_so_many_blocks_stays_as_it_is(collector):
+    assert fit_all(collector) == ["fit"] * 2  # a variant each
+    assert fit_all(collector) == []
+    fitted = collector.fitted[""]
+    assert fitted.blocks.tolist() == [4] * 8
+    assert fitted.at([0, 2])["rate_replicates"].shape == (2, JACKKNIFE_GROUPS + 1)
+    fewer = BLOCKS | {VARIANT.tasks[1].key: 3}
+    assert fit_all(collector, blocks=fewer) == ["fit"]
+    assert fitted.blocks.tolist() == [4, 3, *[4] * 6]
 
 
 def test_failed_tasks_are_marked_and_nothing_left_is_said(collector, store):
     for task in VARIANT.tasks[1:]:
         store.record_failure(task.key, "why")
-    data = collector.datasets(BLOCKS)[""]
+    data = datasets(collector)[""]
     sound = VARIANT.point_task == 0
     assert np.array_equal(data.realizations.values > 0, sound)
     assert np.array_equal(np.isfinite(data.mu_1.values), sound)
@@ -84,8 +115,3 @@ def test_failed_tasks_are_marked_and_nothing_left_is_said(collector, store):
     store.record_failure(VARIANT.tasks[0].key, "why")
     with pytest.raises(UserError, match="the study: all problems failed"):
         collector.datasets(BLOCKS)
-
-
-def test_after_a_stop_there_is_no_dataset(store):
-    stopped = Collector(HERE, store, PLAN, Summary(), Watch(lambda: True))
-    assert stopped.datasets(BLOCKS) == {}

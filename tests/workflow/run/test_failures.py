@@ -26,19 +26,21 @@ def failures(tmp_path):
 
 @pytest.mark.parametrize("error", [ValueError("no"), KILLED])
 def test_a_chunk_is_split_into_its_tasks(failures, error):
-    retried = failures(BATCH, error, False)
+    retried = failures.replaced(BATCH, error, False)
     parts = [(batch.tasks, batch.first_block, batch.blocks) for batch in retried]
     assert parts == [((task,), 0, 4) for task in BATCH.tasks]
     assert sum(batch.seconds for batch in retried) == pytest.approx(BATCH.seconds)
     assert failures.lines() == []
     pair = dataclasses.replace(BATCH, tasks=BATCH.tasks[:2])
-    assert [batch.tasks for batch in failures(pair, error, True)] == [(t,) for t in pair.tasks]
+    assert [batch.tasks for batch in failures.replaced(pair, error, True)] == [
+        (t,) for t in pair.tasks
+    ]
 
 
 def test_a_task_whose_worker_died_is_tried_alone_before_it_is_blamed(failures, capsys):
-    (first, *_) = failures(BATCH, KILLED, False)
-    assert failures(first, KILLED, False) == [first]
-    assert failures(first, KILLED, True) == []
+    (first, *_) = failures.replaced(BATCH, KILLED, False)
+    assert failures.replaced(first, KILLED, False) == [first]
+    assert failures.replaced(first, KILLED, True) == []
     assert (
         "its worker died 4 times, or retired before the job's walltime (blocks 0-3)"
         in capsys.readouterr().err
@@ -46,8 +48,8 @@ def test_a_task_whose_worker_died_is_tried_alone_before_it_is_blamed(failures, c
 
 
 def test_a_failure_is_recorded_by_point_and_said_at_once(failures, capsys):
-    (first, *_) = failures(BATCH, ValueError("no root\nat all"), False)
-    assert failures(first, ValueError("no root\nat all"), False) == []
+    (first, *_) = failures.replaced(BATCH, ValueError("no root\nat all"), False)
+    assert failures.replaced(first, ValueError("no root\nat all"), False) == []
     said = capsys.readouterr().err
     point = "hurst=0.3 normal_force=0.04 spacing=0.0001 roughness=1e-05 velocity=0.03 velocity_step"
     assert said.startswith(f"failed: {point}")
@@ -63,7 +65,7 @@ def test_a_worker_that_cannot_import_us_ends_the_run(failures):
     with pytest.raises(
         UserError, match="a worker cannot import its code: No module named 'workflow'"
     ):
-        failures(BATCH, ModuleNotFoundError("No module named 'workflow'"), False)
+        failures.replaced(BATCH, ModuleNotFoundError("No module named 'workflow'"), False)
 
 
 BAD = PLAN.variants[0].tasks[1].key
