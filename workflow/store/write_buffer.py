@@ -8,7 +8,7 @@ from ..simulate import Batch, BatchResult
 from .shard import Finished
 from .store import Store
 
-MAX_LOST_SHARE = 1e-3  # of a run's time that a crash of the driver may cost
+MAX_LOST_SHARE = 1e-3  # share of a run's time that is lost if the driver crashes
 MIN_WAIT_SECONDS, MAX_WAIT_SECONDS = 0.2, 120.0
 MAX_BUFFER_BYTES = 2**24
 
@@ -23,7 +23,7 @@ class WriteBuffer:
     def __init__(
         self, store: Store, batch_seconds: float, now: Callable[[], float] = time.monotonic
     ) -> None:
-        """``now`` : the clock (s)."""
+        """Start the buffer. batch_seconds : predicted length of a batch. now : clock, s."""
         self.store, self.now = store, now
         self.min_seconds = max(2.0 * batch_seconds, MIN_WAIT_SECONDS)
         self.waiting: Finished = []
