@@ -34,9 +34,6 @@ from .model.march import march
 from .model.steady import steady_sliding
 from .motion.counts import MAX_PROGRAMME_STEPS, count_steps
 from .motion.legs import Hold, Leg, Oscillation, Programme, Ramp, Sampled, Slide, steps_of
-from .quick.case import Case, Outcome, Quantities, Seconds
-from .quick.cases import run_case, run_cases, run_prepared
-from .quick.prepared import Prepared, prepare
 from .rheology.forms import form_of
 from .rheology.kelvin import SCHEMES, Kelvin
 from .rheology.law import State, law_of, memory_size
@@ -52,3 +49,6 @@ from .scene import (
     run_scene,
     scene_steps,
 )
+from .velocity_step.case import Case, Outcome, Quantities, Seconds
+from .velocity_step.cases import run_case, run_cases, run_prepared
+from .velocity_step.prepared import Prepared, prepare

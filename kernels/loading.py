@@ -18,8 +18,6 @@ from .compile.cache import CACHE_FOLDER, COMPILER
 from .lines.line import Line
 from .lines.self_affine import amplitudes
 from .model.force import ConstantForce
-from .quick.case import Case, Quantities
-from .quick.cases import run_cases
 from .quick.contacts.steady_friction import LineSet
 from .quick.march.active import active_march
 from .quick.march.jump_problem import JumpProblem, SteadyState
@@ -30,6 +28,8 @@ from .rheology.forms import form_of
 from .rheology.kelvin import SCHEMES
 from .rheology.law import law_of
 from .rheology.spectrum import KELVIN
+from .velocity_step.case import Case, Quantities
+from .velocity_step.cases import run_cases
 
 SOURCE_ROOT = Path(__file__).resolve().parents[1]
 PLAIN_STEPS, LISTED_STEPS = np.array([1]), np.array([4])  # marched without lists, and by lists

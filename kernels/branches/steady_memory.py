@@ -3,8 +3,8 @@
 At constant indentation the field of states moves with the line. One turn of an element round the
 period, from the deepest sample, is a piecewise linear map of its state there and of d. The state
 must return to its initial value, and the forces on the way must carry the load (eq. 4). Newton's
-method solves both equations, with exact tangents (tangents.py). Displacements are never positive,
-so samples above d do not touch, and an element crosses them with many steps at once.
+method solves both equations, with exact tangents (quick/tangents.py). Displacements are never
+positive, so samples above d do not touch, and an element crosses them with many steps at once.
 The initial guess is the solution on every sixteenth sample, with steps sixteen times as long; the
 guess of that solution comes from a still coarser line.
 Eq. 4 alone is solved in model/contact.py, and in model/steady.py for elements that remember only u.
@@ -21,6 +21,7 @@ import numpy as np
 
 from ..compile.jit import kernel, refcount_free_kernel
 from ..model.contact import solve_indentation
+from ..quick.tangents import carry_rows, powers_of_steps, tangents_of
 from ..rheology.forms import Form
 from ..rheology.law import Elements, law_of, memory_size, rest_memory
 from ..rheology.lookahead import (
@@ -30,7 +31,6 @@ from ..rheology.lookahead import (
     lookahead_memory,
     slide_element,
 )
-from .tangents import carry_rows, powers_of_steps, tangents_of
 
 MAX_TURNS = 60  # a few usually suffice
 TARGET_RESIDUAL = 1e-13

@@ -118,6 +118,11 @@ class dispatch_on_type:
         """Decorate a declaration whose bodies are compiled like a ``refcount_free_kernel``."""
         return cls(declaration, **UNCOUNTED)
 
+    @classmethod
+    def inlined(cls, declaration: Callable) -> "dispatch_on_type":
+        """Decorate a declaration whose bodies are compiled as ``inlined_kernel`` does."""
+        return cls(declaration, **UNCOUNTED, forceinline=True)
+
     def __call__(self, first: Any, *others: Any) -> Any:
         """Run the body for the type of ``first``. Raises TypeError for types without one."""
         if type(first) not in self.bodies:

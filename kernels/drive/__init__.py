@@ -1,6 +1,6 @@
 """A slider pulled through a spring: its motion follows from that of the drive."""
 
 from .pulled_line import run_pulled
-from .slider import MAX_SLIP_EVENTS, PULLED_TRACES, SLIP_EVENTS, SLIPS, drive_legs
+from .pulled_slider import MAX_SLIP_EVENTS, PULLED_TRACES, SLIP_EVENTS, SLIPS, drive_legs
 from .slider_step import FORCE_TOLERANCE
 from .spring import Drive

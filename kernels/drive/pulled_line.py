@@ -2,20 +2,19 @@
 
 import numpy as np
 
+from ..body.line import element_line, forces_at_start
+from ..body.patches import samples_per_contact
+from ..body.shiftable_line import shiftable_line
 from ..compile.jit import kernel
 from ..lines.line import Line
 from ..model.force import ConstantForce
-from ..model.friction import weighted_sums
+from ..quick.blocks import block_line
 from ..rheology.forms import form_of
-from ..rheology.law import Elements, law_of
+from ..rheology.law import Elements
 from ..rheology.retardation import Retardation
-from ..scene.initial_state import initial_state
-from ..scene.samples import samples_per_contact
+from ..scene.initial_state import initial_state, steady_lag
 from ..scene.scene_case import SceneCase
-from .block_rig import block_rig
-from .rig import plain_rig
-from .shiftable_line import shiftable_line
-from .slider import initial_speed, pull_through, recorded_times
+from .pulled_slider import pull_through, recorded_times
 from .slider_step import follow_leg
 from .spring import Drive
 
@@ -30,20 +29,16 @@ def run_pulled(line: Line, scene: SceneCase, drive: Drive) -> dict[str, np.ndarr
     itself. "updates" : number of element updates. Raises ValueError for an invalid scene.
     """
     m, n = line.steps_per_spacing, line.z.size
-    times, speed = recorded_times(scene, m), initial_speed(scene)
+    times = recorded_times(scene, m)
     form = form_of(scene.spectrum, scene.scheme)
     initial = initial_state(line, scene, form)
-    control, placed = ConstantForce(scene.load * n), shiftable_line(line.z, line.slope, float(m))
+    control, ground = ConstantForce(scene.load * n), shiftable_line(line.z, line.slope, float(m))
+    line_of = block_line if isinstance(form, Retardation) else element_line
     elements = Elements(initial.memory, initial.p, initial.d)
-    rig_of = block_rig if isinstance(form, Retardation) else plain_rig
-    rig = rig_of(form, control, placed, elements)
-    sign, slope = (-1 if speed < 0.0 else 1), line.slope
-    if speed:
-        earlier = np.roll(line.slope, -sign)
-        slope = slope + law_of(form, 1.0 / (m * abs(speed))).lag * (earlier - slope)
-    normal, tangential, touching = weighted_sums(-initial.p, None, slope, 0.0)
-    means = normal / n, tangential / n, touching / n
-    forces = tangential / normal, initial.d, *means, samples_per_contact(initial.p)
-    values, tries = pull_through(follow_leg_of_line, rig, line, forces, drive, scene, times)
+    body, state = line_of(form, control, ground, elements)
+    acting = forces_at_start(initial.p, line.slope, steady_lag(scene, form, m))
+    width = samples_per_contact(initial.p)
+    start = body, state, line, acting, width
+    values, _, tries = pull_through(*start, drive, scene, times, follow_leg_of_line)
     values["trace_indentation"] = values["trace_indentation"] + line.datum
     return values | {"updates": np.array(2.0 * tries * n)}

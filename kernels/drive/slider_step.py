@@ -14,11 +14,10 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from ..body.step import Forces, Step, accept, attempt, forces, law_in_step, patch_width
 from ..compile.jit import jitable, kernel
 from ..motion.path import MIN_PARTIAL_STEP, SNAP_TOLERANCE
-from .rig import accept, attempt, patch_width
 from .secant_search import new_search, next_guess, search_is_exhausted
-from .shiftable_line import Places
 from .slider_record import Moment, SliderRecord, next_time_is_due, record_between
 from .spring import Drive, DriveLeg, ForceBalance, SliderState, drive_at, force_balance
 
@@ -37,15 +36,15 @@ SEARCH_MEMORY = np.dtype(
     [
         ("time_slope", np.float64),  # d(excess force)/d(log of the step time), or 0
         ("creep_slope", np.float64),  # -d(excess force)/d(distance in samples), or 0
-        ("tries", np.int64),  # total number of tried steps
+        ("tries", np.int64),  # total number of attempted steps
     ]
 )
 
 
 class PulledSlider(NamedTuple):
-    """A rig, its drive and the constants of its steps."""
+    """A body, its drive and the constants of its steps."""
 
-    rig: Any  # of a type with attempt and accept (rig.py)
+    body: Any  # elements under the slider (body/step.py)
     steps_per_spacing: int
     drive: Drive
     min_step_time: float  # minimum duration of a step, in tau
@@ -58,17 +57,28 @@ class PulledSlider(NamedTuple):
 class SliderProgress(NamedTuple):
     """State of a slider between two steps."""
 
+    state: Any  # of the body
     motion: SliderState
     moment: Moment
     pace: float  # reference duration for the next step, in tau
 
 
+class Trip(NamedTuple):
+    """Motion of the slider in a step."""
+
+    before: float  # position, in samples
+    after: float
+    moved: float  # distance, in dx
+
+
 class BalancedStep(NamedTuple):
     """The last tried step, with balanced forces."""
 
+    state: Any  # of the body, with the attempted step
+    law: Any  # of the elastomer in the step
     dt: float  # in tau; NaN for a step that would be too long
     balance: ForceBalance
-    friction: float
+    acting: Forces
 
 
 @jitable
@@ -86,10 +96,12 @@ def follow_leg(pulled: PulledSlider, leg: DriveLeg, progress: SliderProgress) ->
         if abs(moved) <= MAX_STEPS_TO_SAMPLE * abs(motion.speed) * pace:
             guess = moved / expected_speed(motion, motion.dt)
             longest = min(MAX_STEP_GROWTH * pace, left)
-            step = slide_step(pulled, Places(place, sample), leg, motion, longest, guess)
+            trip, state = Trip(place, sample, moved), progress.state
+            step = slide_step(pulled, state, leg, motion, trip, longest, guess)
             if not math.isnan(step.dt):
                 progress = accept_step(pulled, leg, progress, moved, step)
                 continue
+            progress = SliderProgress(step.state, motion, progress.moment, pace)
         dt = min(pulled.hold_growth * pace, left)
         progress = creep(pulled, leg, progress, place, edges, dt)
     return progress
@@ -107,73 +119,90 @@ def expected_speed(motion, dt):
 
 
 @jitable
-def slide_step(pulled, places, leg, motion, longest, guess):
-    """Find the duration of a step between two places, from a guess; return the BalancedStep.
+def attempt_step(pulled, state, leg, motion, trip, dt):
+    """Attempt a Trip in a time dt; return the BalancedStep."""
+    law, step = law_in_step(pulled.body, state, dt), Step(trip.before, trip.after, 0)
+    state = attempt(pulled.body, state, law, step)
+    acting = forces(pulled.body, state, law, step)
+    pulled.memory[0]["tries"] += 1
+    balance = force_balance(pulled.drive, leg, motion, trip.moved, dt, law.lag, acting.friction)
+    return BalancedStep(state, law, dt, balance, acting)
 
-    Its dt is NaN if it would exceed ``longest``. The rig then holds the last tried step.
+
+@jitable
+def slide_step(pulled, state, leg, motion, trip, longest, guess):
+    """Find the duration of a Trip, from a guess; return the BalancedStep.
+
+    Its dt is NaN if it would exceed ``longest``.
     """
-    moved = (places.after - places.before) / pulled.steps_per_spacing
-    sign, memory = 1.0 if moved > 0.0 else -1.0, pulled.memory[0]
+    sign, memory = 1.0 if trip.moved > 0.0 else -1.0, pulled.memory[0]
     search = new_search(memory["time_slope"], FIRST_LOG_TIME_STEP)
     low, high = math.log(pulled.min_step_time), math.log(max(longest, pulled.min_step_time))
     x = min(max(math.log(guess), low), high)
     while True:
-        dt = math.exp(x)
-        friction, lag = attempt(pulled.rig, places, dt)
-        balance = force_balance(pulled.drive, leg, motion, moved, dt, lag, friction)
-        excess = sign * balance.excess
-        memory["tries"] += 1
+        step = attempt_step(pulled, state, leg, motion, trip, math.exp(x))
+        excess = sign * step.balance.excess
         next_x = next_guess(search, x, excess)
         late = x >= high and (excess < 0.0 or high <= low)
         balanced = abs(excess) <= pulled.force_tolerance
         balanced = balanced or search_is_exhausted(search, LOG_TIME_ROUNDING)
         if late or balanced or (x <= low and excess > 0.0):
             memory["time_slope"] = search[0]["slope"]
-            return BalancedStep(np.nan if late else dt, balance, friction)
-        x = min(max(next_x, low), high)
+            dt = np.nan if late else step.dt
+            return BalancedStep(step.state, step.law, dt, step.balance, step.acting)
+        state, x = step.state, min(max(next_x, low), high)
 
 
 @jitable
 def creep(pulled, leg, progress, place, edges, dt):
     """Advance to the balance of forces after a time dt, or to the next sample in a shorter time."""
-    motion, m, memory = progress.motion, pulled.steps_per_spacing, pulled.memory[0]
-    low, high = edges[0] - place, edges[1] - place
+    state, motion, m = progress.state, progress.motion, pulled.steps_per_spacing
+    low, high, memory = edges[0] - place, edges[1] - place, pulled.memory[0]
     search = new_search(memory["creep_slope"], FIRST_CREEP_STEP)
     x = min(max(m * expected_speed(motion, dt) * dt, low), high)
     while True:
-        places = Places(place, place + x)
-        friction, lag = attempt(pulled.rig, places, dt)
-        balance = force_balance(pulled.drive, leg, motion, x / m, dt, lag, friction)
-        step = BalancedStep(dt, balance, friction)
-        memory["tries"] += 1
-        next_x = next_guess(search, x, -balance.excess)
-        if (x >= high and balance.excess > 0.0) or (x <= low and balance.excess < 0.0):
+        trip = Trip(place, place + x, x / m)
+        step = attempt_step(pulled, state, leg, motion, trip, dt)
+        excess = step.balance.excess
+        next_x = next_guess(search, x, -excess)
+        if (x >= high and excess > 0.0) or (x <= low and excess < 0.0):
             if dt > pulled.min_step_time:
-                sooner = slide_step(pulled, places, leg, motion, dt, 0.9 * dt)
-                step = step if math.isnan(sooner.dt) else sooner
+                sooner = slide_step(pulled, step.state, leg, motion, trip, dt, 0.9 * dt)
+                if not math.isnan(sooner.dt):
+                    step = sooner
             break
-        balanced = abs(balance.excess) <= pulled.force_tolerance
+        balanced = abs(excess) <= pulled.force_tolerance
         if balanced or search_is_exhausted(search, PLACE_ROUNDING):
             memory["creep_slope"] = search[0]["slope"]
             break
-        x = min(max(next_x, low), high)
-    return accept_step(pulled, leg, progress, x / m, step)
+        state, x = step.state, min(max(next_x, low), high)
+    return accept_step(pulled, leg, progress, trip.moved, step)
 
 
 @jitable
 def accept_step(pulled, leg, progress, moved, step):
-    """Accept and record the last tried step; return the SliderProgress after it."""
-    motion, balance, dt = progress.motion, step.balance, step.dt
-    normal, d, touching = accept(pulled.rig, dt)
-    mu = step.friction / normal if normal > 0.0 else np.nan
+    """Accept and record a step; return the SliderProgress after it."""
+    motion, balance, dt, acting = progress.motion, step.balance, step.dt, step.acting
+    state = accept(pulled.body, step.state, step.law)
+    d = state.d + step.law.lag * (state.old_d - state.d)
     samples = progress.moment.samples
     ends_leg = motion.time + dt > leg.time[-1] - MIN_STEP_SHARE * dt
     if next_time_is_due(pulled.record, balance.friction_time) or ends_leg:
-        samples = patch_width(pulled.rig)
-    forces = mu, d, normal, step.friction, touching, samples
-    moment = Moment(*forces, balance.friction_time, balance.place, moved / dt, balance.force)
+        samples = patch_width(pulled.body, state)
+    moment = Moment(
+        acting.mu,
+        d,
+        acting.normal,
+        acting.friction,
+        acting.contact_fraction,
+        samples,
+        balance.friction_time,
+        balance.place,
+        moved / dt,
+        balance.force,
+    )
     record_between(pulled.record, progress.moment, moment, drive_at(leg, moment.time)[1])
     end, place = motion.time + dt, motion.place + moved
     known = balance.acceleration, balance.acceleration_time, balance.friction_time
-    motion = SliderState(end, place, dt, moved / dt, *known, step.friction)
-    return SliderProgress(motion, moment, dt)
+    motion = SliderState(end, place, dt, moved / dt, *known, acting.friction)
+    return SliderProgress(state, motion, moment, dt)

@@ -87,20 +87,8 @@ def take_step(
     """Advance a body by a step of one sample; return (body, passes). Memory changes in place."""
     z = space.surface.z
     offset = (body.offset + step.direction) % z.shape[1]
-    return advance_body(space, body, step.law, z, offset, tolerance)
-
-
-def advance_body(
-    space: HalfSpace,
-    body: Body,
-    law: Any,
-    z: np.ndarray,
-    offset: int,
-    tolerance: float = STEP_TOLERANCE,
-) -> tuple[Body, int]:
-    """Advance a body by a step of a given law, like take_step; z, offset : surface at its end."""
-    w, contact = try_step(space, body, law, z, offset, tolerance)
-    return body_after(body, law, w, contact, offset), contact.passes
+    w, contact = try_step(space, body, step.law, z, offset, tolerance)
+    return body_after(body, step.law, w, contact, offset), contact.passes
 
 
 def try_step(

@@ -6,8 +6,8 @@ Only requested quantities are computed.
 import numpy as np
 
 from ..model.friction import mean_slope
-from ..quick.case import JUMP, MARCHING, STEADY, Case, Outcome, PhaseClocks, Quantities
 from ..rheology.forms import form_of
+from ..velocity_step.case import JUMP, MARCHING, STEADY, Case, Outcome, PhaseClocks, Quantities
 from .body import Body, HalfSpace, step_tolerance, take_step
 from .instant import friction_jumps, initial_rates
 from .patches import real_contact, samples_per_patch

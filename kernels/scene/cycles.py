@@ -48,7 +48,7 @@ def cycle_mean(window: AveragingWindow | None) -> dict[str, np.ndarray]:
 
 
 @kernel
-def add_impulses(window, sums, dt):
-    """Add the impulses of a step; sums : from weighted_sums (model/friction.py)."""
-    window.sums[0] += dt * sums[0]
-    window.sums[1] += dt * sums[1]
+def add_impulses(window, acting, dt):
+    """Add the impulses of a step; acting : its Forces."""
+    window.sums[0] += dt * acting.normal
+    window.sums[1] += dt * acting.friction

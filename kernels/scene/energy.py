@@ -18,7 +18,9 @@ from typing import NamedTuple
 
 import numpy as np
 
+from ..body.ground import fill_heights
 from ..compile.jit import kernel
+from ..rheology.law import displacement
 
 ENERGIES = ("stored_energy", "dissipated_energy", "work", "closing_work")
 
@@ -49,27 +51,34 @@ def stored_energy(form, memory, p):
 
 
 @kernel
-def record_energies(record, k, form, memory, p):
-    """Record the energies of a step in column k; memory, p : at the end of the step."""
-    record.energies[0, k] = stored_energy(form, memory, p)
+def record_energies(record, k, form, elements):
+    """Record the energies of a step in column k; elements : at the end of the step."""
+    record.energies[0, k] = stored_energy(form, elements.memory, elements.p)
     for entry in range(3):
-        record.energies[entry + 1, k] = record.sums[entry] / p.size
+        record.energies[entry + 1, k] = record.sums[entry] / elements.p.size
 
 
 @kernel
-def add_energies(form, law, dt, memory, p, new, work, closing, sums):
-    """Add the energies of a step to the running sums; memory : before the step.
+def add_step_energies(body, law, record, step, dt, before, after):
+    """Add the energies of a step to the running sums; before, after : Elements at its ends.
 
-    p, new : forces of the last step and of this one, shape (n,). work : distance by which the line
-    moved towards each element, closing : part of it that closed a gap, in h, both of shape (n,).
+    ``work`` is the distance by which the line moved towards an element, ``closing`` the part of it
+    that closed a gap, in h.
     """
-    share = 0.5 * law.linear
-    for i in range(p.size):
-        mean = new[i] + share * (p[i] - new[i])
-        sums[1] += mean * work[i]
-        sums[2] += mean * closing[i]
+    form, share, n = body.form, 0.5 * law.linear, before.p.size
+    old, new = np.empty(n), np.empty(n)
+    fill_heights(body.ground, step.before, 0, old)
+    fill_heights(body.ground, step.after, 0, new)
+    was_u = displacement(form, before.memory, before.p)
+    u = displacement(form, after.memory, after.p)
+    for i in range(n):
+        work = (old[i] - new[i]) + (after.d - before.d)
+        closing = ((old[i] - before.d) - was_u[i]) - ((new[i] - after.d) - u[i])
+        mean = after.p[i] + share * (before.p[i] - after.p[i])
+        record.sums[1] += mean * work
+        record.sums[2] += mean * closing
     for k in range(form.times.size):
-        sums[0] += _dissipated(form, law, dt, k, memory[k], p, new)
+        record.sums[0] += _dissipated(form, law, dt, k, before.memory[k], before.p, after.p)
 
 
 @kernel

@@ -11,7 +11,7 @@ from ..model.steady import steady_sliding, sweep
 from ..motion.legs import speed_at_start
 from ..rheology.forms import Form, form_of
 from ..rheology.kelvin import SCHEMES
-from ..rheology.law import Elements, rest_memory
+from ..rheology.law import Elements, law_of, rest_memory
 from ..rheology.relaxed import RelaxationForm
 from ..rheology.retardation import Retardation
 from ..rheology.spectrum import KELVIN, Spectrum
@@ -32,6 +32,17 @@ def initial_state(line: Line, scene: SceneCase, form: Form) -> SavedState:
     else:
         elements = fresh_elements(form, scene.spectrum, z, load, d)
     return SavedState(*elements, 0.0, 0.0, speed)
+
+
+def steady_lag(scene: SceneCase, form: Form, m: int) -> float:
+    """Return the lag of the steady step before a scene, with the sign of its speed.
+
+    m : steps per spacing. The lag is zero if the scene does not start from steady sliding.
+    """
+    if scene.start != "steady":
+        return 0.0
+    speed = speed_at_start(scene.programme)
+    return math.copysign(law_of(form, 1.0 / (m * abs(speed))).lag, speed)
 
 
 def relaxed_elements(

@@ -7,9 +7,10 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ..compile.jit import inlined_kernel, kernel
-from ..model.friction import weighted_sums
-from .samples import samples_per_contact
+from ..body.ground import fill_heights
+from ..body.step import elements_of
+from ..compile.jit import dispatch_on_type, inlined_kernel, kernel
+from ..rheology.law import displacement
 
 
 class Trace(NamedTuple):
@@ -24,7 +25,7 @@ class Trace(NamedTuple):
     normal_force: np.ndarray  # in 4 G L h
     friction_force: np.ndarray  # in 4 G L h^2/dx
     contact_fraction: np.ndarray
-    samples_per_contact: np.ndarray  # see samples.py
+    samples_per_contact: np.ndarray  # see body/patches.py
     time: np.ndarray  # in tau
     distance: np.ndarray  # of the line, in dx
     velocity: np.ndarray  # of the line, in dx/tau
@@ -49,26 +50,17 @@ class Snapshots(NamedTuple):
 
 
 @kernel
-def record_trace(trace, k, lag, before, now, old, new, p):
+def record_trace(trace, k, lag, acting, old, new, width):
     """Record the values of a step in row k.
 
-    before, now : slopes before and after the step, in h/dx. old, new : indentation before and after
-    the step, in h. p : forces of the elements. Slopes and forces have the shape (n,).
+    acting : its Forces. old, new : indentation before and after it, in h. width : of its patches.
     """
-    sums = weighted_sums(-p, None, now + lag * (before - now), 0.0)
-    record_forces(trace, k, lag, sums, p.size, old, new)
-    trace.samples_per_contact[k] = samples_per_contact(p)
-
-
-@inlined_kernel
-def record_forces(trace, k, lag, sums, n, old, new):
-    """Record the sums of eq. 5 over n elements; the other arguments are those of record_trace."""
-    normal, tangential, touching = sums
-    trace.mu[k] = tangential / normal if normal > 0.0 else np.nan
+    trace.mu[k] = acting.mu
     trace.indentation[k] = new + lag * (old - new)
-    trace.normal_force[k] = normal / n
-    trace.friction_force[k] = tangential / n
-    trace.contact_fraction[k] = touching / n
+    trace.normal_force[k] = acting.normal
+    trace.friction_force[k] = acting.friction
+    trace.contact_fraction[k] = acting.contact_fraction
+    trace.samples_per_contact[k] = width
 
 
 @inlined_kernel
@@ -107,9 +99,14 @@ def _count_contact(lengths, length):
             lengths.counts[b] += 1.0
 
 
-@kernel
-def record_snapshot(snapshots, k, z, d, u):
-    """Record line and displacements at the end of a step, both in h, of shape (n,)."""
-    for i in range(u.size):
-        snapshots.height[k, i] = z[i] - d
-        snapshots.displacement[k, i] = u[i]
+@dispatch_on_type
+def record_snapshot(snapshots, k, body, state, place):
+    """Record frame k of a body at the end of a step; place : of the surface."""
+
+
+@record_snapshot.register(Snapshots)
+def _record_snapshot(snapshots, k, body, state, place):
+    elements = elements_of(body, state)
+    fill_heights(body.ground, place, 0, snapshots.height[k])
+    snapshots.height[k] -= state.d
+    snapshots.displacement[k] = displacement(body.form, elements.memory, elements.p)

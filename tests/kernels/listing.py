@@ -29,6 +29,7 @@ def instructions(function: Callable, *arguments: object) -> list[str]:
 
 def listings() -> dict[str, list[str]]:
     """Return the instructions of kernels with every effect off, by name."""
+    from elastomer_friction.kernels.body.line import element_line
     from elastomer_friction.kernels.model.force import ConstantForce
     from elastomer_friction.kernels.model.march import march
     from elastomer_friction.kernels.model.steady import steady_sliding
@@ -38,7 +39,7 @@ def listings() -> dict[str, list[str]]:
     from elastomer_friction.kernels.rheology.prony import PRONY_SCHEME
     from elastomer_friction.kernels.rheology.retardation import retardation
     from elastomer_friction.kernels.rheology.spectrum import KELVIN
-    from elastomer_friction.kernels.scene.march_elements import march_elements
+    from elastomer_friction.kernels.scene.march import march_line
 
     z, kelvin, control = (
         np.array([3.0, 1.0, 0.0, 2.0]),
@@ -49,13 +50,12 @@ def listings() -> dict[str, list[str]]:
     twice, steps = np.tile(z, (1, 2)), np.zeros(2, np.int64)
     track = Track(twice, twice, steps, steps, np.ones(1), np.ones(2), np.ones(2))
     elements, none = Elements(np.zeros((1, 4)), np.zeros(4), 2.0), np.arange(0)
-    off = (0, none, none, None, None, None, None, None)
+    body = element_line(retardation(KELVIN), control, track, elements)
+    off = (0, none, none, none, None, None, None, None, None)
     return {
         "steady_sliding": instructions(steady_sliding, kelvin, z, 4.0),
         "march": instructions(march, kelvin, control, z, z, state, np.array([2]), 4.0),
-        "march_elements": instructions(
-            march_elements, retardation(KELVIN), control, track, elements, *off
-        ),
+        "march_line": instructions(march_line, *body, track, *off),
     }
 
 

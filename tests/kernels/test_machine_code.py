@@ -10,11 +10,12 @@ import numpy as np
 import pytest
 
 from elastomer_friction.kernels import ConstantForce
+from elastomer_friction.kernels.body.line import element_line
 from elastomer_friction.kernels.motion.legs import Slide, steps_of
 from elastomer_friction.kernels.motion.track import tracks
 from elastomer_friction.kernels.rheology.forms import FORMS_BY_SCHEME
 from elastomer_friction.kernels.scene.initial_state import relaxed_elements
-from elastomer_friction.kernels.scene.march_elements import march_elements
+from elastomer_friction.kernels.scene.march import march_track
 from elastomer_friction.kernels.scene.records import Trace
 from tests.kernels.listing import instructions
 from tests.kernels.scene.given import SOLID, a_line
@@ -43,7 +44,7 @@ def listing(loaded, cache):
 
 
 def test_effects_that_are_there_but_off_leave_nothing_in_the_machine_code(tmp_path):
-    """Compare the march, the steady state and march_elements without and with all other files."""
+    """Compare the march, the steady state and march_line without and with all other files."""
     bare, whole = (listing(loaded, tmp_path / loaded) for loaded in ("bare", "whole"))
     assert not set(EFFECTS) & set(bare["modules"])
     assert set(EFFECTS) <= set(whole["modules"])
@@ -53,7 +54,7 @@ def test_effects_that_are_there_but_off_leave_nothing_in_the_machine_code(tmp_pa
 
 
 class WithoutRecorders(ast.NodeTransformer):
-    """Transformer that removes recorders and decorators from ``march_elements``."""
+    """Transformer that removes recorders and decorators from ``march_track``."""
 
     def visit_FunctionDef(self, node):
         node.decorator_list = []
@@ -63,13 +64,13 @@ class WithoutRecorders(ast.NodeTransformer):
         names = {n.id for n in ast.walk(node.test) if isinstance(n, ast.Name)}
         return None if names & set(RECORDERS) else self.generic_visit(node)
 
-    def visit_Expr(self, node):
-        called = getattr(getattr(node.value, "func", None), "id", "")
-        return None if called == "_record_step" else node
+    def visit_BoolOp(self, node):
+        names = {n.id for n in ast.walk(node) if isinstance(n, ast.Name)}
+        return ast.Constant(False) if names & set(RECORDERS) else self.generic_visit(node)
 
 
 def test_recorders_that_are_off_leave_nothing_in_the_machine_code():
-    function = march_elements.py_func
+    function = march_track
     tree = WithoutRecorders().visit(ast.parse(textwrap.dedent(inspect.getsource(function))))
     assert not set(RECORDERS) & {
         n.id for n in ast.walk(tree) if isinstance(n, ast.Name) and isinstance(n.ctx, ast.Load)
@@ -81,8 +82,9 @@ def test_recorders_that_are_off_leave_nothing_in_the_machine_code():
     (track,) = tracks(line.z, line.slope, 4, steps_of((Slide(1.0, 1.0),), 4), 0.0, 0.0)
     elements = relaxed_elements(form, line.z, control.load, np.nan)
     none = np.arange(0)
-    arguments = (form, control, track, elements, 0, none, none, None, None, None, None, None)
-    stripped = len(instructions(names["march_elements"], *arguments))
+    body = element_line(form, control, track, elements)
+    arguments = (*body, track, 0, none, none, none, None, None, None, None, None)
+    stripped = len(instructions(names["march_track"], *arguments))
     assert len(instructions(function, *arguments)) <= 1.02 * stripped
     trace = Trace(*np.empty((len(Trace._fields), 0)))
     assert len(instructions(function, *arguments[:7], trace, *arguments[8:])) > 1.05 * stripped

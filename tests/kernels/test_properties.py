@@ -15,8 +15,10 @@ import pytest
 from elastomer_friction.kernels import Case, Quantities, Spectrum, run_case
 from elastomer_friction.kernels.drive import Drive, run_pulled
 from elastomer_friction.kernels.half_space.cases import run_case as run_case_on_map
-from elastomer_friction.kernels.half_space.pulled_map import run_pulled_on_half_space
-from elastomer_friction.kernels.half_space.scenes import run_scene_on_half_space
+from elastomer_friction.kernels.half_space.scenes import (
+    run_pulled_on_half_space,
+    run_scene_on_half_space,
+)
 from elastomer_friction.kernels.half_space.surface import Surface, ring_amplitudes
 from elastomer_friction.kernels.lines.line import Line
 from elastomer_friction.kernels.motion.legs import Hold, Ramp, Sampled, Slide

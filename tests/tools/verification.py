@@ -16,7 +16,7 @@ from tests.kernels.branches.test_dissipation import errors_in_full_contact
 from tests.kernels.scene.given import MATERIALS, PRONY, SOLID, a_line, trace
 from tests.kernels.scene.test_energy import missing_work
 from tests.kernels.scene.test_known_answers import errors_of_moduli, relaxation_errors
-from tests.kernels.scene.test_march_elements import after_a_jump, errors_over_time, gaps_of_schemes
+from tests.kernels.scene.test_march import after_a_jump, errors_over_time, gaps_of_schemes
 
 
 def sinusoid(name: str, refinements: np.ndarray) -> np.ndarray:

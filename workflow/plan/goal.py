@@ -213,7 +213,7 @@ def fits_worker(problem: Problem, steps: int) -> bool:
 def check_resolution(problem: Problem, steps: Numbers, numerics: Numerics) -> None:
     """Raise UserError for a line too long for a worker, and for speeds with visible rounding.
 
-    The kernels refuse these speeds too (kernels/quick/cases.py).
+    The kernels refuse these speeds too (kernels/velocity_step/cases.py).
     """
     elements, _, speed, ratio, steps = np.broadcast_arrays(*problem[1:5], steps)
     if problem.surface.body == HALF_SPACE:

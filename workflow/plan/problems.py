@@ -15,7 +15,7 @@ import numpy as np
 from ...kernels import Spectrum, amplitudes, rms_slope
 from ...kernels.half_space.surface import ring_amplitudes, rms_slope_of
 from ...kernels.model.limits import LOAD_LIMITS, SPEED_LIMITS
-from ...kernels.quick.prepared import MIN_RATIO_STEP
+from ...kernels.velocity_step.prepared import MIN_RATIO_STEP
 from ..ground import UserError
 from ..kinetic_law import relaxation_rate
 from ..simulate import Problem
@@ -32,7 +32,7 @@ def distinct_problems(study: Study, label: str = "") -> tuple[list[Problem], np.
     """Return the distinct problems of a variant and, per grid point, the index of its problem.
 
     The index array has the shape of the grid (study.axes). Raises UserError for loads and speeds
-    that the kernels refuse (kernels/quick/cases.py).
+    that the kernels refuse (kernels/velocity_step/cases.py).
     """
     numbers = axes_of(study.grid, "grid")
     axes = [np.array(study.grid[axis]) for axis in numbers]

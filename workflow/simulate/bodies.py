@@ -8,8 +8,7 @@ import numpy as np
 from ...kernels import Case, Outcome, Quantities, prepare, run_prepared, run_scene
 from ...kernels.drive import run_pulled
 from ...kernels.half_space import cases as half_space
-from ...kernels.half_space.pulled_map import run_pulled_on_half_space
-from ...kernels.half_space.scenes import run_scene_on_half_space
+from ...kernels.half_space.scenes import run_pulled_on_half_space, run_scene_on_half_space
 from ...kernels.half_space.surface import Surface, ring_amplitudes
 from ...kernels.loading import load
 from .drawing import Draw, drawn_lines, drawn_maps

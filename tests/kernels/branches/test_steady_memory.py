@@ -11,7 +11,7 @@ from elastomer_friction.kernels.branches.steady_memory import (
     steady_memory,
     turn_element,
 )
-from elastomer_friction.kernels.branches.tangents import powers_of_steps, tangents_of
+from elastomer_friction.kernels.quick.tangents import powers_of_steps, tangents_of
 from elastomer_friction.kernels.rheology.forms import FORMS_BY_SCHEME
 from elastomer_friction.kernels.rheology.law import Elements, law_of, memory_size, rest_memory
 from elastomer_friction.kernels.rheology.lookahead import lookahead_law

@@ -1,4 +1,4 @@
-"""A slider on a spring: stiff drives, work, order of convergence, stick-slip, and rigs."""
+"""A slider on a spring: stiff drives, work, order of convergence, stick-slip, and bodies."""
 
 import math
 
@@ -244,6 +244,6 @@ def test_elements_that_cannot_touch_change_rounding_only(monkeypatch, spectrum):
         return [result[name] for name in PULLED_TRACES]
 
     some = traces()
-    monkeypatch.setattr(pulled_line, "block_rig", pulled_line.plain_rig)
+    monkeypatch.setattr(pulled_line, "block_line", pulled_line.element_line)
     for part, every in zip(some, traces(), strict=True):
         np.testing.assert_allclose(part, every, rtol=0.0, atol=1e-8 * np.max(np.abs(every)))

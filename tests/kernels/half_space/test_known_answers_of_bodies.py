@@ -19,10 +19,10 @@ from elastomer_friction.kernels.half_space.waves import (
     two_sided,
     wave_numbers,
 )
-from elastomer_friction.kernels.quick.case import Case, Quantities
 from elastomer_friction.kernels.rheology.forms import form_of
 from elastomer_friction.kernels.rheology.law import displacement
 from elastomer_friction.kernels.rheology.spectrum import KELVIN, Spectrum, complex_modulus
+from elastomer_friction.kernels.velocity_step.case import Case, Quantities
 from tests.kernels.half_space.test_limits import BRANCHES, rough
 
 STEADY = Quantities(jump=False, relaxation=False)

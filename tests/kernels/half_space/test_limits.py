@@ -21,11 +21,11 @@ from elastomer_friction.kernels.lines.line import Line
 from elastomer_friction.kernels.model.contact import solve_indentation
 from elastomer_friction.kernels.model.friction import lagged_slope, mean_slope, step_average
 from elastomer_friction.kernels.model.steady import steady_sliding as steady_line
-from elastomer_friction.kernels.quick.case import Case, Quantities
-from elastomer_friction.kernels.quick.cases import run_case as run_foundation
 from elastomer_friction.kernels.rheology.forms import form_of
 from elastomer_friction.kernels.rheology.kelvin import exponential
 from elastomer_friction.kernels.rheology.spectrum import KELVIN, Spectrum, complex_modulus
+from elastomer_friction.kernels.velocity_step.case import Case, Quantities
+from elastomer_friction.kernels.velocity_step.cases import run_case as run_foundation
 from elastomer_friction.workflow.simulate.drawing import line_generator
 from tests.sizes import PLAIN_PYTHON
 

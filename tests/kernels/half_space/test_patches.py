@@ -6,7 +6,7 @@ import pytest
 
 from elastomer_friction.kernels.half_space.cases import run_case
 from elastomer_friction.kernels.half_space.patches import real_contact, samples_per_patch
-from elastomer_friction.kernels.quick.case import Case, Quantities
+from elastomer_friction.kernels.velocity_step.case import Case, Quantities
 from tests.kernels.half_space.test_limits import rough
 
 

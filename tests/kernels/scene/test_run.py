@@ -7,6 +7,8 @@ import re
 import numpy as np
 import pytest
 
+from elastomer_friction.kernels.body.line import forces_at_start
+from elastomer_friction.kernels.body.patches import samples_per_contact
 from elastomer_friction.kernels.motion.legs import Hold, Oscillation, Slide, steps_of
 from elastomer_friction.kernels.rheology.forms import FORMS_BY_SCHEME
 from elastomer_friction.kernels.rheology.law import law_of, predict
@@ -23,7 +25,6 @@ from elastomer_friction.kernels.scene.records import (
     count_lengths,
     record_trace,
 )
-from elastomer_friction.kernels.scene.samples import samples_per_contact
 from elastomer_friction.kernels.scene.scene_case import indentation_at
 from tests.kernels.scene.given import (
     ANY_MOTION,
@@ -158,11 +159,11 @@ RNG = np.random.default_rng(4)
 
 
 def test_a_trace_is_friction_force_and_contact_at_the_moment_the_force_acts():
-    before, now = RNG.normal(size=(2, 40))
+    now = RNG.normal(size=40)
     p = np.maximum(0.0, RNG.normal(size=40))
     trace = Trace(*np.zeros((9, 3)))
-    record_trace(trace, 1, 0.3, before, now, 2.0, 1.0, p)
-    acting = 0.7 * now + 0.3 * before
+    record_trace(trace, 1, 0.3, forces_at_start(p, now, 0.3), 2.0, 1.0, samples_per_contact(p))
+    acting = 0.7 * now + 0.3 * np.roll(now, -1)
     assert trace.mu[1] == pytest.approx(p @ acting / p.sum())
     assert trace.friction_force[1] == pytest.approx(np.mean(p * acting))
     assert trace.normal_force[1] == pytest.approx(p.mean())
@@ -175,7 +176,7 @@ def test_a_trace_is_friction_force_and_contact_at_the_moment_the_force_acts():
 
 def test_friction_is_not_a_number_where_nothing_touches():
     trace = Trace(*np.zeros((9, 1)))
-    record_trace(trace, 0, 0.3, np.ones(4), np.ones(4), 1.0, 1.0, np.zeros(4))
+    record_trace(trace, 0, 0.3, forces_at_start(np.zeros(4), np.ones(4), 0.3), 1.0, 1.0, 0.0)
     assert np.isnan(trace.mu[0])
     assert trace.friction_force[0] == trace.normal_force[0] == trace.contact_fraction[0] == 0.0
 

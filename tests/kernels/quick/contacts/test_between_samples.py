@@ -18,6 +18,7 @@ from elastomer_friction.kernels import (
     quadrature,
     steady_sliding,
 )
+from elastomer_friction.kernels.body.patches import samples_per_contact
 from elastomer_friction.kernels.lines.polynomials import (
     sample_derivatives,
     septic_coefficients,
@@ -33,7 +34,6 @@ from elastomer_friction.kernels.quick.contacts.steady_friction import (
     follow_contacts,
     steady_friction,
 )
-from elastomer_friction.kernels.scene.samples import samples_per_contact
 from tests.references import parabola_forces
 from tests.sizes import size
 

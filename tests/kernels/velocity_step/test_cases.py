@@ -4,7 +4,6 @@ import numpy as np
 import pytest
 
 from elastomer_friction.kernels import Case, Quantities, run_case, run_cases
-from elastomer_friction.kernels.quick import cases
 from elastomer_friction.kernels.quick.contacts.steady_friction import (
     FOLLOWED_SAMPLES,
     LineSet,
@@ -13,6 +12,7 @@ from elastomer_friction.kernels.quick.contacts.steady_friction import (
 )
 from elastomer_friction.kernels.quick.march.active import active_march
 from elastomer_friction.kernels.rheology.spectrum import Spectrum
+from elastomer_friction.kernels.velocity_step import cases
 from tests.cases import ALL, CASE, KEPT, RATIOS, line_of
 
 

@@ -15,8 +15,8 @@ from elastomer_friction.kernels import (
     run_cases,
     run_prepared,
 )
-from elastomer_friction.kernels.quick import case as clocks
-from elastomer_friction.kernels.quick import cases as module
+from elastomer_friction.kernels.velocity_step import case as clocks
+from elastomer_friction.kernels.velocity_step import cases as module
 from tests.cases import ALL, CASE, KEPT, bits, line_of
 
 LINE = line_of()

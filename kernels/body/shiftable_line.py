@@ -4,21 +4,21 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ..compile.jit import kernel
+from ..compile.jit import inlined_kernel, kernel
 from ..lines.polynomials import (
     bernstein_coefficients,
     sample_derivatives,
     septic_coefficients,
     septic_slope,
 )
-from ..scene.march_blocks import CELL_SAMPLES
-
-
-class Places(NamedTuple):
-    """Positions of a surface before and after a step, in samples."""
-
-    before: float
-    after: float
+from .ground import (
+    CELL_SAMPLES,
+    fill_heights,
+    fill_thresholds,
+    first_sample,
+    lowest_heights,
+    slope_over,
+)
 
 
 class ShiftableLine(NamedTuple):
@@ -45,29 +45,48 @@ def shiftable_line(z, slope, m):
     return ShiftableLine(polynomials, lowest, m)
 
 
-@kernel
+@inlined_kernel
 def interval_at(line, place):
     """Return (j, t): the interval over element 0 and the position in it; place : in samples."""
     whole = np.floor(place)
     return (-int(whole) - 1) % (line.polynomials.shape[1] // 2), place - whole
 
 
-@kernel
-def heights_at(line, j, t, z):
-    """Fill z with heights at consecutive elements, starting with the one at t of interval j."""
-    c0, c1, c2, c3, c4, c5, c6, c7 = line.polynomials[:, j : j + z.size]
-    if t == 0.0:
-        z[:] = c0
-        return
+@lowest_heights.register(ShiftableLine)
+def _lowest(ground):
+    return ground.lowest
+
+
+@first_sample.register(ShiftableLine)
+def _first_sample(ground, place):
+    return interval_at(ground, place)[0]
+
+
+@fill_heights.register(ShiftableLine)
+def _fill_heights(ground, place, first, z):
+    j, t = interval_at(ground, place)
     for i in range(z.size):
-        high = c4[i] + t * (c5[i] + t * (c6[i] + t * c7[i]))
-        z[i] = c0[i] + t * (c1[i] + t * (c2[i] + t * (c3[i] + t * high)))
+        z[i] = height_at(ground.polynomials, j + first + i, t)
 
 
-@kernel
-def slope_at(line, j, t):
-    """Return the slope at t of interval j, in h/dx."""
-    c, m = line.polynomials, line.steps_per_spacing
+@fill_thresholds.register(ShiftableLine)
+def _fill_thresholds(ground, place, first, n, w, c):
+    j, t = interval_at(ground, place)
+    for i in range(min(c.size, n - first)):
+        c[i] = height_at(ground.polynomials, j + first + i, t) - w[i]
+
+
+@inlined_kernel
+def height_at(c, j, t):
+    """Return the height at t of interval j; c : polynomials of a ShiftableLine."""
+    high = c[4, j] + t * (c[5, j] + t * (c[6, j] + t * c[7, j]))
+    return c[0, j] + t * (c[1, j] + t * (c[2, j] + t * (c[3, j] + t * high)))
+
+
+@slope_over.register(ShiftableLine)
+def _slope_over(ground, place, i):
+    c, m, (j, t) = ground.polynomials, ground.steps_per_spacing, interval_at(ground, place)
+    j += i
     if t == 0.0:
         return -m * c[1, j]
     low, high = (c[0, j], c[1, j], c[2, j], c[3, j]), (c[4, j], c[5, j], c[6, j], c[7, j])

@@ -5,6 +5,7 @@ Kelvin elements that only slide in the positive direction are computed faster (c
 
 import numpy as np
 
+from ..body.patches import samples_per_contact
 from ..branches.dissipation import friction_by_loss, step_friction
 from ..branches.jump import friction_jump, initial_rate
 from ..branches.steady_memory import SteadyMemory, steady_memory
@@ -13,7 +14,6 @@ from ..motion.legs import Slide
 from ..rheology.forms import form_of
 from ..rheology.retardation import Retardation
 from ..scene import SavedState, SceneCase, run_scene
-from ..scene.samples import samples_per_contact
 from .case import JUMP, MARCHING, STEADY, Case, Outcome, PhaseClocks, Quantities
 
 

@@ -6,9 +6,9 @@ from typing import NamedTuple
 import numpy as np
 
 from ..model.limits import LOAD_LIMITS, SPEED_LIMITS, check_range
+from ..quick.contacts.steady_friction import SpeedConstants
 from ..rheology.spectrum import min_step
 from .case import Case, Quantities
-from .contacts.steady_friction import SpeedConstants
 
 MIN_RATIO_STEP = 1e-9  # least |r - 1| > 0; rounding of r is 1e-7 of it, and the jump errs by 1e-5
 

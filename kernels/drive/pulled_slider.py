@@ -6,6 +6,7 @@ from typing import Any
 
 import numpy as np
 
+from ..body.step import Forces
 from ..motion.legs import (
     FIRST_HOLD_STEP,
     Hold,
@@ -20,7 +21,13 @@ from ..rheology.spectrum import min_step
 from ..scene.records import TRACES
 from ..scene.scene_case import SceneCase, check_scene, scene_steps
 from .slider_record import SLIDER_TALLY, Moment, SliderRecord, record_between
-from .slider_step import FORCE_TOLERANCE, SEARCH_MEMORY, PulledSlider, SliderProgress
+from .slider_step import (
+    FORCE_TOLERANCE,
+    SEARCH_MEMORY,
+    PulledSlider,
+    SliderProgress,
+    follow_leg,
+)
 from .spring import Drive, DriveLeg, SliderState
 
 PULLED_TRACES = (*TRACES, "trace_drive_force")
@@ -84,23 +91,26 @@ def initial_speed(scene: SceneCase) -> float:
 
 
 def pull_through(
-    follow: Callable[[PulledSlider, DriveLeg, SliderProgress], SliderProgress],
-    rig: Any,
+    body: Any,
+    state: Any,
     surface: Any,
-    forces: tuple[float, float, float, float, float, float],
+    acting: Forces,
+    width: float,
     drive: Drive,
     scene: SceneCase,
     times: np.ndarray,
-) -> tuple[dict[str, np.ndarray], int]:
-    """Pull a slider through a scene; return (recorded values by name, number of tried steps).
+    follow: Callable[[PulledSlider, DriveLeg, SliderProgress], SliderProgress] = follow_leg,
+) -> tuple[dict[str, np.ndarray], Any, int]:
+    """Pull a slider through a scene; return (recorded values, state, number of attempted steps).
 
-    follow : follow_leg, or its kernel. rig : see rig.py. surface : Line or Surface. forces : fields
-    of the initial Moment from mu to samples. times : at which to record, in tau. A value at the end
-    of a leg is that of the last step of the leg; it is not interpolated to the next leg.
+    body, state : of the elements (body/step.py). surface : Line or Surface. acting, width : Forces
+    and patch width before the first step. times : at which to record, in tau. follow : follow_leg,
+    or its kernel. A value at the end of a leg is that of the last step of the leg; it is not
+    interpolated to the next leg.
     """
-    speed, friction = initial_speed(scene), forces[Moment._fields.index("friction")]
+    speed, mu, (normal, friction, touching) = initial_speed(scene), acting.mu, acting[1:]
     force = friction if speed else 0.0  # the spring is slack if the slider starts at rest
-    moment = Moment(*forces, 0.0, 0.0, speed, force)
+    moment = Moment(mu, state.d, normal, friction, touching, width, 0.0, 0.0, speed, force)
     legs = list(drive_legs(scene.programme, force / drive.stiffness))
     m, drive = surface.steps_per_spacing, Drive(*map(float, drive))
     record = _slider_record(scene, m, drive, legs[-1], times)
@@ -108,17 +118,17 @@ def pull_through(
     min_step_time = MIN_FREE_STEPS * min_step(scene.spectrum)
     limits = min_step_time, FORCE_TOLERANCE * scale, hold_step_ratio(m)
     memory = np.zeros(1, SEARCH_MEMORY)
-    pulled = PulledSlider(rig, m, drive, *limits, record, memory)
+    pulled = PulledSlider(body, m, drive, *limits, record, memory)
     motion = initial_motion(scene.programme, m, moment)
     record_between(record, moment, moment, 0.0)
     drive_speed = motion.speed
     for leg in legs:
         jumps, drive_speed = float(leg.speed[0]) != drive_speed, float(leg.speed[-1])
         pace = FIRST_STEP_SHARE * motion.dt if jumps else motion.dt
-        motion, last, _ = follow(pulled, leg, SliderProgress(motion, moment, pace))
+        state, motion, last, _ = follow(pulled, leg, SliderProgress(state, motion, moment, pace))
         moment = last._replace(time=float(leg.time[-1]), place=motion.place)
         record_between(record, last, moment, drive_speed)
-    return recorded_values(record, moment), int(memory[0]["tries"])
+    return recorded_values(record, moment), state, int(memory[0]["tries"])
 
 
 def _slider_record(

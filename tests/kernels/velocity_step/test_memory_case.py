@@ -12,7 +12,7 @@ from elastomer_friction.kernels import (
     draw_phases,
     run_case,
 )
-from elastomer_friction.kernels.quick.memory_case import run_memory_case
+from elastomer_friction.kernels.velocity_step.memory_case import run_memory_case
 
 LINE = Line.self_affine(amplitudes(0.7, 64), draw_phases(np.random.default_rng(2), 64), 64, 8)
 KEPT = np.array([1, 2, 5, 20, 100, 400])

@@ -8,9 +8,9 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ..compile.jit import inlined_kernel, kernel
-from ..model.contact import excess_at, lowest_threshold
-from ..rheology.scaled_units import BLOCK_ELEMENTS
+from ...compile.jit import inlined_kernel
+from ...model.contact import excess_at, lowest_threshold
+from .scaled_units import BLOCK_ELEMENTS
 
 SUM_COLUMNS = BLOCK_ELEMENTS // 4
 
@@ -30,15 +30,8 @@ class SpringRows(NamedTuple):
 
     c: np.ndarray  # shape (rows, BLOCK_ELEMENTS): thresholds z_i - w_i, in h; inf: no element
     some: np.ndarray  # indices of the rows that are not left out, ascending
-    sums: np.ndarray  # workspace, shape (3, SUM_COLUMNS)
+    sums: np.ndarray  # workspace, shape (2, SUM_COLUMNS)
     evaluation: np.ndarray  # EVALUATION, shape (1,)
-
-
-@kernel
-def spring_rows_of(c):
-    """Return SpringRows with thresholds c; allocate the other arrays."""
-    rows, sums = np.empty(c.shape[0], np.int64), np.empty((3, SUM_COLUMNS))
-    return SpringRows(c, rows, sums, np.empty(1, EVALUATION))
 
 
 @inlined_kernel

@@ -12,14 +12,19 @@ import numpy as np
 from ..control.printed_eq3 import PrintedForce
 from ..lines.line import Line
 from ..model.force import ConstantForce
+from ..quick.contacts.steady_friction import (
+    LineSet,
+    SteadySliding,
+    follow_contacts,
+    steady_friction,
+)
+from ..quick.march.active import active_march
+from ..quick.march.jump_problem import JumpProblem, SteadyState
+from ..quick.relaxation import SteadyEnds, plain_relaxations
+from ..quick.steady.stack import single_line
 from .case import MARCHING, Case, Outcome, PhaseClocks, Quantities, Seconds
-from .contacts.steady_friction import LineSet, SteadySliding, follow_contacts, steady_friction
-from .march.active import active_march
-from .march.jump_problem import JumpProblem, SteadyState
 from .memory_case import run_memory_case
 from .prepared import Prepared, SharedCases, prepare
-from .relaxation import SteadyEnds, plain_relaxations
-from .steady.stack import single_line
 
 MAX_PLAIN_UPDATES = 4000  # element steps up to which the plain march beats the active-set march
 JUMP_WORK_SHARE = 0.3  # work of one jump relative to that of following contacts (measured)

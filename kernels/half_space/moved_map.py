@@ -1,0 +1,150 @@
+"""The body of a map on a half-space, which a programme or a drive moves (body/step.py).
+
+At whole samples the given surface lies over other elements; between samples it is shifted along x
+by Fourier (motion/fourier.py).
+"""
+
+import math
+from collections.abc import Callable
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from ..body.step import Forces, accept, attempt, end_leg, forces, patch_width
+from ..model.friction import mean_slope
+from ..motion.fourier import FractionalShifts
+from ..motion.legs import speed_at_start
+from ..scene.initial_state import charge_branches, glassy_stiffness
+from ..scene.records import record_snapshot
+from ..scene.scene_case import SceneCase
+from .body import Body, HalfSpace, body_after, rest_on, try_step
+from .contact import ElasticContact
+from .patches import samples_per_patch
+from .sliding_body import slide_steadily
+
+
+class MovedMap(NamedTuple):
+    """A half-space under a map that moves along x."""
+
+    space: HalfSpace
+    shifts: Callable  # heights and slopes at a fraction of a sample
+    position: Callable  # position of the surface, in samples, from the place of a step
+    tolerance: Callable  # of a contact, from the law of a step
+
+    @classmethod
+    def of(cls, space: HalfSpace, position: Callable, tolerance: Callable) -> "MovedMap":
+        """Return a map whose samples are given at position zero."""
+        return cls(space, FractionalShifts(*space.surface[:3]).at, position, tolerance)
+
+    @property
+    def form(self) -> Any:
+        """Return the form of the material."""
+        return self.space.form
+
+    def slopes_over(self, place: Any, offset: int) -> np.ndarray:
+        """Return the slopes at a place, over the elements under the samples at ``offset``."""
+        position = self.position(place)
+        whole = math.floor(position)
+        return np.roll(self.shifts(position - whole)[1], whole - offset, axis=1)
+
+
+class AttemptedContact(NamedTuple):
+    """Contact of a step that is not accepted yet."""
+
+    w: np.ndarray  # displacements of the body without pressure
+    contact: ElasticContact
+    offset: int  # position of the surface after the step, in samples
+
+
+class MapState(NamedTuple):
+    """State of a MovedMap."""
+
+    old_d: float  # approach before the last accepted step, in h
+    d: float  # after it
+    passes: int  # of the operator, in total
+    body: Body  # after the last accepted step
+    attempted: AttemptedContact | None
+
+
+def moved_map(
+    space: HalfSpace, scene: SceneCase, position: Callable, tolerance: Callable
+) -> tuple[MovedMap, MapState, Forces]:
+    """Return (map, state, Forces of the step before) at the start of a scene."""
+    if scene.start == "steady":
+        speed = speed_at_start(scene.programme)
+        one = slide_steadily(space, scene.spectrum, speed)
+        body, passes, lag = _with_zero_offset(one.body), one.passes, one.step.law.lag
+        earlier = np.roll(space.surface.slope, -1 if speed > 0.0 else 1, axis=1)
+    elif scene.start == "relaxed":
+        (body, passes), lag, earlier = rest_on(space), 0.0, space.surface.slope
+    else:
+        body, passes = rest_on(space, glassy_stiffness(scene.spectrum))
+        charge_branches(space.form, body.memory)
+        lag, earlier = 0.0, space.surface.slope
+    weight = space.surface.slope + lag * (earlier - space.surface.slope)
+    acting = _forces_of(space, body.p, weight)
+    state = MapState(body.d, body.d, passes, body, None)
+    return MovedMap.of(space, position, tolerance), state, acting
+
+
+def _with_zero_offset(body: Body) -> Body:
+    """Return the body with its elements renumbered from the present position of the surface."""
+    rows, n = body.p.shape
+    fields = [
+        np.roll(values.reshape(-1, rows, n), -body.offset, axis=2).reshape(-1, rows * n)
+        for values in (body.memory, body.depth[None])
+    ]
+    return body._replace(memory=fields[0], depth=fields[1][0], offset=0)
+
+
+def _forces_of(space: HalfSpace, p: np.ndarray, weight: np.ndarray) -> Forces:
+    """Return the Forces of pressures at slopes; the load is divided by the side of the map."""
+    side = space.surface.z.shape[1] / space.surface.steps_per_spacing
+    mu = mean_slope(p, weight)
+    touching = np.count_nonzero(p > 0.0) / p.size
+    return Forces(mu, float(p.mean()) * side, space.pressure * side * mu, touching)
+
+
+@attempt.register(MovedMap)
+def _attempt(body, state, law, step):
+    position = body.position(step.after)
+    whole = math.floor(position)
+    z = body.shifts(position - whole)[0]
+    offset = whole % z.shape[1]
+    w, contact = try_step(body.space, state.body, law, z, offset, body.tolerance(law))
+    passes = state.passes + contact.passes
+    return state._replace(passes=passes, attempted=AttemptedContact(w, contact, offset))
+
+
+@forces.register(MovedMap)
+def _forces(body, state, law, step):
+    _, contact, offset = state.attempted
+    before, after = (body.slopes_over(place, offset) for place in (step.before, step.after))
+    return _forces_of(body.space, contact.p, after + law.lag * (before - after))
+
+
+@accept.register(MovedMap)
+def _accept(body, state, law):
+    after = body_after(state.body, law, *state.attempted)
+    return MapState(state.d, after.d, state.passes, after, None)
+
+
+@end_leg.register(MovedMap)
+def _end_leg(body, state):
+    return state
+
+
+@patch_width.register(MovedMap)
+def _patch_width(body, state):
+    return samples_per_patch(state.body.p)
+
+
+class PressureFrames(NamedTuple):
+    """Recorder of snapshots of pressures at the elements of the half-space."""
+
+    pressure: np.ndarray  # in E* h/dx, shape (frames, rows, n)
+
+
+@record_snapshot.register(PressureFrames)
+def _record_snapshot(snapshots, k, body, state, place):
+    snapshots.pressure[k] = np.roll(state.body.p, state.body.offset, axis=1)

@@ -1,0 +1,223 @@
+"""The body of a line in blocks (see the package): attempts, forces and acceptance of a step."""
+
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from ...body.ground import cell_minima, fill_thresholds, first_sample
+from ...body.line import add_force, mean_forces
+from ...body.patches import median_patch_width
+from ...body.step import accept, attempt, elements_of, end_leg, forces, on_ground, patch_width
+from ...compile.jit import inlined_kernel, kernel
+from ...model.balance import balance_rows
+from ...rheology.law import Elements
+from ...rheology.retardation import Retardation
+from .choice import Choice, can_touch, cap_over, is_near
+from .scaled_units import (
+    BLOCK_ELEMENTS,
+    MIN_DECAY,
+    Indenter,
+    ScaledUnits,
+    advance_scales,
+    apply_and_predict,
+    element_force,
+    prepare_attempt,
+    rescale_blocks,
+    scaled_units,
+    unscaled,
+)
+from .spring_rows import EVALUATION, SUM_COLUMNS, SpringRows, forget_evaluation
+
+
+class BlockLine(NamedTuple):
+    """Prony elements in blocks under a line; the arrays of elements are changed in place."""
+
+    form: Retardation
+    control: Any  # determines the indentation (model/balance.py)
+    ground: Any  # the line over them (body/ground.py)
+    lowest: np.ndarray  # lower bounds of its heights (body/ground.py)
+    size: int  # number of elements, without padding of the last block
+    units: ScaledUnits
+    c: np.ndarray  # shape (2, blocks, BLOCK_ELEMENTS): thresholds of the steps with even and odd
+    # numbers, the last accepted one and the attempted one; inf: cannot touch
+    some: np.ndarray  # numbers of the chosen blocks come first
+    sums: np.ndarray  # workspace of SpringRows
+    evaluation: np.ndarray  # EVALUATION of SpringRows
+    touching: np.ndarray  # workspace of _patch_width
+    load_of_width: np.ndarray  # workspace of median_patch_width
+
+
+class BlockState(NamedTuple):
+    """State of a BlockLine besides its arrays."""
+
+    old_d: float  # indentation before the last accepted step, in h
+    d: float  # after it
+    attempted_d: float  # after the step that was attempted last
+    passes: int  # over the thresholds, in all attempts
+    steps: int  # that were accepted
+    last: Indenter  # of the last accepted step
+    choice: Choice
+
+
+@kernel
+def block_line(form, control, ground, elements):
+    """Return (BlockLine, BlockState) of Elements before their first step on a ground."""
+    n, d = elements.p.size, elements.d
+    units = scaled_units(elements.memory)
+    blocks = units.known_steps.size
+    c, p = np.full((2, blocks, BLOCK_ELEMENTS), np.inf), elements.p
+    for i in range(n):
+        c[0, i // BLOCK_ELEMENTS, i % BLOCK_ELEMENTS] = -p[i]
+    sums, evaluation = np.empty((2, SUM_COLUMNS)), np.empty(1, EVALUATION)
+    room = np.empty(c[0].size + blocks + 1), np.zeros(n)
+    some, lowest = np.empty(blocks, np.int64), cell_minima(ground)
+    body = BlockLine(form, control, ground, lowest, n, units, c, some, sums, evaluation, *room)
+    return body, BlockState(d, d, d, 0, 0, Indenter(0.0, 1.0), Choice(-1, np.inf, d, 0))
+
+
+@on_ground.register(BlockLine)
+def _on_ground(body, state, ground):
+    body = body._replace(ground=ground, lowest=cell_minima(ground))
+    return body, state._replace(choice=state.choice._replace(begin=-1))
+
+
+@attempt.register(BlockLine)
+def _attempt(body, state, law, step):
+    begin, choice = first_sample(body.ground, step.after), state.choice
+    if not is_near(begin, choice, body.size):
+        cap = cap_over(state.d, choice.chosen_d, body.lowest)
+        choice = Choice(begin, cap, state.d, _choose(body, state, begin, cap))
+    while True:
+        d, passes = _balance(body, state, law, step, choice.size)
+        highest = body.evaluation[0]["highest_d"]
+        if highest <= choice.cap:
+            break
+        cap = cap_over(highest, state.d, body.lowest)  # other elements could have touched
+        count = _choose(body, state, choice.begin, cap)
+        choice = Choice(choice.begin, cap, choice.chosen_d, count)
+    passes += state.passes
+    return BlockState(state.old_d, state.d, d, passes, state.steps, state.last, choice)
+
+
+@inlined_kernel
+def _choose(body, state, begin, cap):
+    """List the blocks that can touch, or did in the last step; return their number."""
+    c, count = body.c[state.steps % 2], 0
+    for b in range(c.shape[0]):
+        chosen = can_touch(body.lowest, begin, b, body.size, cap)
+        if not chosen and c[b, 0] < np.inf:
+            for i in range(BLOCK_ELEMENTS):
+                chosen = chosen or c[b, i] < state.last.level
+            for i in range(0 if chosen else BLOCK_ELEMENTS):
+                body.c[0, b, i] = body.c[1, b, i] = np.inf
+        if chosen:
+            body.some[count] = b
+            count += 1
+    return count
+
+
+@inlined_kernel
+def _balance(body, state, law, step, count):
+    """Return (d, passes) of a step of the first ``count`` listed blocks, and set thresholds."""
+    units, some, room = body.units, body.some[:count], body.units.room
+    c, new = body.c[state.steps % 2], body.c[(state.steps + 1) % 2]
+    forgotten = prepare_attempt(law, units)
+    rescale_blocks(units, some, state.steps)
+    rows = SpringRows(new, some, body.sums, body.evaluation)
+    forget_evaluation(rows)
+    for b in some:
+        apply_and_predict(units, b, state.last, c[b])
+        for i in range(BLOCK_ELEMENTS if forgotten > 0.0 else 0):
+            room[i] -= forgotten * room[BLOCK_ELEMENTS + i]
+        first = b * BLOCK_ELEMENTS
+        fill_thresholds(body.ground, step.after, first, body.size, room, new[b])
+    return balance_rows(body.control, law, rows, state.d, step.number)
+
+
+@forces.register(BlockLine)
+def _forces(body, state, law, step):
+    sums, d, c = (0.0, 0.0, 0), state.attempted_d, body.c[(state.steps + 1) % 2]
+    for b in body.some[: state.choice.size]:
+        for i in range(BLOCK_ELEMENTS):
+            depth = d - c[b, i]
+            if depth > 0.0:
+                p = law.stiffness * depth
+                sums = add_force(sums, body.ground, step, law.lag, b * BLOCK_ELEMENTS + i, p)
+    return mean_forces(sums, body.size)
+
+
+@accept.register(BlockLine)
+def _accept(body, state, law):
+    steps, d, units = state.steps + 1, state.attempted_d, body.units
+    advance_scales(law, units, steps)
+    for k in range(law.decay.size):
+        if law.decay[k] < MIN_DECAY:
+            _remember_force(body, state, k, law.stale[k], steps)
+    last = Indenter(d, law.stiffness)
+    return BlockState(state.d, d, d, state.passes, steps, last, state.choice)
+
+
+@inlined_kernel
+def _remember_force(body, state, k, stale, step):
+    """Set the memory of units k to -stale p, with p of the last accepted step."""
+    units, some, c = body.units, body.some[: state.choice.size], body.c[state.steps % 2]
+    rescale_blocks(units, some, step)
+    for b in some:
+        for i in range(BLOCK_ELEMENTS):
+            units.memory[b, k, i] = -stale * element_force(state.last, c[b, i])
+
+
+@end_leg.register(BlockLine)
+def _end_leg(body, state):
+    units, c = body.units, body.c[state.steps % 2]
+    rescale_blocks(units, range(c.shape[0]), state.steps)
+    for b in range(c.shape[0]):
+        for k in range(units.share.size):
+            for i in range(BLOCK_ELEMENTS):
+                p = element_force(state.last, c[b, i])
+                units.memory[b, k, i] = unscaled(units, b, k, i, p)
+    for k in range(units.share.size):
+        units.scales.scale[k], units.fresh[k] = 1.0, 0.0
+    return state
+
+
+@patch_width.register(BlockLine)
+def _patch_width(body, state):
+    """Count in blocks with contact; a zero separates blocks that are not neighbours."""
+    c, touching, stored, next_block = body.c[state.steps % 2], body.touching, 0, 0
+    for b in body.some[: state.choice.size]:
+        if not _is_pressed(c[b], state.last.level):
+            continue
+        if b != next_block:
+            touching[stored] = 0.0
+            stored += 1
+        size = min(BLOCK_ELEMENTS, body.size - b * BLOCK_ELEMENTS)
+        for i in range(size):
+            touching[stored + i] = element_force(state.last, c[b, i])
+        stored, next_block = stored + size, b + 1
+    if next_block * BLOCK_ELEMENTS < body.size:
+        touching[stored] = 0.0
+        stored += 1
+    return median_patch_width(touching[:stored], body.load_of_width)
+
+
+@inlined_kernel
+def _is_pressed(c, level):
+    """Return whether an element of a block touches."""
+    nearest = np.inf
+    for i in range(BLOCK_ELEMENTS):
+        nearest = min(nearest, c[i])
+    return nearest < level
+
+
+@elements_of.register(BlockLine)
+def _elements_of(body, state):
+    units, n, c = body.units, body.size, body.c[state.steps % 2]
+    rescale_blocks(units, range(c.shape[0]), state.steps)
+    memory, p = np.empty((units.share.size, n)), np.empty(n)
+    for i in range(n):
+        b, place = i // BLOCK_ELEMENTS, i % BLOCK_ELEMENTS
+        p[i] = element_force(state.last, c[b, place])
+        for k in range(units.share.size):
+            memory[k, i] = unscaled(units, b, k, place, p[i])
+    return Elements(memory, p, state.d)

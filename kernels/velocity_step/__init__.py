@@ -1,0 +1,1 @@
+"""Velocity steps: steady friction before and after a step, its jump and its relaxation."""
