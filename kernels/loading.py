@@ -20,7 +20,7 @@ from .lines.self_affine import amplitudes
 from .model.force import ConstantForce
 from .quick.contacts.steady_friction import LineSet
 from .quick.march.active import active_march
-from .quick.march.jump_problem import JumpProblem, SteadyState
+from .quick.march.problem import JumpProblem, SteadyState
 from .quick.relaxation import SteadyEnds, plain_relaxations
 from .quick.steady.span_sweep import DecayFactors
 from .quick.steady.spans import SPAN

@@ -1,7 +1,7 @@
 """Friction of a contact state: eq. 5 by quadrature at an instant, or as the mean over a step.
 
 Eq. 5 is summed here, sample by sample, and in two places of quick/ with precomputed sums over many
-samples: contacts/pressure.py at an instant, and march/stepping.py as the mean over a step.
+samples: contacts/pressure.py at an instant, and march/active.py as the mean over a step.
 Source: Li et al. (2014), eqs. 3 to 5, doi:10.1038/srep05795.
 """
 

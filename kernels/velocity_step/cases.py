@@ -19,7 +19,7 @@ from ..quick.contacts.steady_friction import (
     steady_friction,
 )
 from ..quick.march.active import active_march
-from ..quick.march.jump_problem import JumpProblem, SteadyState
+from ..quick.march.problem import JumpProblem, SteadyState
 from ..quick.relaxation import SteadyEnds, plain_relaxations
 from ..quick.steady.stack import single_line
 from .case import MARCHING, Case, Outcome, PhaseClocks, Quantities, Seconds

@@ -2,7 +2,7 @@
 
 The quadrature of model/friction.py works for any state. This version is for a state whose touching
 samples are listed (touching_samples.py): a span that is pressed everywhere contributes its sums.
-Eq. 5 is also summed in model/friction.py and, as the mean over a step, in march/stepping.py. Eq. 4
+Eq. 5 is also summed in model/friction.py and, as the mean over a step, in march/active.py. Eq. 4
 is solved by model/contact.py.
 Source: Li et al. (2014), doi:10.1038/srep05795.
 """

@@ -14,7 +14,7 @@ from elastomer_friction.kernels import (
     step_average,
 )
 from elastomer_friction.kernels.model.steady import sweep
-from elastomer_friction.kernels.quick.march.jump_problem import JumpProblem, SteadyState
+from elastomer_friction.kernels.quick.march.problem import JumpProblem, SteadyState
 from elastomer_friction.kernels.quick.steady.span_sweep import decay_factors
 from elastomer_friction.kernels.quick.steady.spans import SPAN, add_rises
 from elastomer_friction.kernels.quick.steady.stack import spans_of_line, stack_of

@@ -10,20 +10,19 @@ from hypothesis import strategies as st
 
 from elastomer_friction.kernels import SCHEMES, ConstantForce
 from elastomer_friction.kernels.motion.stretches import touchable
-from elastomer_friction.kernels.quick.march.active import BOUND_MARGINS, active_march
-from elastomer_friction.kernels.quick.march.bounds import initial_bounds
-from elastomer_friction.kernels.quick.march.certain_landings import no_landings
-from elastomer_friction.kernels.quick.march.gap_crossings import SteadyFlight, run_entries
-from elastomer_friction.kernels.quick.march.listed_samples import listed_samples
-from elastomer_friction.kernels.quick.march.shortened_lists import march_with_shortening
-from elastomer_friction.kernels.quick.march.step_indentation import predict_first_indentation
-from elastomer_friction.kernels.quick.march.stepping import (
-    ActiveSet,
+from elastomer_friction.kernels.quick.march.active import (
+    BOUND_MARGINS,
     MarchState,
     Recorder,
+    active_march,
+    march_with_shortening,
+    predict_first_indentation,
     step_until,
 )
-from elastomer_friction.kernels.quick.march.undecided_runs import undecided_runs
+from elastomer_friction.kernels.quick.march.crossings import SteadyFlight, no_landings, run_entries
+from elastomer_friction.kernels.quick.march.kinds import listed_samples, undecided_runs
+from elastomer_friction.kernels.quick.march.lists import ActiveSet
+from elastomer_friction.kernels.quick.march.problem import initial_bounds
 from tests.kernels.quick.march.given import (
     Jump,
     dense,

@@ -1,13 +1,21 @@
-"""Undecided runs, and sums over samples that always touch, from one pass over the line.
+"""Contact kinds of all samples, from one pass over the line against the motion.
 
-The gap g_j(t) = c_j(t) - d(t) above the element at sample j is negative where it touches. With
-a_j and D of jump_problem.py
+Undecided samples are listed run by run, those that always touch are summed. The gap g_j(t) =
+c_j(t) - d(t) above the element at sample j is negative where it touches. With a_j and D of
+problem.py
 
     g_j(t) = a_j - D(t) + E max(g_(j+1)(t - 1), 0),
 
-so bounds of D give bounds of g_j from those of g_(j+1). The steady states give further bounds
-(displacement_bounds.py). Spans that always touch or never touch are passed at once. In the few
-others, the displacements of both steady states are recomputed sample by sample.
+so bounds of D give bounds of g_j from those of g_(j+1). The two steady states give further bounds.
+Spans that always touch or never touch are passed at once. In the few others, the displacements of
+both steady states are recomputed sample by sample.
+
+Sums over a span follow from those in steady/spans.py, and its samples are not visited. For a sample
+j and its upstream neighbour j + 1 let Delta f_j = f_(j+1) - f_j. With slopes s_j and any level,
+
+    level - a_j = (level - z_j / K) + E Delta z_j,    lagged slope = s_j + lag Delta s_j,
+
+so spans.py determines their sums over a span, and the sum of their products.
 """
 
 from typing import NamedTuple
@@ -15,29 +23,53 @@ from typing import NamedTuple
 import numpy as np
 
 from ...compile.jit import kernel, refcount_free_kernel
-from ..steady.spans import SPAN
-from .displacement_bounds import (
-    ALWAYS_TOUCHES,
-    FORCED_UNDECIDED,
-    NEVER_TOUCHES,
-    UNDECIDED,
-    decayed_displacement,
-    displacement_bounds,
-    kind_of_first,
-    span_always_touches,
-    span_never_touches,
+from ..steady.spans import (
+    FIRST_HEIGHT,
+    FIRST_SLOPE,
+    HEIGHT_SUM,
+    RISE_SUM,
+    SLOPE_SUM,
+    SPAN,
+    TURN_SUM,
+    WORK_SUM,
 )
-from .jump_problem import line_rise
-from .listed_samples import (
-    CollectedSamples,
-    SummedContact,
-    add_sample,
-    add_span,
-    lagged_slope_at,
-)
+from .problem import decayed_displacement, displacement_bounds, line_rise
 
+# Elements of a tally: number of samples, sums of overlaps, of lagged slopes, of their products.
+TALLY_SAMPLES, TALLY_DEPTH, TALLY_WEIGHT, TALLY_MOMENT = range(4)
 MIN_GAP_SAMPLES = 8  # a shorter gap is cheaper to list than to cross
 UNKNOWN_GAP = 1e200  # an upper bound of gaps that excludes nothing
+# Contact kinds. ALWAYS_TOUCHES requires that the sample upstream always touches.
+# FORCED_UNDECIDED, only for the first sample of the line: UNDECIDED whatever the bounds.
+NEVER_TOUCHES, UNDECIDED, ALWAYS_TOUCHES, FORCED_UNDECIDED = 0, 2, 3, 4
+
+
+class ListedSamples(NamedTuple):
+    """Listed samples, run by run. A run is in line order: elements enter it at its end."""
+
+    begin: np.ndarray  # first slot of each run, and the end of the last; shape (runs + 1,)
+    z: np.ndarray  # heights
+    weight: np.ndarray  # lagged slopes (friction.py)
+    c: np.ndarray  # contact thresholds of the last step (model/contact.py)
+
+
+class CollectedSamples(NamedTuple):
+    """Listed samples in the order of a walk against the motion, run by run."""
+
+    z: np.ndarray  # heights
+    weight: np.ndarray  # lagged slopes
+    c: np.ndarray  # thresholds in steady sliding at v1
+    c_end: np.ndarray  # thresholds in steady sliding at v2
+
+
+class SummedContact(NamedTuple):
+    """Sums over samples j that always touch, as their upstream neighbours do."""
+
+    level: float  # d / K at v2, the final D; sums relative to it lose no digits
+    samples: float  # number
+    depth: float  # sum of level - a_j
+    weight: float  # sum of the lagged slopes
+    moment: float  # sum of (level - a_j) times the lagged slope
 
 
 class Runs(NamedTuple):
@@ -173,7 +205,7 @@ def _collect(collected, slot, z, d_max, weight, w_start, w_end):
 def gap_bounds(law, bounds, levels, z, rise, near, far, gap_min, gap_max):
     """Return (least, most): bounds of g_j in all steps to come.
 
-    rise : a_j. near, far : displacements of both steady states (displacement_bounds.py).
+    rise : a_j. near, far : displacements of both steady states (problem.py).
     gap_min, gap_max : bounds of max(g, 0) at the sample upstream.
     """
     least = max(
@@ -198,3 +230,84 @@ def contact_kind(forced, touches, least, most):
     if touches and most < 0.0:
         return ALWAYS_TOUCHES
     return NEVER_TOUCHES if least >= 0.0 else UNDECIDED
+
+
+@refcount_free_kernel
+def span_never_touches(problem, bounds, levels, b):
+    """Return whether the lowest sample of a whole span lies too high to touch.
+
+    levels : DisplacementBounds.
+    """
+    near = levels.near
+    w = near.decay.span * near.entered[b]  # upper bound of displacements in the span
+    return problem.spans.lowest[b] - w >= bounds.d_max + levels.near_slack
+
+
+@refcount_free_kernel
+def span_always_touches(problem, bounds, b):
+    """Return whether a whole span always touches if the sample upstream of it does."""
+    largest_rise = problem.end.thresholds[b] / problem.law.stiffness
+    return problem.start.d > problem.start.thresholds[b] and largest_rise < bounds.advance_min
+
+
+@refcount_free_kernel
+def kind_of_first(problem, bounds, levels):
+    """Return the contact kind of z[0], where a walk over the line ends."""
+    z, (start, end) = problem.z, (problem.start, problem.end)
+    u_start, u_end, w_start, w_end = start.entered[0], end.entered[0], 0.0, 0.0
+    for j in range(min(SPAN, z.size) - 1, -1, -1):
+        w_start = decayed_displacement(start.decay, u_start)
+        w_end = decayed_displacement(end.decay, u_end)
+        u_start, u_end = min(w_start, z[j] - start.d), min(w_end, z[j] - end.d)
+    if z[0] - (w_start if levels.near_is_start else w_end) >= bounds.d_max + levels.near_slack:
+        return NEVER_TOUCHES
+    rise = line_rise(problem.law, z[0], z[1])
+    touches = z[0] - w_start < start.d and rise < bounds.advance_min
+    return ALWAYS_TOUCHES if touches else FORCED_UNDECIDED
+
+
+@refcount_free_kernel
+def add_span(problem, level, b, tally):
+    """Add to a tally a span whose samples always touch."""
+    rows, law = problem.spans.rows, problem.law
+    z, s = rows[b, FIRST_HEIGHT], rows[b, FIRST_SLOPE]
+    rise, turn = rows[b + 1, FIRST_HEIGHT] - z, rows[b + 1, FIRST_SLOPE] - s
+    rises, turns = rows[b, RISE_SUM], rows[b, TURN_SUM]
+    depth, slopes = level - z / law.stiffness, SPAN * s + rows[b, SLOPE_SUM]
+    tally[TALLY_SAMPLES] += SPAN
+    tally[TALLY_DEPTH] += SPAN * depth - rows[b, HEIGHT_SUM] / law.stiffness + law.decay * rise
+    tally[TALLY_WEIGHT] += slopes + law.lag * turn
+    moment = depth * slopes - (rows[b, WORK_SUM] + s * rows[b, HEIGHT_SUM]) / law.stiffness
+    lagged = depth * turn - (rise * turn - rises - turns) / law.stiffness
+    along = law.decay * ((rises + s * rise) + law.lag * turns)
+    tally[TALLY_MOMENT] += moment + law.lag * lagged + along
+
+
+@refcount_free_kernel
+def add_sample(depth, weight, tally):
+    """Add to a tally a sample that always touches. depth : level - a_j. weight : lagged slope."""
+    tally[TALLY_SAMPLES] += 1.0
+    tally[TALLY_DEPTH] += depth
+    tally[TALLY_WEIGHT] += weight
+    tally[TALLY_MOMENT] += depth * weight
+
+
+@refcount_free_kernel
+def lagged_slope_at(slope, lag, j):
+    """Return the lagged slope of one sample (friction.py)."""
+    return slope[j] + lag * (slope[j + 1 if j + 1 < slope.size else 0] - slope[j])
+
+
+@kernel
+def listed_samples(runs, collected):
+    """Return the ListedSamples of all Runs at the start of a march."""
+    begin = np.zeros(runs.leading.size + 1, np.int64)
+    for r in range(runs.leading.size):
+        begin[r + 1] = begin[r] + runs.leading[r] - runs.trailing[r] + 1
+    z, weight, c = np.empty(begin[-1]), np.empty(begin[-1]), np.empty(begin[-1])
+    for r in range(runs.leading.size):
+        k = begin[r + 1] - 1
+        for i in range(begin[r], begin[r + 1]):
+            z[k], weight[k], c[k] = collected.z[i], collected.weight[i], collected.c[i]
+            k -= 1
+    return ListedSamples(begin, z, weight, c)

@@ -1,9 +1,8 @@
 """Shorter lists in a long march: the samples that remain undecided within narrower bounds.
 
-They pay off in long marches in which d moves far (docs/speed.md). Samples that have become decided
-move from the lists to the sums, or to the gaps. Only the runs are visited. Samples where elements
-certainly land after a gap are summed too (certain_landings.py). Gaps g are bounded as in
-undecided_runs.py, but from present displacements in place of steady states.
+Samples that have become decided move from the lists to the sums, or to the gaps. Only the runs are
+visited. Samples where elements certainly land after a gap are summed too (crossings.py). Gaps g are
+bounded as in kinds.py, but from present displacements in place of steady states.
 """
 
 from typing import NamedTuple
@@ -12,33 +11,42 @@ import numpy as np
 
 from ...compile.jit import inlined_kernel, kernel, refcount_free_kernel
 from ...rheology.law import State
-from .bounds import Bounds, spread_bounds, within_bounds
-from .certain_landings import (
+from .crossings import (
+    Entries,
     Gap,
+    Landings,
     add_landing,
-    restored_landings,
-    saved_landings,
+    decay_powers,
+    fill_arrivals,
+    run_entries,
     update_distances,
 )
-from .displacement_bounds import ALWAYS_TOUCHES, NEVER_TOUCHES, UNDECIDED
-from .gap_crossings import decay_powers, fill_arrivals, run_entries
-from .jump_problem import line_rise
-from .listed_samples import ListedSamples, SummedContact, add_sample
-from .stepping import ActiveSet, MarchState, step_until
-from .undecided_runs import MIN_GAP_SAMPLES, UNKNOWN_GAP, Runs, allocate_runs, contact_kind
+from .kinds import (
+    ALWAYS_TOUCHES,
+    MIN_GAP_SAMPLES,
+    NEVER_TOUCHES,
+    UNDECIDED,
+    UNKNOWN_GAP,
+    ListedSamples,
+    Runs,
+    SummedContact,
+    add_sample,
+    allocate_runs,
+    contact_kind,
+)
+from .problem import line_rise
 
-FIRST_MARGIN = 0.6  # of narrower bounds, relative to the spread; doubled after each fall-back
-MIN_NARROWING = 0.25  # smallest relative reduction of the spread of D that pays off
-FIRST_SHORTENING = 6  # first step after which lists may be shortened; grows by half each time
 CERTAIN_LANDING = 5  # a contact kind: elements always land here, after a gap
 
 
-class SavedMarch(NamedTuple):
-    """Longer lists to which a march can return."""
+class ActiveSet(NamedTuple):
+    """Lists of the samples that a march steps, and sums over the others that touch."""
 
-    active: ActiveSet
-    bounds: Bounds
-    state: MarchState
+    runs: Runs
+    listed: ListedSamples
+    sums: SummedContact
+    entries: Entries
+    landings: Landings
 
 
 class SampleBounds(NamedTuple):
@@ -63,89 +71,6 @@ class RunSlots(NamedTuple):
     runs: Runs
     first: np.ndarray  # lowest slot of each run
     last: np.ndarray  # highest slot
-
-
-@kernel
-def march_with_shortening(problem, control, active, bounds, state, last, recorder, worth):
-    """March as step_until does, with shorter lists wherever they save more than they cost.
-
-    If d or D leaves the bounds, the march returns to the last longer lists whose bounds hold, at
-    the step where it replaced them. The next narrower bounds have a larger margin.
-    active : the ActiveSet at the start. worth : factor that multiplies the savings.
-    """
-    law, margin = problem.law, FIRST_MARGIN
-    longer = _no_saved_marches(SavedMarch(active, bounds, state))
-    work, due, w = 0, FIRST_SHORTENING, np.empty(problem.z.size)
-    while True:
-        inside, new, visited, updates = step_until(
-            problem, control, active, bounds, state, min(due, last), recorder
-        )
-        work += updates
-        if not inside:
-            while len(longer) > 0 and not within_bounds(longer[-1].bounds, new.d, new.advance):
-                longer.pop()
-            if len(longer) == 0:
-                return False, new, visited, work
-            saved, bounds, state = longer.pop()
-            landings = restored_landings(active.landings, saved.landings)
-            active = _with_landings(saved, landings)
-            due, margin = new.step, 2.0 * margin
-            continue
-        state, remaining = new, last - new.step
-        if remaining == 0:
-            return True, state, visited, work
-        narrower = narrower_bounds(law, bounds, visited, problem.end.d, margin)
-        crossings = active.entries.crossings
-        if worth * savings_ratio(bounds, narrower, active.listed, crossings, remaining) > 1.0:
-            saved = _with_landings(active, saved_landings(active.landings))
-            longer.append(SavedMarch(saved, bounds, state))
-            present_displacements(law, active, state.d, w, remaining)
-            past = active.landings.past[: state.step + 1]
-            active = shorten_lists(law, problem.z, narrower, active, past, w, remaining)
-            bounds = narrower
-            work += active.listed.c.size + active.entries.crossings.arrivals.size
-        due += due // 2
-
-
-@kernel
-def _no_saved_marches(example):
-    """Return an empty list; from ``example`` numba infers the type of its items."""
-    saved = [example]
-    saved.pop()
-    return saved
-
-
-@kernel
-def _with_landings(active, landings):
-    """Return the ActiveSet with other Landings."""
-    return ActiveSet(active.runs, active.listed, active.sums, active.entries, landings)
-
-
-@refcount_free_kernel
-def savings_ratio(bounds, narrower, listed, crossings, steps):
-    """Estimate the time that shorter lists save over the time that making them takes."""
-    old_spread = bounds.advance_max - bounds.advance_min
-    saved = 1.0 - (narrower.advance_max - narrower.advance_min) / old_spread
-    step_cost = 2.0 * listed.c.size + 16.0 * crossings.slot.size
-    cost = 30.0 * crossings.arrivals.size + 100.0 * listed.c.size
-    return steps * step_cost * saved / cost if saved > MIN_NARROWING and cost > 0.0 else 0.0
-
-
-@kernel
-def narrower_bounds(law, bounds, visited, d_end, margin):
-    """Return Bounds inside ``bounds`` for the visited range of d, extended to its final value.
-
-    margin : extra width on each side, relative to the spread of d and of D.
-    """
-    d_min, d_max = min(visited.d_min, d_end), max(visited.d_max, d_end)
-    ahead = Bounds(d_min, d_max, visited.advance_min, visited.advance_max)
-    new = spread_bounds(law, ahead, margin)
-    return Bounds(
-        max(new.d_min, bounds.d_min),
-        min(new.d_max, bounds.d_max),
-        max(new.advance_min, bounds.advance_min),
-        min(new.advance_max, bounds.advance_max),
-    )
 
 
 @kernel

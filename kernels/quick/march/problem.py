@@ -1,0 +1,131 @@
+"""Input of the active-set march, and the bounds that it assumes of d, D and the displacements.
+
+Bounds of d and D are first guessed, then checked at every step. The displacements of the two steady
+states bound those on the way from one to the other: a free u decays by the factor E of v1 before
+the jump, of v2 after it; in contact u = z - d.
+"""
+
+from typing import NamedTuple
+
+import numpy as np
+
+from ...compile.jit import kernel, refcount_free_kernel
+from ...rheology.kelvin import Kelvin
+from ...rheology.law import MIN_MAGNITUDE
+from ..steady.span_sweep import DecayFactors
+from ..steady.spans import Spans
+
+MIN_SPREAD = 1e-11  # smallest spread of d or D, relative to d; far above rounding
+
+
+class SteadyState(NamedTuple):
+    """Steady sliding at one speed, by spans of the line (steady/spans.py)."""
+
+    decay: DecayFactors
+    thresholds: np.ndarray  # indentation from which a whole span touches (steady/thresholds.py)
+    entered: np.ndarray  # displacement of the element that enters each span (contact_pieces.py)
+    d: float  # indentation
+
+
+class JumpProblem(NamedTuple):
+    """A line, and steady sliding on it before and after the velocity jump."""
+
+    z: np.ndarray  # in h, shape (n,)
+    slope: np.ndarray  # in h/dx, shape (n,)
+    spans: Spans
+    before: Kelvin  # law for steps of one sample at v1
+    law: Kelvin  # the same at v2
+    start: SteadyState  # at v1
+    end: SteadyState  # at v2
+    rate: float  # d' in h/tau just after the velocity jump
+
+
+@kernel
+def indentation_advance(law, d, previous):
+    """Return D(t) = d(t) - E d(t - 1); as 1 - E = 1/K is used, no digits are lost near E = 1."""
+    return (d - previous) + previous / law.stiffness
+
+
+@kernel
+def line_rise(law, z, upstream):
+    """Return a_j = z_j - E z_(j+1). z : z_j. upstream : z_(j+1).
+
+    An element that arrives from contact upstream overlaps the line by d - c = D - a_j.
+    """
+    return (z - upstream) + upstream / law.stiffness
+
+
+class Bounds(NamedTuple):
+    """Open intervals assumed to contain d and D(t) = d(t) - E d(t - 1), in h."""
+
+    d_min: float
+    d_max: float
+    advance_min: float  # of D
+    advance_max: float
+
+
+EMPTY_BOUNDS = Bounds(np.inf, -np.inf, np.inf, -np.inf)
+
+
+@kernel
+def within_bounds(bounds, d, advance):
+    """Return whether d and D = ``advance`` lie within the bounds; False for NaN."""
+    d_inside = bounds.d_min < d < bounds.d_max
+    return d_inside and bounds.advance_min < advance < bounds.advance_max
+
+
+@kernel
+def spread_bounds(law, visited, margin):
+    """Return the range ``visited`` of d and D, widened on each side by ``margin`` of its spread.
+
+    The bounds of D include d / K, its value at constant d, for every d within the bounds.
+    """
+    d_min, d_max, advance_min, advance_max = visited
+    wide = margin * max(d_max - d_min, MIN_SPREAD * d_max)
+    low, high = max(d_min - wide, 0.0), d_max + wide
+    least, most = min(advance_min, low / law.stiffness), max(advance_max, high / law.stiffness)
+    wide = margin * max(most - least, MIN_SPREAD * d_max)
+    return Bounds(low, high, least - wide, most + wide)
+
+
+@refcount_free_kernel
+def initial_bounds(problem, d, margin):
+    """Return the Bounds of a whole march. d : estimate of d after the first step."""
+    one, two = problem.start.d, problem.end.d
+    advance = indentation_advance(problem.law, d, one)
+    visited = Bounds(min(one, two, d), max(one, two, d), advance, advance)
+    return spread_bounds(problem.law, visited, margin)
+
+
+@kernel
+def extended_bounds(visited, d, advance):
+    """Return the range ``visited`` of d and D, extended to include this d and D."""
+    least, most = min(visited.advance_min, advance), max(visited.advance_max, advance)
+    return Bounds(min(visited.d_min, d), max(visited.d_max, d), least, most)
+
+
+class DisplacementBounds(NamedTuple):
+    """Bounds of free displacements: far - far_slack <= w <= near + near_slack."""
+
+    near: SteadyState  # the state in which displacements decay faster
+    near_is_start: bool  # whether ``near`` is the state at v1
+    near_slack: float
+    far_slack: float
+
+
+@kernel
+def displacement_bounds(problem, bounds):
+    """Return the DisplacementBounds; slacks are E (near.d - d_min)+ and E (d_max - far.d)+."""
+    near, far, near_is_start = problem.start, problem.end, True
+    if problem.before.decay > problem.law.decay:
+        near, far, near_is_start = far, near, False
+    decay = problem.law.decay
+    near_slack = decay * max(near.d - bounds.d_min, 0.0)
+    far_slack = decay * max(bounds.d_max - far.d, 0.0)
+    return DisplacementBounds(near, near_is_start, near_slack, far_slack)
+
+
+@refcount_free_kernel
+def decayed_displacement(decay, u):
+    """Return the displacement of a free element one sample after it was u."""
+    return decay.sample * u if u < -MIN_MAGNITUDE else 0.0
