@@ -18,7 +18,7 @@ from ...compile.jit import inlined_kernel, kernel, refcount_free_kernel
 from ...lines.polynomials import septic_coefficients, septic_height, septic_slope
 from ...rheology.law import MIN_MAGNITUDE
 from ..steady.spans import SPAN
-from .smooth_line import first_zero, integral, pressure, span_of
+from .smooth_line import SmoothLine, first_zero, integral, pressure, span_of
 
 MAX_EVENTS = 4  # per interval; more would be due to rounding
 MIN_EDGE_PRESSURE = 1e-9  # in h: least pressure used as a divisor in GROWTH
@@ -46,6 +46,38 @@ class PatchedContact(NamedTuple):
     patches: int  # their number; the last one continues as the first, across the deepest point
 
 
+class Turn(NamedTuple):
+    """Constants of a turn round the line."""
+
+    line: SmoothLine
+    speed: float
+    d: float  # indentation
+    decay: float  # exponent of the decay of a free displacement over one interval
+
+
+class TurningElement(NamedTuple):
+    """The element between two events, and the present patch up to it."""
+
+    in_contact: bool
+    t: float  # position in the present interval
+    u: float  # displacement if it is free
+    landing: float  # d - z where it last landed
+    left_u: float  # displacement where it last left
+    left_at: float  # position there, in intervals from the deepest one on
+    area: float  # integral of d - z over the present patch so far
+    width: float  # of the present patch so far, in dx
+
+
+class TurnSums(NamedTuple):
+    """The fields of PatchedContact, summed over the patches that the element has left."""
+
+    force: float
+    rate: float
+    work: float
+    edge_rate: float
+    patches: int
+
+
 @kernel
 def allocate_patches(n):
     """Return Patches with room for as many patches as n intervals can have."""
@@ -60,56 +92,105 @@ def turn_line(line, speed, d, patches):
     Fill ``patches``. The turn begins and ends in contact, at the deepest point, which lies below d.
     Only intervals whose bounds of heights and slopes admit an event are searched for events.
     """
-    z, slope, bend, h, _, _, (deepest_interval, deepest_t, deepest) = line
-    # i : intervals passed since the deepest one. j : index of the present one. t : position in it.
-    n, decay, i, j, t, count = z.size, h / speed, 0, deepest_interval, deepest_t, 0
-    decays = math.exp(-decay), math.exp(-decay * SPAN)
-    force = rate = work = edge_rate = 0.0
-    area = width = u = left_u = left_at = 0.0
-    in_contact, landing = True, deepest - d
+    n, (deepest_interval, deepest_t, deepest) = line.z.size, line.deepest
+    turn = Turn(line, speed, d, line.spacing / speed)
+    decays = math.exp(-turn.decay), math.exp(-turn.decay * SPAN)
+    # i : intervals passed since the deepest one. j : index of the present one.
+    i, j, sums = 0, deepest_interval, TurnSums(0.0, 0.0, 0.0, 0.0, 0)
+    element = TurningElement(True, deepest_t, 0.0, deepest - d, 0.0, 0.0, 0.0, 0.0)
     begin_patch(patches, 0, 0, deepest_t, 0.0)
     while i <= n:
+        in_contact, t, u, landing, left_u, left_at, area, width = element
         if t == 0.0 and in_contact:
             i, j, area, width = _skip_touching(line, speed, d, i, j, area, width)
         elif t == 0.0:
             i, j, u = _skip_free(line, d, decays, i, j, u)
-        c = septic_coefficients(z, slope, bend, h, j)
-        stop, fresh = 1.0 if i < n else deepest_t, True
-        overlap = (c[0] - d, c[1], c[2], c[3], c[4], c[5], c[6], c[7])
-        for _ in range(MAX_EVENTS):
-            if in_contact:
-                p = pressure(c, d, speed / h)
-                zero = first_zero(p, 0.0, 0.0, t, stop, True)
-                end = min(zero, stop)
-                area, width = area - h * integral(overlap, t, end), width + h * (end - t)
-                if zero > stop:
-                    break
-                t, in_contact, fresh, u = zero, False, False, septic_height(overlap, zero)
-                left_u, left_at = u, i + t
-                growth = -h / min(septic_slope(p, t), -MIN_EDGE_PRESSURE)
-                end_patch(patches, count, i, t, growth, area, width, landing - u)
-                force, rate, count = force + area, rate + width, count + 1
-                area = width = 0.0
-            else:
-                zero = first_zero(overlap, u, decay, t, stop, fresh)
-                if zero > stop and i < n:
-                    u = u * math.exp(-decay * (stop - t)) if u < -MIN_MAGNITUDE else 0.0
-                    break
-                t, in_contact = min(zero, stop), True
-                landing = septic_height(overlap, t)
-                loss = -math.expm1(-decay * (i + t - left_at))
-                rise = -septic_slope(c, t) / h
-                force, rate = force - speed * loss * left_u, rate + speed * loss
-                work += 0.5 * left_u * left_u * loss * (2.0 - loss)
-                edge_rate += speed * loss * rise
-                growth = speed * loss / max(speed * rise - landing, MIN_EDGE_PRESSURE)
-                begin_patch(patches, count, i, t, growth)
-        i, j, t = i + 1, j - 1 if j > 0 else n - 1, 0.0
-    if not in_contact:  # by rounding, the element left just before the deepest point
+        element = TurningElement(in_contact, t, u, landing, left_u, left_at, area, width)
+        element, sums = _pass_interval(turn, i, j, element, sums, patches)
+        i, j = i + 1, j - 1 if j > 0 else n - 1
+    count, landing = sums.patches, element.landing
+    if not element.in_contact:  # by rounding, the element left just before the deepest point
         begin_patch(patches, count, n, deepest_t, 0.0)
         landing = deepest - d
-    end_patch(patches, count, n, deepest_t, 0.0, area, width, landing - (deepest - d))
-    return PatchedContact(d, force + area, rate + width, work, edge_rate, count + 1)
+    area, width, rise = element.area, element.width, landing - (deepest - d)
+    end_patch(patches, count, n, deepest_t, 0.0, area, width, rise)
+    force, rate = sums.force + area, sums.rate + width
+    return PatchedContact(d, force, rate, sums.work, sums.edge_rate, count + 1)
+
+
+@inlined_kernel
+def _pass_interval(turn, i, j, element, sums, patches):
+    """Return the TurningElement at the start of the next interval, and the TurnSums.
+
+    i : intervals passed since the deepest one. j : index of the present one.
+    """
+    line, d = turn.line, turn.d
+    c = septic_coefficients(line.z, line.slope, line.bend, line.spacing, j)
+    stop, fresh = 1.0 if i < line.z.size else line.deepest[1], True
+    overlap = (c[0] - d, c[1], c[2], c[3], c[4], c[5], c[6], c[7])
+    for _ in range(MAX_EVENTS):
+        if element.in_contact:
+            p = pressure(c, d, turn.speed / line.spacing)
+            zero = first_zero(p, 0.0, 0.0, element.t, stop, True)
+            element = _press(turn, overlap, min(zero, stop), element)
+            if zero > stop:
+                break
+            element, sums = _leave(turn, overlap, p, i, zero, element, sums, patches)
+            fresh = False
+        else:
+            zero = first_zero(overlap, element.u, turn.decay, element.t, stop, fresh)
+            if zero > stop and i < line.z.size:
+                element = _decay(turn, stop, element)
+                break
+            element, sums = _land(turn, overlap, c, i, min(zero, stop), element, sums, patches)
+    in_contact, _, u, landing, left_u, left_at, area, width = element
+    return TurningElement(in_contact, 0.0, u, landing, left_u, left_at, area, width), sums
+
+
+@inlined_kernel
+def _press(turn, overlap, end, element):
+    """Return the TurningElement after contact up to t = ``end``, where t is not advanced."""
+    in_contact, t, u, landing, left_u, left_at, area, width = element
+    h = turn.line.spacing
+    area, width = area - h * integral(overlap, t, end), width + h * (end - t)
+    return TurningElement(in_contact, t, u, landing, left_u, left_at, area, width)
+
+
+@inlined_kernel
+def _decay(turn, stop, element):
+    """Return the TurningElement after free decay up to t = ``stop``, where t is not advanced."""
+    in_contact, t, u, landing, left_u, left_at, area, width = element
+    u = u * math.exp(-turn.decay * (stop - t)) if u < -MIN_MAGNITUDE else 0.0
+    return TurningElement(in_contact, t, u, landing, left_u, left_at, area, width)
+
+
+@inlined_kernel
+def _leave(turn, overlap, p, i, t, element, sums, patches):
+    """End the patch where the pressure p vanishes, at t; return (TurningElement, TurnSums)."""
+    _, _, _, landing, _, _, area, width = element
+    u, count = septic_height(overlap, t), sums.patches
+    growth = -turn.line.spacing / min(septic_slope(p, t), -MIN_EDGE_PRESSURE)
+    end_patch(patches, count, i, t, growth, area, width, landing - u)
+    force, rate = sums.force + area, sums.rate + width
+    sums = TurnSums(force, rate, sums.work, sums.edge_rate, count + 1)
+    return TurningElement(False, t, u, landing, u, i + t, 0.0, 0.0), sums
+
+
+@inlined_kernel
+def _land(turn, overlap, c, i, t, element, sums, patches):
+    """Begin a patch where the free element lands, at t; return (TurningElement, TurnSums)."""
+    _, _, u, _, left_u, left_at, area, width = element
+    force, rate, work, edge_rate, count = sums
+    speed, landing = turn.speed, septic_height(overlap, t)
+    loss = -math.expm1(-turn.decay * (i + t - left_at))
+    rise = -septic_slope(c, t) / turn.line.spacing
+    force, rate = force - speed * loss * left_u, rate + speed * loss
+    work += 0.5 * left_u * left_u * loss * (2.0 - loss)
+    edge_rate += speed * loss * rise
+    growth = speed * loss / max(speed * rise - landing, MIN_EDGE_PRESSURE)
+    begin_patch(patches, count, i, t, growth)
+    sums = TurnSums(force, rate, work, edge_rate, count)
+    return TurningElement(True, t, u, landing, left_u, left_at, area, width), sums
 
 
 @inlined_kernel

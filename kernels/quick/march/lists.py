@@ -10,6 +10,7 @@ from typing import NamedTuple
 import numpy as np
 
 from ...compile.jit import inlined_kernel, kernel, refcount_free_kernel
+from ...rheology.kelvin import Kelvin
 from ...rheology.law import State
 from .crossings import (
     Entries,
@@ -34,7 +35,7 @@ from .kinds import (
     allocate_runs,
     contact_kind,
 )
-from .problem import line_rise
+from .problem import Bounds, line_rise
 
 CERTAIN_LANDING = 5  # a contact kind: elements always land here, after a gap
 
@@ -58,6 +59,13 @@ class SampleBounds(NamedTuple):
     u_max: float
 
 
+class ArrivalBounds(NamedTuple):
+    """Bounds of the displacement with which elements arrive at a sample."""
+
+    u_min: float
+    u_max: float
+
+
 class Source(NamedTuple):
     """The last sample upstream that may touch, where elements come from."""
 
@@ -73,6 +81,30 @@ class RunSlots(NamedTuple):
     last: np.ndarray  # highest slot
 
 
+class ListWalk(NamedTuple):
+    """State of a walk over the listed samples, between two of them."""
+
+    kind: int  # contact kind of the last sample
+    source: Source
+    sample: SampleBounds  # at the last sample
+    arriving: ArrivalBounds  # of elements that arrive at the next sample
+    run_count: int  # number of shorter runs so far
+
+
+class Shortening(NamedTuple):
+    """Input of ``shorten_lists``, and where a walk over the lists stores its results."""
+
+    law: Kelvin
+    line: np.ndarray  # heights of all samples
+    bounds: Bounds  # the narrower ones
+    active: ActiveSet
+    past: np.ndarray  # d from the start to the end of the present step
+    w: np.ndarray  # displacements, see present_displacements
+    steps: int  # number of steps to come
+    slots: RunSlots  # to fill
+    added: np.ndarray  # tally of the samples that now always touch
+
+
 @kernel
 def shorten_lists(law, line, bounds, active, past, w, steps):
     """Return the ActiveSet for narrower bounds, at the end of a step.
@@ -82,7 +114,8 @@ def shorten_lists(law, line, bounds, active, past, w, steps):
     """
     size, added = active.listed.c.size, np.zeros(4)
     slots = RunSlots(allocate_runs(size), np.empty(size, np.int64), np.empty(size, np.int64))
-    count = _walk_lists(law, line, bounds, active, past, w, steps, slots, added)
+    task = Shortening(law, line, bounds, active, past, w, steps, slots, added)
+    count = _walk_lists(task)
     runs = Runs(
         slots.runs.leading[:count],
         slots.runs.trailing[:count],
@@ -103,63 +136,81 @@ def shorten_lists(law, line, bounds, active, past, w, steps):
 
 
 @refcount_free_kernel
-def _walk_lists(law, line, bounds, active, past, w, steps, slots, added):
+def _walk_lists(task):
     """Sort the listed samples into contact kinds; return the number of shorter runs.
 
-    slots : RunSlots to fill. added : tally to which samples that now always touch are added.
-    Certain landings are added to those of ``active``. Other arguments : see shorten_lists.
+    task : Shortening. Certain landings are added to those of ``task.active``.
     """
-    runs, listed, sums, (_, crossings), landings = active
-    d, count, crossing = past[-1], 0, 0
+    runs, listed = task.active.runs, task.active.listed
+    count, crossing = 0, 0
     # If the source of the first run is a listed sample, the walk reaches it only at the end.
-    source, sample = Source(line.size, False), SampleBounds(0.0, UNKNOWN_GAP, -bounds.d_max, 0.0)
+    source = Source(task.line.size, False)
+    sample = SampleBounds(0.0, UNKNOWN_GAP, -task.bounds.d_max, 0.0)
     for r in range(runs.leading.size):
-        j, kind = runs.leading[r], NEVER_TOUCHES
+        j, direct = runs.leading[r], runs.source_touches[r] and runs.distance[r] == 1
         if runs.source_touches[r]:
             source = Source(j + runs.distance[r], True)
-        arriving, sample = _entering_bounds(
-            law, line, bounds, runs, r, crossings, crossing, steps, sample
-        )
-        crossing += not (runs.source_touches[r] and runs.distance[r] == 1)
+        arriving, sample = _entering_bounds(task, r, crossing, sample)
+        crossing += not direct
+        walk = ListWalk(NEVER_TOUCHES, source, sample, arriving, count)
         for i in range(listed.begin[r + 1] - 1, listed.begin[r] - 1, -1):
-            previous, upstream_touches = kind, sample.gap_max == 0.0
-            rise = line_rise(law, line[j], _height_at(line, j + 1))
-            c = listed.c[i] + (line[j] - listed.z[i])
-            least, most, sample = _sample_bounds(law, bounds, line[j], c, d, rise, sample, arriving)
-            touches = sample.gap_max == 0.0
-            kind = contact_kind(False, upstream_touches and touches, least, most)
-            if kind == UNDECIDED and previous == NEVER_TOUCHES and source.touches and touches:
-                gap = Gap(_height_at(line, source.sample), source.sample, source.sample - j)
-                if add_landing(law, landings, gap, line[j], listed.weight[i], past, w, steps):
-                    kind = CERTAIN_LANDING
-            if kind == ALWAYS_TOUCHES:
-                add_sample(sums.level - rise, listed.weight[i], added)
-            elif kind == UNDECIDED:
-                near = source.sample <= runs.leading[r]
-                count = _list_sample(slots, count, j, i, previous, source, near)
-            if kind != NEVER_TOUCHES:
-                source = Source(j, touches)
-            arriving = law.decay * sample.u_min, law.decay * sample.u_max
+            walk = _sort_sample(task, walk, i, j, runs.leading[r])
             j -= 1
-    new = slots.runs
-    from_line_end = count > 0 and new.leading[0] + new.distance[0] == line.size
+        source, sample, count = walk.source, walk.sample, walk.run_count
+    new = task.slots.runs
+    from_line_end = count > 0 and new.leading[0] + new.distance[0] == task.line.size
     if from_line_end and not new.source_touches[0]:
-        new.distance[0] = source.sample + line.size - new.leading[0]
+        new.distance[0] = source.sample + task.line.size - new.leading[0]
         new.source_touches[0] = source.touches
     return count
 
 
 @inlined_kernel
-def _list_sample(slots, count, j, i, previous, source, near):
+def _sort_sample(task, walk, i, j, leading):
+    """Sum sample j in slot i, list it, or leave it to a gap; return the ListWalk after it.
+
+    leading : leading sample of its longer run.
+    """
+    law, line, listed, source = task.law, task.line, task.active.listed, walk.source
+    rise = line_rise(law, line[j], _height_at(line, j + 1))
+    c = listed.c[i] + (line[j] - listed.z[i])
+    least, most, sample = _sample_bounds(task, line[j], c, rise, walk.sample, walk.arriving)
+    touches = sample.gap_max == 0.0
+    kind = contact_kind(False, walk.sample.gap_max == 0.0 and touches, least, most)
+    behind_gap = walk.kind == NEVER_TOUCHES and source.touches
+    if kind == UNDECIDED and behind_gap and touches and _lands_certainly(task, source, i, j):
+        kind = CERTAIN_LANDING
+    count = walk.run_count
+    if kind == ALWAYS_TOUCHES:
+        add_sample(task.active.sums.level - rise, listed.weight[i], task.added)
+    elif kind == UNDECIDED:
+        count = _list_sample(task.slots, walk, i, j, source.sample <= leading)
+    if kind != NEVER_TOUCHES:
+        source = Source(j, touches)
+    arriving = ArrivalBounds(law.decay * sample.u_min, law.decay * sample.u_max)
+    return ListWalk(kind, source, sample, arriving, count)
+
+
+@inlined_kernel
+def _lands_certainly(task, source, i, j):
+    """Add sample j in slot i to the certain landings if it is one; return whether it is."""
+    gap = Gap(_height_at(task.line, source.sample), source.sample, source.sample - j)
+    landings, weight = task.active.landings, task.active.listed.weight[i]
+    z, past = task.line[j], task.past
+    return add_landing(task.law, landings, gap, z, weight, past, task.w, task.steps)
+
+
+@inlined_kernel
+def _list_sample(slots, walk, i, j, near):
     """Add sample j in slot i to the last shorter run or to a new one; return the number of runs.
 
-    previous : kind of the sample upstream. near : whether the source lies in the same longer
-    run, so that the samples between are listed already.
+    near : whether the source lies in the same longer run, so that the samples between are listed
+    already.
     """
-    runs = slots.runs
-    short_gap = previous == NEVER_TOUCHES and source.sample - j <= MIN_GAP_SAMPLES and near
+    runs, source, count = slots.runs, walk.source, walk.run_count
+    short_gap = walk.kind == NEVER_TOUCHES and source.sample - j <= MIN_GAP_SAMPLES and near
     continues = short_gap and count > 0 and runs.trailing[count - 1] == source.sample
-    if previous != UNDECIDED and not continues:
+    if walk.kind != UNDECIDED and not continues:
         ahead = source.sample - 1 - j if short_gap and source.touches else 0
         runs.leading[count], slots.last[count] = j + ahead, i + ahead
         runs.distance[count] = source.sample - runs.leading[count]
@@ -170,19 +221,20 @@ def _list_sample(slots, count, j, i, previous, source, near):
 
 
 @refcount_free_kernel
-def _entering_bounds(law, line, bounds, runs, r, crossings, crossing, steps, upstream):
-    """Return (bounds of u of the elements that enter run r, SampleBounds upstream of the run).
+def _entering_bounds(task, r, crossing, upstream):
+    """Return (ArrivalBounds of run r, SampleBounds upstream of the run).
 
-    crossing : index of the next crossing. steps : number of steps to come. upstream : SampleBounds
-    at the end of the previous run.
+    crossing : index of the next crossing. upstream : SampleBounds at the end of the previous run.
     """
+    runs, bounds, decay = task.active.runs, task.bounds, task.law.decay
     if runs.source_touches[r]:
-        height = _height_at(line, runs.leading[r] + runs.distance[r])
+        height = _height_at(task.line, runs.leading[r] + runs.distance[r])
         upstream = SampleBounds(0.0, 0.0, height - bounds.d_max, height - bounds.d_min)
         if runs.distance[r] == 1:
-            return (law.decay * upstream.u_min, law.decay * upstream.u_max), upstream
-    arriving = arrival_bounds(crossings, crossing, upstream.u_min, upstream.u_max, steps)
-    return arriving, SampleBounds(0.0, UNKNOWN_GAP, upstream.u_min, upstream.u_max)
+            return ArrivalBounds(decay * upstream.u_min, decay * upstream.u_max), upstream
+    crossings, u_min, u_max = task.active.entries.crossings, upstream.u_min, upstream.u_max
+    arriving = arrival_bounds(crossings, crossing, u_min, u_max, task.steps)
+    return arriving, SampleBounds(0.0, UNKNOWN_GAP, u_min, u_max)
 
 
 @refcount_free_kernel
@@ -192,21 +244,22 @@ def _height_at(line, j):
 
 
 @kernel
-def _sample_bounds(law, bounds, z, c, d, rise, upstream, arriving):
+def _sample_bounds(task, z, c, rise, upstream, arriving):
     """Return (least, most, sample): bounds of g at a sample, and its SampleBounds.
 
-    c, d : present threshold and indentation. rise : a_j. upstream : SampleBounds of the sample
-    upstream. arriving : bounds of the displacement with which elements arrive.
+    c : present threshold. rise : a_j. upstream : SampleBounds of the sample upstream.
+    arriving : ArrivalBounds of this sample.
     """
+    bounds, decay, d = task.bounds, task.law.decay, task.past[-1]
     least = max(
-        rise - bounds.advance_max + law.decay * upstream.gap_min, z - arriving[1] - bounds.d_max
+        rise - bounds.advance_max + decay * upstream.gap_min, z - arriving.u_max - bounds.d_max
     )
     most = min(
-        rise - bounds.advance_min + law.decay * upstream.gap_max, z - arriving[0] - bounds.d_min
+        rise - bounds.advance_min + decay * upstream.gap_max, z - arriving.u_min - bounds.d_min
     )
     least, most = min(least, c - d), max(most, c - d)
     u = z - max(c, d)
-    u_min, u_max = min(arriving[0], z - bounds.d_max), min(arriving[1], z - bounds.d_min)
+    u_min, u_max = min(arriving.u_min, z - bounds.d_max), min(arriving.u_max, z - bounds.d_min)
     sample = SampleBounds(max(least, 0.0), max(most, 0.0), min(u, u_min), max(u, u_max))
     return least, most, sample
 
@@ -253,7 +306,7 @@ def present_displacements(law, active, d, w, steps):
 
 @refcount_free_kernel
 def arrival_bounds(crossings, f, u_min, u_max, steps):
-    """Return bounds of the displacements with which elements arrive in the steps to come.
+    """Return the ArrivalBounds of a crossing in the steps to come.
 
     f : index of the crossing. u_min, u_max : bounds of the displacement where elements leave.
     """
@@ -266,7 +319,7 @@ def arrival_bounds(crossings, f, u_min, u_max, steps):
         low, high = (0.0, 0.0) if negligible else (np.inf, -np.inf)
     for slot in range(begin, end):
         low, high = min(low, crossings.arrivals[slot]), max(high, crossings.arrivals[slot])
-    return low, high
+    return ArrivalBounds(low, high)
 
 
 @fill_arrivals.register(State)
