@@ -20,6 +20,7 @@ from ..simulate import (
 )
 from ..study import Numerics
 from .jackknife import standard_error
+from .point_quantities import carried_estimates
 
 Estimates = dict[str, np.ndarray]
 
@@ -37,6 +38,7 @@ class Blocks(NamedTuple):
     programmes: tuple[Programme, ...] = ()  # of the tasks
     legs: np.ndarray = np.empty((0, 0))  # of the trace samples, NaN after the last, (tasks, events)
     negligible: float = 0.0  # relaxation below this share of the jump is negligible
+    carried: tuple[str, ...] = ()  # scalars whose replicates enter the estimates
 
 
 class Reduction(NamedTuple):
@@ -49,6 +51,7 @@ class Reduction(NamedTuple):
     events: int  # samples of the longest trace
     normalisation: str  # of the lines
     jumps: bool  # friction jumps with the velocity
+    carried: tuple[str, ...] = ()  # scalars whose replicates the quantities of a point need
 
 
 def reduction_of(plan: Plan, variant: Variant) -> Reduction:
@@ -61,6 +64,7 @@ def reduction_of(plan: Plan, variant: Variant) -> Reduction:
         variant.events,
         variant.lines.normalisation,
         variant.material.jumps,
+        carried_estimates(plan.study.scene.quantities, variant.lines.body),
     )
 
 
@@ -101,6 +105,7 @@ def blocks_of(how: Reduction, tasks: list[Task], scalars: np.ndarray, rows: np.n
         tuple(task.problem.programme for task in tasks),
         _legs(how, tasks),
         how.numerics.negligible,
+        how.carried,
     )
 
 

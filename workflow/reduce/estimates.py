@@ -18,7 +18,8 @@ def reduce_blocks(blocks: Blocks) -> Estimates:
     """Return name -> array over tasks (first axis), with NAME_error for each estimate.
 
     ``rate_replicates`` holds the jackknife replicates for the fit of eq. 13, padded to the same
-    number of groups for all tasks: shape (tasks, JACKKNIFE_GROUPS + 1).
+    number of groups for all tasks: shape (tasks, JACKKNIFE_GROUPS + 1). ``NAME_replicates`` holds
+    those of the scalars ``blocks.carried`` for the quantities of a point (point_quantities.py).
     """
     requested = blocks.quantities
     values = dict(zip(SCALARS, np.moveaxis(replicates(blocks.scalars, 1), 2, 0), strict=True))
@@ -29,6 +30,8 @@ def reduce_blocks(blocks: Blocks) -> Estimates:
     for quantity in requested:
         for name in QUANTITIES[quantity].means:
             enter(estimates, name, values[name])
+    for name in blocks.carried:
+        estimates[f"{name}_replicates"] = padded(values[name], JACKKNIFE_GROUPS)
     if "curve" in blocks.values:
         start = values["mu_1"] + values["jump"]
         curves = np.concatenate([start[..., None], replicates(blocks.values["curve"], 1)], axis=2)

@@ -1,6 +1,7 @@
 """Labelled xarray datasets of the estimates of all tasks."""
 
 from collections.abc import Callable, Mapping
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -8,7 +9,14 @@ import xarray as xr
 
 from ...kernels import power_spectrum
 from ..plan import Plan, Variant
-from ..reduce import STATE_LAWS, Estimates
+from ..reduce import (
+    STATE_LAWS,
+    Estimates,
+    GridPoints,
+    carried_estimates,
+    quantities_of_points,
+    standard_error,
+)
 from ..simulate import CONTACT_LENGTH_EDGES
 from ..study import COMMON_AXES, HALF_SPACE, axes_of
 from .provenance import provenance
@@ -29,12 +37,10 @@ def build_dataset(
     axes, units = plan.study.axes, _units(plan, variant)
     data = {}
     for name, values in estimates.items():
-        variable = declared(name)
-        dims = (*axes, *variable.dims[len(COMMON_AXES) :])
-        data[name] = xr.DataArray(values[variant.point_task], dims=dims)
-        if variable.scaling:  # otherwise a flag would become a float
-            data[name] = data[name] * _factor(variable.scaling, units)
-            data[name] = data[name].transpose(*dims)
+        if not name.endswith("_replicates"):
+            dims = (*axes, *declared(name).dims[len(COMMON_AXES) :])
+            data[name] = _in_si(name, values[variant.point_task], dims, units)
+    data |= _point_values(plan, variant, estimates, units)
     for name, values in exponents.items():
         data[name] = xr.DataArray(values, dims=declared(name).dims)
     data |= _settings(plan, variant, units) | _spectrum(variant)
@@ -51,6 +57,40 @@ def build_dataset(
     freedom = estimates["degrees_of_freedom"]
     _annotate(dataset, int(freedom[freedom >= 0].min()))
     return dataset.set_coords([name for name in AUXILIARY if name in dataset])
+
+
+def _in_si(name: str, values: np.ndarray, dims: tuple[str, ...], units: Units) -> xr.DataArray:
+    """Return an estimate, or its replicates, in SI units. values : at all points of the grid."""
+    labelled, scaling = xr.DataArray(values, dims=dims), declared(name).scaling
+    if not scaling:  # a factor would turn a flag into a float
+        return labelled
+    return (labelled * _factor(scaling, units)).transpose(*dims)
+
+
+def _point_values(
+    plan: Plan, variant: Variant, estimates: Estimates, units: Units
+) -> dict[str, xr.DataArray]:
+    """Return the quantities of reduce/point_quantities.py at all points, with standard errors.
+
+    An undefined value is NaN. The replicates of the estimates they need are NAME_replicates.
+    """
+    study, dims, data = plan.study, (*plan.study.axes, "replicate"), {}
+    request = study.scene.quantities, variant.lines.body
+    replicates = {
+        name: _in_si(name, estimates[f"{name}_replicates"][variant.point_task], dims, units)
+        for name in carried_estimates(*request)
+    }
+    parameters = {axis: xr.DataArray(np.array(study.grid[axis]), dims=axis) for axis in study.axes}
+    parameters |= {name: units[name] for name in ("tau", "modulus")}
+    parameters["normal_force"] = parameters["normal_force"] * study.force_share(variant.label)
+    points = GridPoints(replicates, parameters, partial(_over, plan, variant))
+    for name, row in quantities_of_points(*request).items():
+        with np.errstate(all="ignore"):
+            values = row.function(points).transpose(*dims)
+        values = values.where(np.isfinite(values))
+        data[name] = values.isel(replicate=0).copy()
+        data[f"{name}_error"] = xr.DataArray(standard_error(values.values, -1), dims=dims[:-1])
+    return data
 
 
 def _facts(plan: Plan, variant: Variant) -> dict[str, str | int | float]:
