@@ -67,6 +67,11 @@ VARIABLES = {
     "mu_2": Variable("steady coefficient of friction at v2", SLOPE_SCALE),
     "indentation": Variable("steady indentation d at v1", HEIGHT_SCALE, "m", comment=SIGN_OF_D),
     "contact_fraction": Variable("share of the line in contact at v1"),
+    "mean_contact_pressure": Variable(
+        "normal force over the real contact area at v1",
+        units="Pa",
+        comment="of a half-space; absent on a foundation, whose contact is a share of a line",
+    ),
     "mu_persson": Variable("coefficient of friction at v1 by Persson's theory", SLOPE_SCALE),
     "area_persson": Variable("real contact area at v1 by Persson's theory, over the nominal one"),
     "model_ratio": Variable(
