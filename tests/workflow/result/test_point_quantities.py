@@ -16,7 +16,7 @@ from elastomer_friction.workflow.reduce.point_quantities import (
 from elastomer_friction.workflow.result.dataset import build_dataset
 from elastomer_friction.workflow.result.variables import VARIABLES, Variable
 from elastomer_friction.workflow.simulate.tasks import SCALARS
-from tests.support.small import small_plan
+from tests.support.small import TEXT, small_plan
 
 LENGTH, SHEAR_STRENGTH = 0.01, 4e3
 SETTINGS = ('scene.quantities=["steady"]', "grid.hurst=0.7", "grid.spacing=2.5e-3")
@@ -25,22 +25,22 @@ HALF_SPACE = "scene.body=half-space"
 SHARED = ({"normal_force": 100.0, "roughness": 1e-5}, {"normal_force": 300.0, "roughness": 3e-5})
 
 
-def means_of(plan, groups):
+def means_of(variant, groups):
     """Return random block means of the tasks; contact and friction are anticorrelated."""
     rng = np.random.default_rng(groups)
-    means = rng.uniform(0.2, 0.4, (len(plan.variants[0].tasks), groups, len(SCALARS)))
+    means = rng.uniform(0.2, 0.4, (len(variant.tasks), groups, len(SCALARS)))
     noise = 0.02 * rng.standard_normal(means.shape[:2])
     means[..., SCALARS.index("contact_fraction")] = 0.6 - means[..., 0] + noise
     return means
 
 
-def dataset_of(plan, groups, failed=0):
+def dataset_of(plan, groups, failed=0, label=""):
     """Return the dataset of the block means; the first ``failed`` tasks have failed."""
-    variant = plan.variants[0]
+    (variant,) = (variant for variant in plan.variants if variant.label == label)
     sound = np.arange(failed, len(variant.tasks))
     rows = np.ones((sound.size, groups, plan.widest_row(variant)))
     tasks = [variant.tasks[row] for row in sound]
-    means = means_of(plan, groups)[sound]
+    means = means_of(variant, groups)[sound]
     estimates = reduce_blocks(blocks_of(plan, variant, tasks, means, rows))
     counts = np.full(len(variant.tasks), groups, np.int32)
     counts[:failed] = 0
@@ -49,7 +49,7 @@ def dataset_of(plan, groups, failed=0):
 
 def left_out(plan, groups, name, point_task):
     """Return the leave-one-out means of a scalar at all points, group by group."""
-    values = means_of(plan, groups)[..., SCALARS.index(name)]
+    values = means_of(plan.variants[0], groups)[..., SCALARS.index(name)]
     for group in range(groups):
         yield np.delete(values, group, axis=1).mean(axis=1)[point_task]
 
@@ -93,6 +93,20 @@ def test_points_of_one_task_differ_by_their_forces():
     np.testing.assert_array_equal(one.contact_fraction, other.contact_fraction)
     for name in ("mean_contact_pressure", "mean_contact_pressure_error"):
         np.testing.assert_allclose(other[name], 3.0 * one[name], rtol=1e-12)
+
+
+def test_force_is_that_of_the_variant():
+    text = TEXT.partition("[compare")[0] + '[compare.block]\nbody = "half-space"\n'
+    text = text.replace("normal_force = [0.04, 0.4]", "normal_pressure = [1e3, 3e3]")
+    text = text.replace("length = 0.01", "length = 0.01\nrolloff = 5e-3")  # F_N/L^2 is half
+    plan = small_plan(*SETTINGS[:2], "grid.spacing=1.25e-3", text=text)
+    assert plan.study.force_share("block") == 2.0
+    data = dataset_of(plan, 4, label="block")
+    pressure = (data.mean_contact_pressure * data.contact_fraction).max(
+        ["hurst", "spacing", "roughness", "velocity", "velocity_step"]
+    )
+    np.testing.assert_allclose(pressure, plan.study.pressures, rtol=1e-14)
+    assert "mean_contact_pressure" not in dataset_of(plan, 4)
 
 
 def test_failed_points_and_single_blocks_have_no_error():
