@@ -9,7 +9,7 @@ from ..compile.jit import dispatch_on_type, jitable
 from ..rheology.law import law_of
 
 
-class Step(NamedTuple):
+class Move(NamedTuple):
     """Motion of a step."""
 
     before: Any  # place of the surface (ground.py)

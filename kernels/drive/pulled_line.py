@@ -2,8 +2,8 @@
 
 import numpy as np
 
-from ..body.line import element_line, forces_at_start
-from ..body.patches import samples_per_contact
+from ..body.element_line import element_line, forces_at_start
+from ..body.patch_width import samples_per_contact
 from ..body.shiftable_line import shiftable_line
 from ..compile.jit import kernel
 from ..lines.line import Line

@@ -14,7 +14,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from ..body.step import Forces, Step, accept, attempt, forces, law_in_step, patch_width
+from ..body.step import Forces, Move, accept, attempt, forces, law_in_step, patch_width
 from ..compile.jit import jitable, kernel
 from ..motion.path import MIN_PARTIAL_STEP, SNAP_TOLERANCE
 from .secant_search import new_search, next_guess, search_is_exhausted
@@ -121,7 +121,7 @@ def expected_speed(motion, dt):
 @jitable
 def attempt_step(pulled, state, leg, motion, trip, dt):
     """Attempt a Trip in a time dt; return the BalancedStep."""
-    law, step = law_in_step(pulled.body, state, dt), Step(trip.before, trip.after, 0)
+    law, step = law_in_step(pulled.body, state, dt), Move(trip.before, trip.after, 0)
     state = attempt(pulled.body, state, law, step)
     acting = forces(pulled.body, state, law, step)
     pulled.memory[0]["tries"] += 1

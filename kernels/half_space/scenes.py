@@ -9,7 +9,7 @@ from ..body.step import patch_width
 from ..drive.pulled_slider import pull_through, recorded_times
 from ..drive.spring import Drive
 from ..rheology.forms import form_of
-from ..scene.march import march_track
+from ..scene.march_body import march_track
 from ..scene.recorders import Recorders
 from ..scene.records import record_snapshot
 from ..scene.scene_case import SavedState, SceneCase, check_scene, scene_steps

@@ -25,7 +25,7 @@ class Trace(NamedTuple):
     normal_force: np.ndarray  # in 4 G L h
     friction_force: np.ndarray  # in 4 G L h^2/dx
     contact_fraction: np.ndarray
-    samples_per_contact: np.ndarray  # see body/patches.py
+    samples_per_contact: np.ndarray  # see body/patch_width.py
     time: np.ndarray  # in tau
     distance: np.ndarray  # of the line, in dx
     velocity: np.ndarray  # of the line, in dx/tau

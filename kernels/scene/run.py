@@ -2,8 +2,8 @@
 
 import numpy as np
 
-from ..body.line import element_line, forces_at_start
-from ..body.patches import samples_per_contact
+from ..body.element_line import element_line, forces_at_start
+from ..body.patch_width import samples_per_contact
 from ..body.step import elements_of, on_ground
 from ..compile.jit import kernel
 from ..control.indentation import PrescribedIndentation
@@ -16,7 +16,7 @@ from ..rheology.forms import Form, form_of
 from ..rheology.law import Elements, displacement
 from ..rheology.retardation import Retardation
 from .initial_state import initial_state, steady_lag
-from .march import march_line
+from .march_body import march_line
 from .recorders import Recorders
 from .records import Snapshots
 from .scene_case import ZERO_ORIGIN, SavedState, SceneCase, check_scene, indentation_at, scene_steps

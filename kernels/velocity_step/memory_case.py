@@ -5,7 +5,7 @@ Kelvin elements that only slide in the positive direction are computed faster (c
 
 import numpy as np
 
-from ..body.patches import samples_per_contact
+from ..body.patch_width import samples_per_contact
 from ..branches.dissipation import friction_by_loss, step_friction
 from ..branches.jump import friction_jump, initial_rate
 from ..branches.steady_memory import SteadyMemory, steady_memory

@@ -29,7 +29,7 @@ def instructions(function: Callable, *arguments: object) -> list[str]:
 
 def listings() -> dict[str, list[str]]:
     """Return the instructions of kernels with every effect off, by name."""
-    from elastomer_friction.kernels.body.line import element_line
+    from elastomer_friction.kernels.body.element_line import element_line
     from elastomer_friction.kernels.model.force import ConstantForce
     from elastomer_friction.kernels.model.march import march
     from elastomer_friction.kernels.model.steady import steady_sliding
@@ -39,7 +39,7 @@ def listings() -> dict[str, list[str]]:
     from elastomer_friction.kernels.rheology.prony import PRONY_SCHEME
     from elastomer_friction.kernels.rheology.retardation import retardation
     from elastomer_friction.kernels.rheology.spectrum import KELVIN
-    from elastomer_friction.kernels.scene.march import march_line
+    from elastomer_friction.kernels.scene.march_body import march_line
 
     z, kelvin, control = (
         np.array([3.0, 1.0, 0.0, 2.0]),

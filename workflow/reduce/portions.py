@@ -11,7 +11,7 @@ from .estimates import reduce_blocks
 from .jackknife import grouped_means
 
 
-class Place(NamedTuple):
+class BlockPlace(NamedTuple):
     """Consecutive blocks of a task of a portion that a batch computes."""
 
     row: int  # task in the portion
@@ -37,7 +37,7 @@ class Portion(NamedTuple):
     blocks: list[int]  # of each task
     groups: int  # of the jackknife
     width: int  # of a row of the store
-    places: list[list[Place]]  # in each result
+    places: list[list[BlockPlace]]  # in each result
     stored: list[StoredBlocks]
 
 

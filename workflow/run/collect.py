@@ -14,7 +14,7 @@ from .. import reduce, result
 from ..ground import UserError
 from ..plan import Plan, Variant, most_blocks
 from ..store import Store
-from .graph import Fit, Graph, Read
+from .graph import FitNode, Graph, Read
 
 if TYPE_CHECKING:
     from ..reduce import Attained, Estimates
@@ -43,7 +43,7 @@ class Collector:
             graph.add_fits(variant, left)
         return graph
 
-    def enter(self, fit: Fit, estimates: "Estimates") -> None:
+    def enter(self, fit: FitNode, estimates: "Estimates") -> None:
         """Enter the estimates of a fit."""
         self.fitted[fit.variant.label].enter(fit.rows, estimates, fit.blocks())
 

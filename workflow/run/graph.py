@@ -13,7 +13,7 @@ from ..store import DamagedShard
 from .workers import FIT, MARCH, fit_seconds
 
 if TYPE_CHECKING:
-    from ..reduce import Place, Portion
+    from ..reduce import BlockPlace, Portion
 
 MAX_TASKS = 32  # of a fit
 MAX_FIT_BYTES = 2**24  # of block means, for a fit of several tasks
@@ -22,7 +22,7 @@ MAX_FIT_BYTES = 2**24  # of block means, for a fit of several tasks
 Read = Callable[[list[Record], int], tuple[np.ndarray, np.ndarray]]
 
 
-class Fit(Node):
+class FitNode(Node):
     """Tasks of a variant that are fitted in one call."""
 
     def __init__(self, graph: "Graph", variant: Variant, rows: list[int]) -> None:
@@ -69,15 +69,15 @@ class Graph:
     def __init__(self, plan: Plan, blocks: dict[str, int], failed: dict[str, str], read: Read):
         self.plan, self.blocks, self.failed, self.read = plan, blocks, failed, read
         self.damaged = False  # whether a record could not be read
-        self.fits: list[Fit] = []
-        self.fits_of: dict[str, list[Fit]] = {}  # by key of the task
+        self.fits: list[FitNode] = []
+        self.fits_of: dict[str, list[FitNode]] = {}  # by key of the task
         self.widths = {v.label: plan.widest_row(v) for v in plan.variants}
 
     def add_fits(self, variant: Variant, rows: list[int]) -> None:
         """Add the fits of the tasks at rows of a variant."""
         counts = {row: self.blocks[variant.tasks[row].key] for row in rows}
         for portion in _portions(counts, 8 * self.widths[variant.label]):
-            fit = Fit(self, variant, portion)
+            fit = FitNode(self, variant, portion)
             self.fits.append(fit)
             for row in portion:
                 self.fits_of.setdefault(variant.tasks[row].key, []).append(fit)
@@ -91,7 +91,7 @@ class Graph:
         target, rate : as for ``make_batches``.
         """
         rest = dict(enumerate(pieces))
-        pieces_of: dict[Fit, list[int]] = {}
+        pieces_of: dict[FitNode, list[int]] = {}
         for number, piece in rest.items():
             for fit in self._fits_of(piece.tasks):
                 pieces_of.setdefault(fit, []).append(number)
@@ -112,19 +112,19 @@ class Graph:
                     yield fit
         yield from (fit for fit in self.fits if not (fit.inputs or fit.done))
 
-    def portion(self, fit: Fit) -> "Portion":
+    def portion(self, fit: FitNode) -> "Portion":
         """Return the portion of a fit. Raises DamagedShard."""
         tasks, blocks = [fit.variant.tasks[row] for row in fit.rows], fit.blocks()
         rows = {task.key: row for row, task in enumerate(tasks)}
         lacking = [np.ones(count, bool) for count in blocks]
-        places: list[list[Place]] = []
+        places: list[list[BlockPlace]] = []
         for batch in (node.item for node in fit.given):
             places.append([])
             for number, task in enumerate(batch.tasks):
                 row = rows.get(task.key, -1)
                 count = min(batch.blocks, blocks[row] - batch.first_block)
                 if row >= 0 and count > 0:
-                    places[-1].append(reduce.Place(row, number, batch.first_block, count))
+                    places[-1].append(reduce.BlockPlace(row, number, batch.first_block, count))
                     lacking[row][batch.first_block : batch.first_block + count] = False
         how, width = reduce.reduction_of(self.plan, fit.variant), self.widths[fit.variant.label]
         groups = min([*blocks, JACKKNIFE_GROUPS])  # equal for all tasks
@@ -153,7 +153,7 @@ class Graph:
             if numbers.size:
                 portion.stored.append(reduce.StoredBlocks(row, numbers, scalars, curves))
 
-    def _fits_of(self, tasks: "list[Task] | tuple[Task, ...]") -> dict[Fit, None]:
+    def _fits_of(self, tasks: "list[Task] | tuple[Task, ...]") -> dict[FitNode, None]:
         """Return the fits of tasks, each once."""
         return dict.fromkeys(fit for task in tasks for fit in self.fits_of.get(task.key, ()))
 

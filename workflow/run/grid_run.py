@@ -36,9 +36,9 @@ from ..system import (
 )
 from .collect import Collector, Rounds
 from .failures import Failures
-from .graph import Fit
+from .graph import FitNode
 from .measured_rates import MeasuredRates
-from .progress import Progress
+from .run_progress import Progress
 from .status import Status, StatusWriter, status_file, study_digest
 from .store_key import KEY_ATTRIBUTE, is_unchanged, result_key
 from .summary import Summary
@@ -190,7 +190,7 @@ class _Run:
 
             with self.progress.begin(pieces, graph), self.watch.telling(look):
                 for node, value in workers.stream(nodes, self.watch, self.failures):
-                    if isinstance(node, Fit):
+                    if isinstance(node, FitNode):
                         collector.enter(node, value[0])
                         self.progress.fitted(node, value[1])
                     else:

@@ -4,9 +4,9 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from ...body.element_line import add_force, mean_forces
 from ...body.ground import cell_minima, fill_thresholds, first_sample
-from ...body.line import add_force, mean_forces
-from ...body.patches import median_patch_width
+from ...body.patch_width import median_patch_width
 from ...body.step import accept, attempt, elements_of, end_leg, forces, on_ground, patch_width
 from ...compile.jit import inlined_kernel, kernel
 from ...model.balance import balance_rows

@@ -98,7 +98,7 @@ def mean_rise(z, d, decay, contacts):
 
 @kernel
 def median_width(z, d, decay, contacts):
-    """Return the load-weighted median width of patches, in samples, as body/patches.py does."""
+    """Return the load-weighted median width of patches, in samples, as body/patch_width.py does."""
     pieces = contacts.ends.shape[0]
     start = 0
     while start < pieces and contacts.ends[start, JOINED] == 1:

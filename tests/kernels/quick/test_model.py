@@ -15,7 +15,7 @@ from elastomer_friction.kernels import (
     run_cases,
     steady_sliding,
 )
-from elastomer_friction.kernels.body.patches import samples_per_contact
+from elastomer_friction.kernels.body.patch_width import samples_per_contact
 from elastomer_friction.kernels.model.limits import LOAD_LIMITS, SPEED_LIMITS, check_range
 from elastomer_friction.kernels.model.realization import realization
 from tests.lines import random_line

@@ -5,7 +5,7 @@ import pytest
 import xarray as xr
 
 from elastomer_friction.workflow.plan import JACKKNIFE_GROUPS
-from elastomer_friction.workflow.reduce.blocks import blocks_of
+from elastomer_friction.workflow.reduce.blocks import blocks_of, reduction_of
 from elastomer_friction.workflow.reduce.complete import completed
 from elastomer_friction.workflow.reduce.estimates import reduce_blocks
 from elastomer_friction.workflow.reduce.point_quantities import (
@@ -41,7 +41,7 @@ def dataset_of(plan, groups, failed=0, label=""):
     rows = np.ones((sound.size, groups, plan.widest_row(variant)))
     tasks = [variant.tasks[row] for row in sound]
     means = means_of(variant, groups)[sound]
-    estimates = reduce_blocks(blocks_of(plan, variant, tasks, means, rows))
+    estimates = reduce_blocks(blocks_of(reduction_of(plan, variant), tasks, means, rows))
     counts = np.full(len(variant.tasks), groups, np.int32)
     counts[:failed] = 0
     return build_dataset(plan, variant, completed(plan, variant, estimates, sound, counts), {})

@@ -9,7 +9,7 @@ from elastomer_friction.workflow.plan.goal import JACKKNIFE_GROUPS
 from elastomer_friction.workflow.reduce.portions import reduce_portion
 from elastomer_friction.workflow.run import graph as graph_module
 from elastomer_friction.workflow.run.collect import Collector
-from elastomer_friction.workflow.run.graph import Fit
+from elastomer_friction.workflow.run.graph import FitNode
 from elastomer_friction.workflow.run.workers import stream_here
 from elastomer_friction.workflow.simulate.realizations import block_means
 from elastomer_friction.workflow.simulate.tasks import SCALARS
@@ -44,7 +44,7 @@ def fit_all(collector, marches=(), blocks=None):
     functions = {"march": block_means, "fit": reduce_portion}
     for node, value in stream_here(functions, nodes, Watch(), pytest.fail):
         done.append(node.name)
-        if isinstance(node, Fit):
+        if isinstance(node, FitNode):
             collector.enter(node, value[0])
     return done
 

@@ -18,7 +18,7 @@ from elastomer_friction.kernels import (
     quadrature,
     steady_sliding,
 )
-from elastomer_friction.kernels.body.patches import samples_per_contact
+from elastomer_friction.kernels.body.patch_width import samples_per_contact
 from elastomer_friction.kernels.lines.polynomials import (
     sample_derivatives,
     septic_coefficients,

@@ -4,7 +4,7 @@ from ..plan import Missing
 from ..simulate import Batch, BatchResult
 from ..system import Reporter
 from .failures import Failures
-from .graph import Fit, Graph
+from .graph import FitNode, Graph
 from .measured_rates import MeasuredRates, Remaining
 from .status import Status
 from .summary import Summary
@@ -34,7 +34,7 @@ class Progress:
         self.status.rate = self.remaining.rate()
         self.reporter.advance(done.seconds, self._left())
 
-    def fitted(self, fit: Fit, seconds: float) -> None:
+    def fitted(self, fit: FitNode, seconds: float) -> None:
         """Count a finished fit. seconds : its core time."""
         self.summary.phases["fits"] += seconds
         self.open_fits -= 1

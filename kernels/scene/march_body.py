@@ -8,7 +8,7 @@ import numpy as np
 
 from ..body.step import (
     Forces,
-    Step,
+    Move,
     accept,
     attempt,
     elements_of,
@@ -43,7 +43,7 @@ def march_track(
         if durations[s] != dt:
             dt = durations[s]
             law = law_in_step(body, state, dt)
-        step = Step(s, s + 1, number)
+        step = Move(s, s + 1, number)
         if energies is not None:
             before = elements_of(body, state)
         state = attempt(body, state, law, step)

@@ -9,7 +9,7 @@ from ..model.balance import balance
 from ..model.friction import weighted_sums
 from ..rheology.law import Elements, advance_memory, predict
 from .ground import fill_heights, slope_over
-from .patches import median_patch_width
+from .patch_width import median_patch_width
 from .step import Forces, accept, attempt, elements_of, end_leg, forces, on_ground, patch_width
 
 
