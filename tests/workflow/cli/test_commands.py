@@ -175,7 +175,7 @@ def test_run_reports_what_it_did(capsys, study, tmp_path):
     assert "batches computed" in out
     assert "0 records reused" in out
     assert "core time used" in out
-    assert [line[:13] for line in err.splitlines()].count("fitting: 100%") == 1
+    assert [line[:15] for line in err.splitlines()].count("computing: 100%") == 1
     assert (tmp_path / "mine.nc").is_file()
 
 
