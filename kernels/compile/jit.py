@@ -48,7 +48,7 @@ NUMBA_OPTIONS = {
     "no_cfunc_wrapper": True,  # kernels are not called from C; saves a tenth of the compile time
     "error_model": "numpy",  # division by zero gives inf as in numpy, loops stay vectorizable
 }
-UNCOUNTED = {}  # options that disable reference counts of arrays
+UNCOUNTED = {}  # no reference counts: they can take as long as stepping hundreds of elements
 if hasattr(DefaultOptions, "_nrt"):
     NUMBA_OPTIONS["_nrt"] = True  # whichever caller is compiled first
     UNCOUNTED["_nrt"] = False
@@ -76,18 +76,12 @@ def kernel(function: Callable, **options: bool) -> Callable:
 
 
 def refcount_free_kernel(function: Callable) -> Callable:
-    """Compile a function without reference counts; it must not create or return an array.
-
-    Counting references can take as long as stepping hundreds of elements. numba rejects new arrays.
-    """
+    """Compile a function without reference counts; it must not create or return an array."""
     return kernel(function, **UNCOUNTED)
 
 
 def inlined_kernel(function: Callable) -> Callable:
-    """Compile a refcount-free function into each of its callers, whatever its length.
-
-    Passing many arrays takes longer than a short loop. Long loops are faster if not inlined.
-    """
+    """Compile a refcount-free function into its callers; long loops are faster if not inlined."""
     return kernel(function, **UNCOUNTED, forceinline=True)
 
 
