@@ -15,6 +15,7 @@ class Move(NamedTuple):
     before: Any  # place of the surface (ground.py)
     after: Any
     number: int  # from 1 on; a prescribed indentation is given by number
+    final: bool  # whether this step is accepted without another attempt
 
 
 class Forces(NamedTuple):

@@ -55,6 +55,7 @@ class BlockState(NamedTuple):
     attempted_d: float  # after the step that was attempted last
     passes: int  # over the thresholds, in all attempts
     steps: int  # that were accepted
+    final: bool  # whether the memory includes the forces before the attempted step
     last: Indenter  # of the last accepted step
     choice: Choice
 
@@ -72,7 +73,8 @@ def block_line(form, control, ground, elements):
     room = np.empty(c[0].size + blocks + 1), np.zeros(n)
     some, lowest = np.empty(blocks, np.int64), cell_minima(ground)
     body = BlockLine(form, control, ground, lowest, n, units, c, some, sums, evaluation, *room)
-    return body, BlockState(d, d, d, 0, 0, Indenter(0.0, 1.0), Choice(-1, np.inf, d, 0))
+    start = Indenter(0.0, 1.0)
+    return body, BlockState(d, d, d, 0, 0, True, start, Choice(-1, np.inf, d, 0))
 
 
 @on_ground.register(BlockLine)
@@ -87,8 +89,11 @@ def _attempt(body, state, law, step):
     if not is_near(begin, choice, body.size):
         cap = cap_over(state.d, choice.chosen_d, body.lowest)
         choice = Choice(begin, cap, state.d, _choose(body, state, begin, cap))
+    lacking = prepare_attempt(law, body.units, step.final)
     while True:
-        d, passes = _balance(body, state, law, step, choice.size)
+        d, passes = _balance(body, state, law, step, choice.size, lacking)
+        for k in range(body.units.drop.size):
+            body.units.drop[k] = 0.0  # the memory of all elements with forces includes them now
         highest = body.evaluation[0]["highest_d"]
         if highest <= choice.cap:
             break
@@ -96,7 +101,8 @@ def _attempt(body, state, law, step):
         count = _choose(body, state, choice.begin, cap)
         choice = Choice(choice.begin, cap, choice.chosen_d, count)
     passes += state.passes
-    return BlockState(state.old_d, state.d, d, passes, state.steps, state.last, choice)
+    steps, last = state.steps, state.last
+    return BlockState(state.old_d, state.d, d, passes, steps, step.final, last, choice)
 
 
 @inlined_kernel
@@ -117,18 +123,17 @@ def _choose(body, state, begin, cap):
 
 
 @inlined_kernel
-def _balance(body, state, law, step, count):
+def _balance(body, state, law, step, count, lacking):
     """Return (d, passes) of a step of the first ``count`` listed blocks, and set thresholds."""
     units, some, room = body.units, body.some[:count], body.units.room
     c, new = body.c[state.steps % 2], body.c[(state.steps + 1) % 2]
-    forgotten = prepare_attempt(law, units)
     rescale_blocks(units, some, state.steps)
     rows = SpringRows(new, some, body.sums, body.evaluation)
     forget_evaluation(rows)
     for b in some:
         apply_and_predict(units, b, state.last, c[b])
-        for i in range(BLOCK_ELEMENTS if forgotten > 0.0 else 0):
-            room[i] -= forgotten * room[BLOCK_ELEMENTS + i]
+        for i in range(BLOCK_ELEMENTS if lacking > 0.0 else 0):
+            room[i] -= lacking * room[BLOCK_ELEMENTS + i]
         first = b * BLOCK_ELEMENTS
         fill_thresholds(body.ground, step.after, first, body.size, room, new[b])
     return balance_rows(body.control, law, rows, state.d, step.number)
@@ -149,12 +154,25 @@ def _forces(body, state, law, step):
 @accept.register(BlockLine)
 def _accept(body, state, law):
     steps, d, units = state.steps + 1, state.attempted_d, body.units
+    if not state.final:
+        _subtract_due(body, state)
     advance_scales(law, units, steps)
     for k in range(law.decay.size):
         if law.decay[k] < MIN_DECAY:
             _remember_force(body, state, k, law.stale[k], steps)
     last = Indenter(d, law.stiffness)
-    return BlockState(state.d, d, d, state.passes, steps, last, state.choice)
+    return BlockState(state.d, d, d, state.passes, steps, True, last, state.choice)
+
+
+@inlined_kernel
+def _subtract_due(body, state):
+    """Subtract the forces of the last accepted step from the memory of the listed blocks."""
+    units, c = body.units, body.c[state.steps % 2]
+    for b in body.some[: state.choice.size]:
+        for i in range(BLOCK_ELEMENTS if _is_pressed(c[b], state.last.level) else 0):
+            p = element_force(state.last, c[b, i])
+            for k in range(units.due.size):
+                units.memory[b, k, i] -= units.due[k] * p
 
 
 @inlined_kernel

@@ -6,11 +6,12 @@ E_k and A_k of the next step. With y_k = S_k a_k and S'_k = E_k S_k this reads
 
     a_k <- a_k - (E_k B_k + A_k) / S'_k p,
 
-which leaves the a_k of a free element unchanged, to the bit. If the step is attempted again with
-another length, the difference of the factors is subtracted. Before S_k underflows it is divided by
-RESCALE_FACTOR, and every a_k is multiplied by it. The factor is a power of two, so the bits do not
-depend on when an element is rescaled. Memory that is due for two rescalings is set to zero. So is
-that of a unit that decays by a factor below MIN_DECAY in one step, and its -A_k p is kept apart.
+which leaves the a_k of a free element unchanged, to the bit. If a step may be attempted again, its
+a_k are changed when it is accepted, as E_k of a long attempt may be so small that the factor would
+erase their digits. Before S_k underflows it is divided by RESCALE_FACTOR, and every a_k is
+multiplied by it. The factor is a power of two, so the bits do not depend on when an element is
+rescaled. Memory that is due for two rescalings is set to zero. So is that of a unit that decays by
+a factor below MIN_DECAY in one step, and its -A_k p is kept apart.
 
 Elements form blocks of BLOCK_ELEMENTS, so that the data of one loop fit into the first-level
 cache.
@@ -44,8 +45,8 @@ class ScaledUnits(NamedTuple):
     known_steps: np.ndarray  # shape (blocks,): step up to which the memory is rescaled
     scales: Scales
     fresh: np.ndarray  # B_k of the last accepted step, shape (K,); 0 if a_k includes its force
-    applied: np.ndarray  # decrease of a_k per unit of p by attempts since that step, shape (K,)
-    due: np.ndarray  # workspace, shape (K,): what the present attempt adds to it
+    due: np.ndarray  # decrease of a_k per unit of p in the attempted step, shape (K,)
+    drop: np.ndarray  # workspace, shape (K,): what the attempt subtracts, ``due`` or zero
     share: np.ndarray  # workspace, shape (K,): S'_k of the present attempt
     room: np.ndarray  # workspace, shape (2 BLOCK_ELEMENTS,)
 
@@ -74,27 +75,28 @@ def scaled_units(memory):
         first, size = b * BLOCK_ELEMENTS, min(BLOCK_ELEMENTS, n - b * BLOCK_ELEMENTS)
         scaled[b, :, :size] = memory[:, first : first + size]
     scales, known_steps = Scales(np.ones(units), steps[0], steps[1]), np.zeros(blocks, np.int64)
-    workspace = np.empty(units), np.empty(units), np.empty(2 * BLOCK_ELEMENTS)
-    return ScaledUnits(scaled, known_steps, scales, np.zeros(units), np.zeros(units), *workspace)
+    zeros, workspace = np.zeros((3, units)), (np.empty(units), np.empty(2 * BLOCK_ELEMENTS))
+    return ScaledUnits(scaled, known_steps, scales, zeros[0], zeros[1], zeros[2], *workspace)
 
 
 @inlined_kernel
-def prepare_attempt(law, units):
-    """Set share and due for an attempt; return the sum of A_k over the units that are set to zero.
+def prepare_attempt(law, units, final):
+    """Set share, due and drop for an attempt; return the factor of p that the sums still lack.
 
-    law : the Prony of the step.
+    law : the Prony of the step. final : whether the memory may take in the force p at once.
     """
-    forgotten = 0.0
+    lacking = 0.0
     for k in range(law.decay.size):
-        share, target = law.decay[k] * units.scales.scale[k], 0.0
+        share, due = law.decay[k] * units.scales.scale[k], 0.0
         if law.decay[k] < MIN_DECAY:
             share = 0.0
-            forgotten += law.stale[k]
+            lacking += law.stale[k]
         else:
-            target = (law.decay[k] * units.fresh[k] + law.stale[k]) / share
-        units.share[k], units.due[k] = share, target - units.applied[k]
-        units.applied[k] = target
-    return forgotten
+            change = law.decay[k] * units.fresh[k] + law.stale[k]
+            due = change / share
+            lacking += 0.0 if final else change
+        units.share[k], units.due[k], units.drop[k] = share, due, due if final else 0.0
+    return lacking
 
 
 @inlined_kernel
@@ -109,7 +111,7 @@ def advance_scales(law, units, step):
         elif scale[k] < RESCALE_FACTOR:
             scale[k] /= RESCALE_FACTOR
             before[k], last[k] = last[k], step
-        units.fresh[k], units.applied[k] = law.fresh[k], 0.0
+        units.fresh[k] = law.fresh[k]
 
 
 @inlined_kernel
@@ -132,21 +134,21 @@ def rescale_blocks(units, some, step):
 
 @inlined_kernel
 def apply_and_predict(units, b, last, c):
-    """Subtract due_k p from the memory of block b, and sum share_k a_k.
+    """Subtract drop_k p from the memory of block b, and sum share_k a_k.
 
     last : Indenter of the last accepted step. c : thresholds in it, shape (BLOCK_ELEMENTS,). The
     workspace ``room`` gets the sums and the forces p; it is one array, as loops over two would
     check whether these overlap.
     """
-    share, due, memory, room = units.share, units.due, units.memory, units.room
-    of_unit, drop = share[0], due[0]
+    share, drops, memory, room = units.share, units.drop, units.memory, units.room
+    of_unit, drop = share[0], drops[0]
     for i in range(BLOCK_ELEMENTS):
         p = element_force(last, c[i])
         y = memory[b, 0, i] - drop * p
         memory[b, 0, i] = y
         room[i], room[BLOCK_ELEMENTS + i] = of_unit * y, p
     for k in range(1, share.size):
-        of_unit, drop = share[k], due[k]
+        of_unit, drop = share[k], drops[k]
         for i in range(BLOCK_ELEMENTS):
             y = memory[b, k, i] - drop * room[BLOCK_ELEMENTS + i]
             memory[b, k, i] = y
