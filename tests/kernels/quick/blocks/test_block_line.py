@@ -7,10 +7,17 @@ import pytest
 from numba.core.runtime import rtsys
 from numba.core.runtime._nrt_python import memsys_enable_stats
 
+from elastomer_friction.kernels.body.shiftable_line import shiftable_line
+from elastomer_friction.kernels.body.step import Move, accept, attempt, elements_of, law_in_step
+from elastomer_friction.kernels.compile.jit import kernel
+from elastomer_friction.kernels.model.force import ConstantForce
 from elastomer_friction.kernels.motion.legs import Hold, Oscillation, Ramp, Slide
+from elastomer_friction.kernels.quick.blocks import block_line
+from elastomer_friction.kernels.rheology.forms import FORMS_BY_SCHEME
 from elastomer_friction.kernels.rheology.relaxed import RelaxationForm
 from elastomer_friction.kernels.rheology.spectrum import Spectrum
 from elastomer_friction.kernels.scene import SCENE_QUANTITIES, run, run_scene
+from elastomer_friction.kernels.scene.initial_state import relaxed_elements
 from tests.kernels.scene.given import ANY_MOTION, EVERY_LEG, MATERIALS, a_line, a_scene
 from tests.sizes import PLAIN_PYTHON, size
 
@@ -103,3 +110,29 @@ def test_memory_is_released():
     gc.collect()
     after = rtsys.get_allocation_stats()
     assert after.mi_alloc - before.mi_alloc == after.mi_free - before.mi_free > 0
+
+
+@kernel
+def elements_after(body, state, durations):
+    """Return the elements after a step that is attempted with several durations, and one before."""
+    first, law = Move(0.0, 1.0, 0, False), law_in_step(body, state, 0.1)
+    state = accept(body, attempt(body, state, law, first), law)
+    for dt in durations:
+        law = law_in_step(body, state, dt)
+        state = attempt(body, state, law, Move(1.0, 2.0, 0, False))
+    return elements_of(body, accept(body, state, law))
+
+
+def test_attempts_that_are_not_accepted_leave_no_trace():
+    """The memory of every unit decays by up to 1e-20 in the first attempt."""
+    line = a_line(size(40, 10))
+    form = FORMS_BY_SCHEME["exponential"](MATERIALS["prony"])
+    control = ConstantForce(0.3 * line.z.size)
+    elements = relaxed_elements(form, line.z, control.load, np.nan)
+    ground = shiftable_line(line.z, line.slope, 4.0)
+    once, twice = (
+        elements_after(*block_line(form, control, ground, elements), np.array(durations))
+        for durations in ((0.1,), (10.0, 0.1))
+    )
+    np.testing.assert_allclose(twice.memory, once.memory, rtol=1e-12, atol=1e-14)
+    np.testing.assert_allclose(twice.p, once.p, rtol=1e-12, atol=1e-13)
