@@ -1,4 +1,4 @@
-"""Bodies: elements under a surface, with steps that are tried before they are accepted.
+"""Bodies: elements under a surface, with steps that are attempted before they are accepted.
 
 A body holds the constants and the memory of its elements. ``attempt`` finds the contact of one
 time step, as often as the driver needs to find the step, and ``accept`` makes the last attempt the

@@ -1,4 +1,4 @@
-"""A line of elements of any material, all of which are stepped: the reference of quick/blocks."""
+"""A line of elements of any material that steps every element: the reference of quick/blocks."""
 
 from typing import Any, NamedTuple
 

@@ -10,7 +10,7 @@ from ..rheology.law import law_of
 
 
 class Move(NamedTuple):
-    """Motion of a step."""
+    """Motion of the surface in a step."""
 
     before: Any  # place of the surface (ground.py)
     after: Any
@@ -42,8 +42,8 @@ def on_ground(body, state, ground):
 def attempt(body, state, law, step):
     """Return the state with the contact at the end of a step, which is not accepted yet.
 
-    law : of the elastomer in the step (rheology/law.py). The accepted part of the state stays, so
-    that another step can be attempted from the same state.
+    law : of the elastomer in the step (rheology/law.py). step : a Move. Unless it is final, another
+    step may be attempted from the returned state instead of accepting this one.
     """
 
 

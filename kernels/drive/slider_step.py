@@ -72,7 +72,7 @@ class Trip(NamedTuple):
 
 
 class BalancedStep(NamedTuple):
-    """The last tried step, with balanced forces."""
+    """The last attempted step, with balanced forces."""
 
     state: Any  # of the body, with the attempted step
     law: Any  # of the elastomer in the step

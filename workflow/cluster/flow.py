@@ -16,10 +16,8 @@ from .node import Node
 from .pool import ResultLost, Snapshot
 
 NODES_PER_THREAD, MIN_WINDOW = 4, 8  # nodes in flight
-BOUND_NODES_PER_THREAD = (
-    2  # if nodes are bound to certain workers, so that others can take the rest
-)
-TAKE_SECONDS = 0.1  # between two looks at what has arrived, all of which is handled at once
+BOUND_NODES_PER_THREAD = 2  # if nodes are bound to workers: fewer, so that others take the rest
+TAKE_SECONDS = 0.1  # between two checks for arrivals, which are then handled together
 STOP_SECONDS = 10.0  # wait for running nodes after a stop
 MAX_WORKER_DEATHS = 3  # that a node may cause before it is given up; dask has the same limit
 

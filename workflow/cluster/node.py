@@ -7,12 +7,12 @@ from typing import Any
 
 @dataclass(eq=False)
 class Node:
-    """A task of the graph, and what is known of it."""
+    """A task of the graph, its inputs, and its state."""
 
     name: str  # "march" or "fit", the prefix of its key
     item: Any  # argument of its function
     inputs: list["Node"] = field(default_factory=list)  # nodes that it waits for
-    given: list["Node"] = field(default_factory=list)  # of them, those whose results it is sent
+    given: list["Node"] = field(default_factory=list)  # inputs whose results are sent to it
     result: Any = None  # its future, or in this process its value; None: not submitted, or lost
     done: bool = False  # its value was yielded
     instead: list["Node"] | None = None  # nodes that replace it after it failed

@@ -45,7 +45,7 @@ class FitNode(Node):
         return bool(self.rows)
 
     def finish(self) -> None:
-        """Let go of the portion and its estimates too."""
+        """Release the portion and its estimates too."""
         super().finish()
         self.item = self.result = None
 

@@ -1,4 +1,4 @@
-"""A line of Prony elements in blocks, of which a step visits only those that can touch.
+"""A line of Prony elements in blocks: a step visits only the blocks that can touch.
 
 The elements are in blocks of 64. The line cannot touch a block over which it lies above a cap, and
 the memory of a block without force needs no update because it is divided by its own decay
