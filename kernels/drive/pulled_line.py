@@ -24,9 +24,9 @@ follow_leg_of_line = kernel(follow_leg)
 def run_pulled(line: Line, scene: SceneCase, drive: Drive) -> dict[str, np.ndarray]:
     """Pull one line through a scene whose programme moves the drive; return values by name.
 
-    The traces are those of run_scene, for the slider, and "trace_drive_force" (4 G L h^2/dx). They
-    are recorded at the times at which the recorded steps would end if the drive moved the line
-    itself. "updates" : number of element updates. Raises ValueError for an invalid scene.
+    The traces are those of run_scene and "trace_drive_force" (4 G L h^2/dx). They describe the
+    slider, at the times of the recorded steps of the same scene without a spring.
+    "updates" : number of element updates. Raises ValueError for an invalid scene.
     """
     m, n = line.steps_per_spacing, line.z.size
     times = recorded_times(scene, m)

@@ -32,10 +32,10 @@ from .spring import Drive, DriveLeg, SliderState
 
 PULLED_TRACES = (*TRACES, "trace_drive_force")
 SLIPS = ("drive_swing", "slip_period", "peak_velocity")  # in the second half of the last leg
-SLIP_EVENTS = ("slip_event_time", "slip_event_kind")  # time in tau; SLIP_BEGINS, ...
+SLIP_EVENTS = ("slip_event_time", "slip_event_kind")  # time in tau; kind, as SLIP_BEGINS
 MAX_SLIP_EVENTS = 1000  # recorded events, at most
 SLIDER_QUANTITIES = ("trace", "stick_slip", "slip_events")
-FIRST_STEP_SHARE = 0.25  # first step after the drive's velocity jumps, over the last step
+FIRST_STEP_SHARE = 0.25  # first step after a velocity jump of the drive, over the step before
 MIN_FREE_STEPS = 1e3  # min_step_time, over the shortest step whose forces exceed rounding
 
 
@@ -73,7 +73,7 @@ def initial_motion(programme: Programme, m: int, first: Moment) -> SliderState:
 def recorded_times(scene: SceneCase, steps_per_spacing: int) -> np.ndarray:
     """Return the times at which moments of a slider are recorded, in tau.
 
-    The recorded steps would end at these times if the drive moved the line itself. Raises
+    They are the times of the recorded steps of the same scene without a spring. Raises
     ValueError for an invalid scene, and for quantities that a slider does not have.
     """
     steps = scene_steps(scene, steps_per_spacing)
@@ -149,10 +149,10 @@ def _slider_record(
 
 
 def recorded_values(record: SliderRecord, last: Moment) -> dict[str, np.ndarray]:
-    """Return PULLED_TRACES, SLIPS and SLIP_EVENTS; times after the last moment get its values.
+    """Return PULLED_TRACES, SLIPS and SLIP_EVENTS; traces are constant after the last moment.
 
     "drive_swing" : range of the drive's force over the normal force, in h/dx. "slip_period" : in
-    tau. Events are sorted by time because a slip's end is recorded only after later events.
+    tau. Events are sorted by time because the end of a slip is recognised late, after others.
     """
     moments, events, tally = record.moments, record.events, record.tally[0]
     moments[:, tally["moments"] :] = np.array(last)[:, None]

@@ -1,10 +1,10 @@
-"""Steps of a slider: to the next sample in an unknown time, or a shorter way in a given time.
+"""Steps of a slider: either the distance is given and the time unknown, or the reverse.
 
 A sliding step ends at a sample. Its duration is the unknown, found from the balance of forces at
-its end. If it would be much longer than the step before, the slider sticks. The steps then have
+its end. If this duration would far exceed the previous one, the slider sticks. The steps then have
 given durations that grow by a constant factor, as in a hold, and the unknown is the distance by
 which the slider creeps. A slider that accelerates faster than the elastomer responds takes steps of
-the shortest duration that doubles resolve.
+the duration ``min_step_time``, below which forces are lost in rounding.
 
 These functions are compiled into one kernel for a line, and run as plain Python for a map.
 """
@@ -27,11 +27,11 @@ PLACE_ROUNDING = 1e-12  # in samples
 FIRST_LOG_TIME_STEP = 0.5  # first step of a search, in the logarithm of a time
 FIRST_CREEP_STEP = 0.1  # first step of a search, in samples
 MAX_STEP_GROWTH = 1.5  # the slider sticks if a step would be longer than this times the last one
-MAX_STEPS_TO_SAMPLE = 2.0  # maximum distance to a sample that is tried, over the last distance
-MAX_SPEED_RATIO = 1.4  # of the expected speed to the last one, or of the last to the expected
-MIN_STEP_SHARE = 1e-3  # of a step: a shorter remainder of a leg is left to the next leg
+MAX_STEPS_TO_SAMPLE = 2.0  # maximum distance of a sliding step, over speed times ``pace``
+MAX_SPEED_RATIO = 1.4  # largest factor between expected and last speed, up or down
+MIN_STEP_SHARE = 1e-3  # of the last step; a shorter rest of a leg is left to the next leg
 
-# Results of a search that the next one starts from: one record, changed in place.
+# Slopes with which the next search starts, and a counter: one record, changed in place.
 SEARCH_MEMORY = np.dtype(
     [
         ("time_slope", np.float64),  # d(excess force)/d(log of the step time), or 0
@@ -74,7 +74,7 @@ class Trip(NamedTuple):
 class BalancedStep(NamedTuple):
     """The last attempted step, with balanced forces."""
 
-    state: Any  # of the body, with the attempted step
+    state: Any  # of the body, after the attempted step
     law: Any  # of the elastomer in the step
     dt: float  # in tau; NaN for a step that would be too long
     balance: ForceBalance

@@ -14,7 +14,7 @@ from .plan import Plan
 from .variant import Variant, samples_of, sharing
 
 MIN_BATCH_SECONDS, MAX_BATCH_SECONDS = 1.0, 10.0
-MANY_BATCHES = 200  # beyond it batches get longer, as each costs the scheduler milliseconds
+MANY_BATCHES = 200  # then batches get longer instead, as each costs the scheduler milliseconds
 MAX_SHARED_LENGTH = 6.0  # of a piece of tasks that share sweeps, in batch lengths
 RECUT_FACTOR = 2.0  # pieces that exceed the target by this factor are cut again
 
@@ -67,7 +67,7 @@ def block_seconds(plan: Plan, variant: Variant, tasks: list[Task]) -> float:
 
 
 def cut(plan: Plan, missing: list[Missing], target: float) -> list[Missing]:
-    """Return pieces of missing work, with blocks of at most about ``target`` seconds.
+    """Return pieces of missing work whose single blocks take at most about ``target`` seconds.
 
     Tasks that share sweeps stay together up to MAX_SHARED_LENGTH times the target, and a single
     task is never divided. Pieces longer than the target come first, the longest first, so that no
@@ -103,7 +103,7 @@ def batch_of(plan: Plan, piece: Missing, first_block: int, blocks: int) -> Batch
     """Return the batch of some blocks of a piece."""
     block_size = plan.study.realizations_per_block
     lines = piece.variant.lines
-    heights, modes = None, lines.amplitudes  # in h; modes of random lines like measured ones
+    heights, modes = None, lines.amplitudes  # in h; modes: of random lines like measured ones
     if lines.profile is not None:
         roughness = lines.profile.roughness
         if modes is None:
@@ -148,7 +148,7 @@ def _missing_runs(
 
 
 def _pieces(plan: Plan, whole: Missing, target: float) -> Iterator[Missing]:
-    """Yield groups of the tasks of missing work, with blocks of about ``target`` seconds."""
+    """Yield pieces of missing work, by tasks, whose single blocks take about ``target`` seconds."""
     block_size = plan.study.realizations_per_block
     chosen: list[Task] = []
     lines: set[int] = set()

@@ -30,7 +30,7 @@ SWEEP_TURNS = 10  # to reach a steady state, and one more for each internal vari
 STEP_SECONDS = 5e-7  # per step
 ELEMENT_SECONDS = 3e-10, 6e-11  # per step and sample; the second for each internal variable
 ALL_ELEMENTS = 5.0  # factor on a step that also moves elements that cannot touch
-PULLED_STEPS = 2.0  # steps of the line per step of a drive with a spring
+PULLED_STEPS = 2.0  # steps of a line pulled by a spring, per step of its programme
 # Maps on a half-space: passes of conjugate gradients.
 PASS_SECONDS = 1.5e-8  # per sample
 KELVIN_PASSES, BRANCH_PASSES = 800.0, 300.0  # for both steady states

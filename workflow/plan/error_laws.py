@@ -116,9 +116,9 @@ def allowed_share(problem: Problem) -> Numbers:
 def contact_width(problem: Problem) -> Numbers:
     """Return the width of the contacts that carry half of the load, in dx; valid above x = 1.
 
-    Law 1: a single peak of radius R touches only in front, over 2 sqrt(R F_N / (8 G v tau)).
+    Law 1: a single peak of radius R touches only in front, on 2 sqrt(R F_N / (8 G v tau)).
     Law 2: with many peaks in contact, the width grows with H and, except near H = 0, with N.
-    The smaller holds. Of 88 measured widths below 15 dx, 8 in 10 are within a factor of 1.5.
+    The smaller width holds. Of 88 measured widths below 15 dx, 8 in 10 are within a factor of 1.5.
     """
     hurst, elements, load, speed, _ = problem[:5]
     line, fast = np.log(elements), np.log(speed)
@@ -131,7 +131,7 @@ def contact_width(problem: Problem) -> Numbers:
 def touchable_share(hurst: Numbers, load: Numbers, viscous_pressure: Numbers) -> Numbers:
     """Return the share of the line that lies below z = d, which a march visits.
 
-    At rest it grows with the load. At speed a smaller share carries it, about load over viscous
+    At rest the share grows with the load. At speed it is smaller, about load over viscous
     pressure. Of 1500 random problems, Fbar 1e-4 ... 30, vbar 0.02 ... 1000, N 700 ... 12000,
     half are within 20 % and nine in ten within a factor of 2.2.
     """
@@ -158,7 +158,7 @@ def window_rate(problem: Problem) -> Numbers:
 def relaxing_share(problem: Problem) -> Numbers:
     """Return the magnitude of the share of the jump that relaxes, valid above 1e-3.
 
-    It was below 0.01 in 112 measured problems; the law says so of 105 of these and 4 others.
+    The share was below 0.01 in 112 measured problems; by the law, in 105 of these and 4 others.
     """
     hurst, elements, load, _, _ = problem[:5]
     x = speed_ratio(problem)
@@ -198,8 +198,8 @@ def relaxation_rate_scatter(problem: Problem) -> Numbers:
 class Laws(NamedTuple):
     """Laws of error and scatter of one estimate."""
 
-    error: Callable[..., Numbers]  # of (problem, steps, refine)
-    scatter: Callable[[Problem], Numbers]  # of one line
+    error: Callable[..., Numbers]  # function of (problem, steps, refine)
+    scatter: Callable[[Problem], Numbers]  # standard error for one line
 
 
 LAWS = {

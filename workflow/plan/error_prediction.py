@@ -11,7 +11,7 @@ from .goal import FIRST_ORDER
 from .half_space import laws_of
 from .plan import Plan
 
-MAX_PROBLEMS = 300  # largest number of problems to predict, spread over all
+MAX_PROBLEMS = 300  # maximum number of predicted problems, taken at equal intervals
 
 
 class PredictedErrors(NamedTuple):

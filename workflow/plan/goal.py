@@ -27,7 +27,7 @@ from .half_space import LEAST_OF_MAPS, MOST_SAMPLES, laws_of, may_be_so_fine, st
 from .problems import Numbers, expected_rate, viscous_pressure
 
 JACKKNIFE_GROUPS = 32  # at most; with fewer blocks, each block is a group
-MIN_BLOCKS, MIN_RATE_BLOCKS = 2, 8  # per point; with fewer than the second, b is rarely significant
+MIN_BLOCKS, MIN_RATE_BLOCKS = 2, 8  # minimum per point, without and with b
 FIRST_SHARE = 0.3  # of the predicted realizations, run first; their errors determine the rest
 TRIED = 3  # number of m compared: the first fine enough, and its doublings
 STATES = 28.0  # cost of drawing and both steady states per sample, in updates of the march
@@ -74,7 +74,7 @@ def goal_of(problem: Problem, scene: Scene, numerics: Numerics) -> Goal:
     first = LEAST_OF_MAPS if on_map else least_steps(problem, scene)
     least = np.broadcast_to(first, np.shape(problem.load))
     check_resolution(problem, least, numerics)
-    # Replaced by the first steps that are tried.
+    # The first pass of the loop replaces these settings.
     best, tried = Goal(least, dict.fromkeys(names, np.inf), scatter, np.inf), np.zeros_like(least)
     lowest, steps = np.full(least.shape, np.inf), least
     share = touchable_share(problem.hurst, problem.load, viscous_pressure(problem))
@@ -170,9 +170,9 @@ def steps_per_spacing(problem: Problem, scene: Scene, numerics: Numerics) -> Num
     """Return m: the given number, or for "auto" the smallest with a bias of at most BIAS.
 
     For steady friction and jumps it is 4 (quick/contacts/between_samples.py). A relaxation needs
-    small steps in time and in space (error_laws.py). For contacts m grows to MOST_FOR_CONTACTS
-    at most, if the line fits into a worker; the result marks points still coarse. By these laws,
-    first-order schemes take FIRST_ORDER times m.
+    small steps in time and in space (error_laws.py). To resolve contacts, m grows up to
+    MOST_FOR_CONTACTS if the line fits into a worker; the result marks points that remain coarse.
+    Where these laws hold, first-order schemes take FIRST_ORDER times m.
     """
     steps: Numbers = numerics.steps_per_spacing
     if steps is None and problem.surface.body == HALF_SPACE:

@@ -5,8 +5,8 @@ The functions take a problem or a stack of problems, like the laws of the founda
 
 Errors: 15 problems at H = 0.7, N = 16, sigma_0/(E* grad z) 0.01 ... 0.2, x 0.3 ... 30, four maps
 each with m = 2, 4, 8 against m = 16. The error of mu_1 was 1 to 2.4 % at m = 4 and at most 0.5 % at
-m = 8, for any load and x. The error of the jump is as small with many samples per contact patch,
-otherwise up to 2 divided by their number.
+m = 8, for any load and x. With many samples per contact patch the error of the jump is as small;
+with n samples per patch it is up to 2/n.
 
 Scatter: standard error times the root of the number of maps; 264 problems, sigma_0/(E* grad z)
 0.002 ... 0.6, x 0.1 ... 30, H 0 ... 1, side of one or two longest waves, N 8 ... 64. Two in three
@@ -25,8 +25,8 @@ from .ratio_of_bodies import nominal_pressure
 
 LEAST_OF_MAPS, MOST_STEPS = 4, 16
 MOST_SAMPLES = 4096**2  # of a map; a worker then needs 4 GiB and more
-# Measured at 512 and 1024 samples a side, without branches and with 13.
-MAP_BYTES, BRANCH_BYTES = 260.0, 25.0  # of a worker, per sample
+# Memory measured on maps of 512^2 and 1024^2 samples, without branches and with 13.
+MAP_BYTES, BRANCH_BYTES = 260.0, 25.0  # per sample; the second for each branch
 # Terms of ln(scatter): constant, and coefficients of ln(contact area), ln(free area), ln(longest
 # waves per side), ln(elements per longest wave), H and ln(x).
 SCATTER = {
@@ -51,7 +51,7 @@ def steps_for(problem: Problem, wanted: float) -> Numbers:
 
 
 def may_be_so_fine(problem: Problem, steps: Numbers) -> Numbers:
-    """Return whether a map with these steps per spacing fits, and the steps were tested."""
+    """Return whether a map with these steps per spacing fits a worker, and m <= MOST_STEPS."""
     return ((problem.elements * steps) ** 2 <= MOST_SAMPLES) & (steps <= MOST_STEPS)
 
 

@@ -103,7 +103,7 @@ def _drive(spring: Spring | None, scale: Scale) -> Drive | None:
 
 
 def _speeds(scene: Scene, scale: Scale) -> tuple[float, float]:
-    """Return the speed before the first velocity step, and the factor on it in this step.
+    """Return the speed before the first velocity step, and the ratio of speeds of this step.
 
     Without a step the speed is the initial one of the programme or, if that is zero, the typical
     speed.
@@ -159,8 +159,8 @@ def _leg(segment: Segment, scale: Scale) -> kernels.Leg:
 def check_programme(problem: Problem, steps: Any, origin: Origin) -> None:
     """Raise UserError for more than MAX_PROGRAMME_STEPS steps, and for steps lost in rounding.
 
-    Also for a drive that never moves the line. steps : numbers of steps per spacing of the problems
-    that share this programme.
+    Raises it too for a drive that never moves the line. steps : numbers of steps per spacing of the
+    problems that share this programme.
     """
     programme = problem.programme
     if problem.drive:

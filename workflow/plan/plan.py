@@ -16,13 +16,13 @@ from .variant import Variant, problems_of, variant_of
 
 DRIVER_BYTES = 330e6  # interpreter and libraries of the process that plans and collects
 WORKER_BYTES = 235e6  # interpreter, libraries, machine code
-BYTES_PER_STEP = 65  # of the longest programme
+BYTES_PER_STEP = 65  # per step of the longest programme
 BYTES_PER_SAMPLE = 130  # line, state and temporaries at the peak
 BYTES_PER_TASK = 2000  # memory of the plan
 BYTES_PER_RECORD = 1  # many records share an entry of the index
-BYTES_PER_POINT = 4500  # of the grid, for all estimates of the result
-MOST_RECORDS = 20_000_000  # planned, indexed and collected within minutes and 2 GiB
-BYTES_PER_CURVE_SAMPLE = 80  # of the curves of the result, per grid point
+BYTES_PER_POINT = 4500  # per grid point, for all estimates of the result
+MOST_RECORDS = 20_000_000  # a run plans, indexes and collects them in minutes and 2 GiB
+BYTES_PER_CURVE_SAMPLE = 80  # per sample of a curve and grid point
 
 
 class Plan(NamedTuple):
@@ -31,7 +31,7 @@ class Plan(NamedTuple):
     study: Study
     variants: list[Variant]
     quantities: Quantities  # of the kernels
-    first: dict[str, int]  # blocks of the first round, by task key; all blocks without goals
+    first: dict[str, int]  # blocks of the first round, by task key; without goals: all
     expected: dict[str, int]  # blocks that the goals are predicted to need, by task key
 
     @property

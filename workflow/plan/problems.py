@@ -23,7 +23,7 @@ from ..study import HALF_SPACE, Material, Parts, Study, axes_of, check_load
 from .motion import Scale, canonical, line_modes, rounded, with_scene
 
 LEAST_CHANGE = 1e-13  # |dv/v1| vbar; below it rounding is over 1e-3 of the jump
-TYPICAL_HURST = 0.8  # of measured lines, used in predictions alone
+TYPICAL_HURST = 0.8  # assumed for measured lines, in predictions alone
 Numbers = Any  # a number, or an array with one entry per problem of a stack
 Points = dict[str, np.ndarray]  # axis -> values at all points of the grid
 
@@ -116,7 +116,7 @@ def _settings(
 
 
 def _numbers(study: Study, label: str, all_parts: list[Parts], points: Points) -> list[np.ndarray]:
-    """Return load, speed and ratio (programme: 0, 1) at all points; last axis : all_parts."""
+    """Return load, speed and ratio at all points; last axis : all_parts. Programmes: 0 and 1."""
     modulus = np.array([parts.material.contact_modulus for parts in all_parts])
     tau = np.array([parts.material.tau for parts in all_parts])
     at = {axis: values[..., None] for axis, values in points.items()}

@@ -69,7 +69,7 @@ class Problems(NamedTuple):
     """Distinct problems of a variant. Variants of one material and surface share them."""
 
     problems: list[Problem]
-    key_bytes: list[bytes]  # each problem as it enters its task key
+    key_bytes: list[bytes]  # bytes of each problem that are hashed in its task key
     points: np.ndarray  # index of the problem of each grid point
     stacks: list[tuple[np.ndarray, Problem]]  # as ``stack_problems`` returns them
 

@@ -29,5 +29,5 @@ with wider bounds, up to three times (``active``). Then the caller uses the plai
 become decided. ``lists`` then makes shorter lists if they save more time than they cost. Some
 samples always touch, but lie behind a gap whose upstream end always touches too. Their overlap
 depends on the past of d alone, and ``crossings`` sums it. If d or D leaves the narrower bounds, the
-march returns to longer lists, at the step where it replaced them.
+march restarts with longer lists, from the step at which these were last in use.
 """

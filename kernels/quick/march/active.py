@@ -34,7 +34,7 @@ from .problem import (
 )
 
 BOUND_MARGINS = (0.05, 0.3, 2.0, 2.0)  # relative to the spread of d and D, one per attempt
-FIRST_MARGIN = 0.6  # of narrower bounds, relative to the spread; doubled after each fall-back
+FIRST_MARGIN = 0.6  # of narrower bounds, over the spread; doubled at each return to longer lists
 MIN_NARROWING = 0.25  # smallest relative reduction of the spread of D that pays off
 FIRST_SHORTENING = 6  # first step after which lists may be shortened; grows by half each time
 MAX_SHORT_LIST = 128  # number of samples below which ``overlap`` is faster than ``pressure_sums``
@@ -53,7 +53,7 @@ class MarchState(NamedTuple):
 
 
 class Recorder(NamedTuple):
-    """Numbers of the recorded steps, and arrays that a march fills at these."""
+    """Numbers of the recorded steps, and arrays for their friction and indentation."""
 
     kept_steps: np.ndarray  # increasing step numbers (first step = 1)
     mu: np.ndarray  # friction averaged over the step, in h/dx
@@ -106,8 +106,8 @@ def active_march(problem, control, kept_steps, margins=BOUND_MARGINS):
 def march_with_shortening(problem, control, active, bounds, state, last, recorder, worth):
     """March as step_until does, with shorter lists wherever they save more than they cost.
 
-    If d or D leaves the bounds, the march returns to the last longer lists whose bounds hold, at
-    the step where it replaced them. The next narrower bounds have a larger margin.
+    If d or D leaves the bounds, the march restarts with the last longer lists whose bounds hold,
+    from the step at which these were in use. The next narrower bounds have a larger margin.
     active : the ActiveSet at the start. worth : factor that multiplies the savings.
     """
     law, margin = problem.law, FIRST_MARGIN
@@ -160,7 +160,7 @@ def _with_landings(active, landings):
 
 @refcount_free_kernel
 def savings_ratio(bounds, narrower, listed, crossings, steps):
-    """Estimate the time that shorter lists save over the time that making them takes."""
+    """Return the estimated ratio of the time that shorter lists save to the time to make them."""
     old_spread = bounds.advance_max - bounds.advance_min
     saved = 1.0 - (narrower.advance_max - narrower.advance_min) / old_spread
     step_cost = 2.0 * listed.c.size + 16.0 * crossings.slot.size
@@ -241,7 +241,7 @@ def average_friction(listed, sums, landing_depth, landing_moment, d, advance):
 
 @refcount_free_kernel
 def predict_first_indentation(control, problem):
-    """Return an estimate of d after the first step that tends to overestimate its change.
+    """Return an estimate of d after the first step; it tends to overestimate the change of d.
 
     In a step d changes by about d' (1 - E) = d' / K. At almost zero load d' is mere rounding
     error, so the estimate is limited to the d at which a single element carries the load.
@@ -260,7 +260,7 @@ class PartlyListed(NamedTuple):
     c: np.ndarray  # thresholds of the listed samples
     d_old: float  # indentation before the step
     carried: float  # force of summed samples at ``d_old``
-    samples: float  # number of the others
+    samples: float  # number of summed samples
 
 
 @excess_at.register(PartlyListed)

@@ -43,7 +43,7 @@ class GapCrossings(NamedTuple):
     slot: np.ndarray  # where elements enter the lists
     begin: np.ndarray  # shape (crossings + 1,)
     next: np.ndarray  # place of the next arrival; advances at every step
-    is_ring: np.ndarray  # whether the places form a ring; if not, the last one (zero) is repeated
+    is_ring: np.ndarray  # whether the places form a ring; if not, the last arrival is repeated: 0
     arrivals: np.ndarray  # displacements at arrival
     source: np.ndarray  # slot from which elements leave; -1 for a sample that always touches
     source_z: np.ndarray  # height of the sample that they leave
@@ -66,7 +66,7 @@ class SteadyFlight(NamedTuple):
 
 @dispatch_on_type.refcount_free
 def fill_arrivals(flight, arrivals, powers, line, leading, distance, u):
-    """Fill in the displacements at arrival of the elements now upstream of a leading sample.
+    """Fill ``arrivals`` for the elements now between a leading sample and its source.
 
     flight : present displacements, a State of all samples or SteadyFlight. distance : to the
     source that elements come from. u : displacement there.
@@ -75,7 +75,7 @@ def fill_arrivals(flight, arrivals, powers, line, leading, distance, u):
 
 @kernel
 def decay_powers(decay, steps):
-    """Return E^k for k = 0, 1, ... ``steps``; the first negligible power is the last, and zero."""
+    """Return E^k for k = 0, 1, ... ``steps``; the first negligible power ends the list, as zero."""
     powers = np.empty(steps + 1)
     powers[0] = 1.0
     for k in range(1, steps + 1):

@@ -15,7 +15,7 @@ j and its upstream neighbour j + 1 let Delta f_j = f_(j+1) - f_j. With slopes s_
 
     level - a_j = (level - z_j / K) + E Delta z_j,    lagged slope = s_j + lag Delta s_j,
 
-so spans.py determines their sums over a span, and the sum of their products.
+so the sums of spans.py give the sums over a span of both quantities and of their product.
 """
 
 from typing import NamedTuple
@@ -35,7 +35,7 @@ from ..steady.spans import (
 )
 from .problem import decayed_displacement, displacement_bounds, line_rise
 
-# Elements of a tally: number of samples, sums of overlaps, of lagged slopes, of their products.
+# Indices into a tally: number of samples, sums of overlaps, of lagged slopes, of their products.
 TALLY_SAMPLES, TALLY_DEPTH, TALLY_WEIGHT, TALLY_MOMENT = range(4)
 MIN_GAP_SAMPLES = 8  # a shorter gap is cheaper to list than to cross
 UNKNOWN_GAP = 1e200  # an upper bound of gaps that excludes nothing
@@ -63,7 +63,7 @@ class CollectedSamples(NamedTuple):
 
 
 class SummedContact(NamedTuple):
-    """Sums over samples j that always touch, as their upstream neighbours do."""
+    """Sums over the samples j that always touch and whose upstream neighbours always touch."""
 
     level: float  # d / K at v2, the final D; sums relative to it lose no digits
     samples: float  # number
@@ -77,7 +77,7 @@ class Runs(NamedTuple):
 
     leading: np.ndarray  # sample of each run that elements reach first; it has the highest number
     trailing: np.ndarray  # sample of each run that elements reach last
-    distance: np.ndarray  # from the leading sample to its source, the next that may touch
+    distance: np.ndarray  # from the leading sample upstream to its source, the next that may touch
     source_touches: np.ndarray  # whether the source always touches
 
 
@@ -86,7 +86,7 @@ def undecided_runs(problem, bounds):
     """Return (Runs, CollectedSamples, SummedContact); all other samples never touch."""
     levels = displacement_bounds(problem, bounds)
     first = kind_of_first(problem, bounds, levels)
-    # ALWAYS_TOUCHES requires the same upstream, round the period: assume it at z[0], then check.
+    # The kind of z[0] enters its own condition, round the period: assume it, then check.
     runs, collected, sums, gap_max = walk_line(problem, bounds, levels, first)
     if first == ALWAYS_TOUCHES and gap_max > 0.0:
         runs, collected, sums, _ = walk_line(problem, bounds, levels, FORCED_UNDECIDED)
@@ -97,7 +97,7 @@ def undecided_runs(problem, bounds):
 def walk_line(problem, bounds, levels, first):
     """Return (Runs, CollectedSamples, SummedContact, upper bound of max(g, 0) at z[0]).
 
-    first : assumed kind of z[0]; a bound > 0 refutes ALWAYS_TOUCHES. State of the walk
+    first : assumed kind of z[0]; a returned bound > 0 refutes ALWAYS_TOUCHES. State of the walk
     between two samples : contact kind of the last sample; last sample that may touch, and whether
     it always touches; bounds of max(g, 0); number of runs; number of listed samples.
     """
@@ -105,7 +105,7 @@ def walk_line(problem, bounds, levels, first):
     level, tally = problem.end.d / problem.law.stiffness, np.zeros(4)
     runs = allocate_runs(n // 2 + 1)
     collected = CollectedSamples(np.empty(n), np.empty(n), np.empty(n), np.empty(n))
-    # Elements reach the end of the line from z[0], or from beyond it if it never touches.
+    # The sample upstream of the line's end is z[0]; the source lies farther if z[0] never touches.
     kind, source, source_touches, gap_min = NEVER_TOUCHES, n, first == ALWAYS_TOUCHES, 0.0
     gap_max, count, size = 0.0 if source_touches else UNKNOWN_GAP, 0, 0
     for b in range(problem.start.entered.size - 1, -1, -1):

@@ -67,7 +67,7 @@ class ArrivalBounds(NamedTuple):
 
 
 class Source(NamedTuple):
-    """The last sample upstream that may touch, where elements come from."""
+    """The nearest sample upstream that may touch, from which elements come."""
 
     sample: int
     touches: bool  # whether it always touches
@@ -92,11 +92,11 @@ class ListWalk(NamedTuple):
 
 
 class Shortening(NamedTuple):
-    """Input of ``shorten_lists``, and where a walk over the lists stores its results."""
+    """Input of a walk over the lists, and arrays for its results."""
 
     law: Kelvin
     line: np.ndarray  # heights of all samples
-    bounds: Bounds  # the narrower ones
+    bounds: Bounds  # narrower bounds of d and D
     active: ActiveSet
     past: np.ndarray  # d from the start to the end of the present step
     w: np.ndarray  # displacements, see present_displacements
@@ -193,7 +193,7 @@ def _sort_sample(task, walk, i, j, leading):
 
 @inlined_kernel
 def _lands_certainly(task, source, i, j):
-    """Add sample j in slot i to the certain landings if it is one; return whether it is."""
+    """Add sample j, in slot i, to the landings if all arrivals are certain; return whether so."""
     gap = Gap(_height_at(task.line, source.sample), source.sample, source.sample - j)
     landings, weight = task.active.landings, task.active.listed.weight[i]
     z, past = task.line[j], task.past

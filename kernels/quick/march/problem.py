@@ -1,8 +1,8 @@
 """Input of the active-set march, and the bounds that it assumes of d, D and the displacements.
 
 Bounds of d and D are first guessed, then checked at every step. The displacements of the two steady
-states bound those on the way from one to the other: a free u decays by the factor E of v1 before
-the jump, of v2 after it; in contact u = z - d.
+states bound those on the way from one to the other: in contact u = z - d, and without contact u
+decays by a factor E in each step, which is that of v1 before the jump and that of v2 after it.
 """
 
 from typing import NamedTuple
@@ -115,7 +115,7 @@ class DisplacementBounds(NamedTuple):
 
 @kernel
 def displacement_bounds(problem, bounds):
-    """Return the DisplacementBounds; slacks are E (near.d - d_min)+ and E (d_max - far.d)+."""
+    """Return the DisplacementBounds; both slacks are at least zero."""
     near, far, near_is_start = problem.start, problem.end, True
     if problem.before.decay > problem.law.decay:
         near, far, near_is_start = far, near, False
