@@ -36,9 +36,9 @@ MAX_TURNS = 60  # a few usually suffice
 TARGET_RESIDUAL = 1e-13
 COARSE_RESIDUAL = 1e-3  # target on a coarser line, which only gives a guess
 ACCEPTED_RESIDUAL = 1e-6  # a larger residual raises an error
-STIFFNESS_ROUNDING = 1e-13  # times the stiffness of a step: residual accepted in addition
+STIFFNESS_ROUNDING = 1e-13  # times the stiffness of a step: added to ACCEPTED_RESIDUAL
 CHEAP_PRODUCTS = 8  # per sample; tangents that cost fewer are computed exactly in every turn
-FILL_SAMPLES = 16  # samples at which one unit's memory is filled before the next unit's
+FILL_SAMPLES = 16  # samples for which the memory of one unit is filled at a time
 SLIDE_SAMPLES = 64  # samples taken one by one before the next test for a gap
 COARSENING, MIN_COARSE_SAMPLES = 16, 1000  # samples per coarse sample; least size of a coarse line
 
@@ -122,7 +122,7 @@ def _solve_grids(form, z, speed, load, d, max_turns):
 
 @kernel
 def heights_in_order(z, deepest, stride, count):
-    """Return ``count`` heights over the deepest sample, one stride apart; the last is its own."""
+    """Return ``count`` heights over the deepest sample, a stride apart; the last is its own: 0."""
     line, j = np.empty(count), (deepest - stride * count) % z.size
     for i in range(count):
         j += stride

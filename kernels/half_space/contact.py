@@ -27,7 +27,7 @@ MAX_PASSES = 20_000
 STENCIL_CENTRE = 5.0  # the neighbours are -1; found by trial, for any load
 ZERO_PRESSURE = 1e-14  # set to zero up to this share of the mean pressure
 MIN_TRIAL_RATIO, MAX_TRIAL_RATIO = 0.3, 3.0  # ratio of successive trial steps
-MIN_STEP_RATIO = 0.01  # best step over trial step; the directions are restarted below it
+MIN_STEP_RATIO = 0.01  # of the best step to the trial step; below it directions restart
 
 
 class ElasticContact(NamedTuple):

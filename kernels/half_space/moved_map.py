@@ -27,9 +27,9 @@ class MovedMap(NamedTuple):
     """A half-space under a map that moves along x."""
 
     space: HalfSpace
-    shifts: Callable  # heights and slopes at a fraction of a sample
-    position: Callable  # position of the surface, in samples, from the place of a step
-    tolerance: Callable  # of a contact, from the law of a step
+    shifts: Callable  # fraction of a sample -> heights and slopes
+    position: Callable  # place of a step -> position of the surface, in samples
+    tolerance: Callable  # law of a step -> tolerance of its contact
 
     @classmethod
     def of(cls, space: HalfSpace, position: Callable, tolerance: Callable) -> "MovedMap":
@@ -60,7 +60,7 @@ class MapState(NamedTuple):
     """State of a MovedMap."""
 
     old_d: float  # approach before the last accepted step, in h
-    d: float  # after it
+    d: float  # approach after it, in h
     passes: int  # of the operator, in total
     body: Body  # after the last accepted step
     attempted: AttemptedContact | None

@@ -34,7 +34,7 @@ from .waves import two_sided, wave_numbers
 
 STEADY_MU_CHANGE = 1e-6  # relative change of mu per iteration or time tau that ends the search
 MIN_MU_CHANGE = 1e-9  # error of mu due to CONTACT_TOLERANCE, over the steepest slope
-MAX_CONTACT_TOLERANCE = 1e-3  # while mu still changes
+MAX_CONTACT_TOLERANCE = 1e-3  # tolerance of contacts while mu changes fast
 MAX_DIRECT_ITERATIONS = 500
 MAX_MARCH_TAUS = 100  # duration of a march, in tau
 MIN_MARCHED_LOSS = 1.0  # tangent of the loss angle above which Kelvin elements are marched

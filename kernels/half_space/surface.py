@@ -69,7 +69,7 @@ class Surface(NamedTuple):
         from_samples does, and for fewer than MIN_MAP_COLUMNS samples along x.
         """
         flat = np.zeros_like(heights, float)
-        cls.from_samples(np.asarray(heights, float), flat, 1)  # for its checks
+        cls.from_samples(np.asarray(heights, float), flat, 1)  # only to check the heights
         columns = heights.shape[1]
         if columns < MIN_MAP_COLUMNS:
             message = f"a map of {columns} samples along x: needs {MIN_MAP_COLUMNS} or more"

@@ -1,7 +1,7 @@
 """Tangents of an element over many steps, as powers of the matrix of one step.
 
 As long as an element stays in contact, or stays free, every step multiplies its tangents by the
-same matrix, and a number of steps by a power of it. Negligible tangents are set to zero.
+same matrix, and n steps multiply them by its nth power. Negligible tangents are set to zero.
 """
 
 from typing import NamedTuple

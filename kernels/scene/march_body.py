@@ -31,9 +31,9 @@ def march_track(
 
     body : its arrays are changed. track : motion at every step, with the fields dt, place and time
     of a Track (motion/track.py). done : number of steps before this track. ends, recorded, frames :
-    increasing numbers of the steps at which legs end, of those that trace, energies and lengths
-    record, and of those for snapshots. Each of these recorders may be None. window :
-    AveragingWindow or None.
+    increasing step numbers: the last step of each leg, the steps that trace, energies and lengths
+    record, and those that snapshots record. trace, energies, lengths, snapshots : recorders, or
+    None. window : AveragingWindow or None.
     """
     k, frame, end = first_after(recorded, done), first_after(frames, done), first_after(ends, done)
     durations, dt = track.dt, track.dt[0]

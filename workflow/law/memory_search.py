@@ -3,7 +3,7 @@
 For given lengths, times and ages the law is linear in its tables D and Z_j. scipy's
 ``least_squares`` therefore searches for lengths, times and ages only, and every evaluation solves a
 linear least-squares problem for the tables (variable projection: G. H. Golub and V. Pereyra, SIAM
-J. Numer. Anal. 10, 413 (1973)). Where the motions do not determine the tables, smoothness does.
+J. Numer. Anal. 10, 413 (1973)). Where motions do not determine the tables, these are smooth.
 """
 
 import math

@@ -84,8 +84,8 @@ def errors_needed(
     """Return the number of standard errors that a significant number must exceed.
 
     With g blocks an estimate follows Student's t with g - 1 degrees of freedom. To keep the rate of
-    false positives at ``chance`` (two-sided), few blocks need more than the ``many`` errors of many
-    blocks, for example six for four blocks.
+    false positives at ``chance`` (two-sided), few blocks need more standard errors than ``many``,
+    the number for many blocks: for example six for four blocks.
     """
     return max(many, float(stdtrit(blocks - 1, 1.0 - 0.5 * chance)))
 

@@ -29,7 +29,7 @@ RESOLUTION_COMMENT: str = (
 )
 NARROW_CONTACTS = f"contacts of fewer than {RESOLVED_SAMPLES:g} samples"
 LARGE_BIAS = f"a discretisation error above {100.0 * BIAS:g} %"
-MAX_RELATIVE_BIAS = 1.0  # larger values are clipped: they say no more
+MAX_RELATIVE_BIAS = 1.0  # larger values are clipped, as they only mean a large error
 
 
 def resolution_status(samples: np.ndarray, bias: np.ndarray | float = 0.0) -> np.ndarray:

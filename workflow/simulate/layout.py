@@ -14,7 +14,7 @@ from .recorded_steps import trace_steps
 from .tasks import Recording, Task
 
 STATE_SCALARS = tuple(f"state_{name}" for name in SavedState._fields if name not in ("memory", "p"))
-HALVED_STEP_SCALARS = ("mu_1", "jump", "mu_2")  # their changes are stored after the number of lines
+HALVED_STEP_SCALARS = ("mu_1", "jump", "mu_2")  # stored: number of lines, then the change of each
 CONTACT_LENGTH_BINS = 40
 CONTACT_LENGTH_EDGES = 2.0 ** (0.5 * np.arange(CONTACT_LENGTH_BINS + 1) - 4.0)  # in dx
 

@@ -59,7 +59,7 @@ def scene_of(task: Task, scheme: str, recording: Recording) -> SceneCase:
 def steady_ends(batch: Batch, line: Any, task: Task) -> dict[str, float]:
     """Return the steady values at the first and the last slide of a programme, by scalar name.
 
-    Empty if the slides have the speeds before and after the velocity step, which the case contains.
+    Empty if these are the speeds before and after the velocity step, which the case computes.
     """
     problem = task.problem
     if not (problem.programme and batch.quantities.steady):

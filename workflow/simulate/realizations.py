@@ -21,7 +21,7 @@ from .recorded_steps import record_steps
 from .tasks import PHASES, SCALARS, Batch, BatchResult
 
 scalars_of = attrgetter(*SCALARS)
-MAX_SHORT_SAMPLES = 8192  # per line, for which a call from Python costs more than the computation
+MAX_SHORT_SAMPLES = 8192  # of a line cheaper to compute than a call from Python
 MAX_CALL_SAMPLES = 4 * MAX_SHORT_SAMPLES  # of all short lines in one call
 
 

@@ -22,10 +22,10 @@ from ...kernels import (
 from ...kernels.rheology.spectrum import min_step
 from .tasks import Problem, Recording, ScaledHistory
 
-HEALING_SAMPLES = 64  # of the leg after a hold, at geometrically spaced times
+HEALING_SAMPLES = 64  # samples of the leg after a hold, at geometrically spaced times
 MAX_LISTED_STEPS = 1_000_000  # longer programmes are counted by a formula
 CACHED_MARCHES = 16
-LOOP_SAMPLES = 256  # of the last cycle of an oscillation
+LOOP_SAMPLES = 256  # samples of the last cycle of an oscillation
 
 
 def record_steps(march_steps: int, samples: int, spectrum: Spectrum = KELVIN) -> np.ndarray:

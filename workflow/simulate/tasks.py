@@ -24,7 +24,7 @@ ScaledHistory = tuple[tuple[float, ...], tuple[float, ...]]  # times in tau, ind
 
 
 class LineShape(NamedTuple):
-    """Kind of lines or maps, without H and N: random with these modes, or measured."""
+    """Properties of lines or maps other than H and N: band limits, or a measured surface."""
 
     rolloff: float = 0.0  # wave number below which the spectrum is flat, in 2 pi/L; 0: none
     cutoff: int = 0  # number of the last mode; 0: N/2
@@ -82,7 +82,7 @@ class Recording(NamedTuple):
     """Settings of the samples of a march that are stored."""
 
     samples: int  # of a curve, approximately
-    record: str = "time"  # samples even in "time", "distance", or the "log" of time in a leg
+    record: str = "time"  # samples are equidistant in "time", "distance", or the "log" of time
     every: int = 0  # if not 0, store every n-th step instead
     requested: tuple[str, ...] = ()  # results of a programme (kernels/scene)
     dense: tuple[str, ...] = ()  # "healing", "loop": results with additional samples

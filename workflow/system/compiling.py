@@ -5,7 +5,7 @@ import sys
 from collections.abc import Iterator
 from typing import Any
 
-COMPILING_MIB = 300  # memory needed to compile, beyond the other memory; measured: 254
+COMPILING_MIB = 300  # additional memory needed to compile; measured: 254
 
 
 @contextlib.contextmanager

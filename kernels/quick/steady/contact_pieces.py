@@ -34,7 +34,7 @@ class ContactPieces(NamedTuple):
 def allocate_pieces(slope, speed):
     """Return ContactPieces with room for all pieces that a line of these slopes can have."""
     most = slope.size // 2 + 3
-    entered = np.zeros(slope.size // SPAN + 1)  # without a tail the last is zero
+    entered = np.zeros(slope.size // SPAN + 1)  # the last stays 0 without a tail
     return ContactPieces(np.empty((most, 3), np.int64), np.empty((most, 4)), slope, speed, entered)
 
 

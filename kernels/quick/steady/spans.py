@@ -2,13 +2,13 @@
 
 In steady sliding at indentation d elements pass from sample j + 1 to sample j. If j + 1 touches,
 its element arrives with E (z_{j+1} - d), where E is the decay factor of a step. Sample j then
-touches if z_j - d lies below that, i.e. if
+touches if z_j - d lies below this displacement, i.e. if
 
     d > t_j = (z_j - E z_{j+1}) / (1 - E) = z_{j+1} + K (z_j - z_{j+1}),   K = 1 / (1 - E).
 
 An element that enters a span in contact therefore stays in contact if d lies above the largest t_j
-of the span, and its forces add up from the heights. An element that enters free, at u, stays free
-if the lowest sample of the span lies above d + E^16 u; it then leaves the span at E^16 u.
+of the span, and its force at each sample follows from the heights. An element that enters free,
+at u, stays free if the lowest sample of the span lies above d + E^16 u, and leaves it at E^16 u.
 """
 
 from typing import Any, NamedTuple
