@@ -1,7 +1,7 @@
 """``python -m workflow`` in the repository: the console command ``elastomer-friction``.
 
-Nothing is imported from the folder above but the package ``elastomer_friction``, which links to
-this one: a module that were loaded by two names would have two classes of each name.
+Only the package ``elastomer_friction``, which links to this folder, is imported: a module loaded
+under two names would define each of its classes twice.
 """
 
 import sys

@@ -111,7 +111,7 @@ def follow_leg(pulled: PulledSlider, leg: DriveLeg, progress: SliderProgress) ->
 def expected_speed(motion, dt):
     """Return the speed of the next step, extrapolated from the last ones.
 
-    It stays near the last speed because forces may balance at several places ahead.
+    MAX_SPEED_RATIO limits the change of speed, as forces may balance at several places ahead.
     """
     expected, speed = motion.speed + 0.5 * motion.acceleration * (dt + motion.dt), abs(motion.speed)
     sign = 1.0 if motion.speed > 0.0 else -1.0

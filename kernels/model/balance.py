@@ -20,7 +20,7 @@ def balance(control, law, z, c, history, d, step):
     """Return (d, passes): the new indentation and the number of passes over c.
 
     law : of the elastomer (rheology/law.py). z : heights of the line. c : contact thresholds after
-    the shift of this step, which may be changed. Both are those of the marched samples. history :
+    the shift of this step, which may be changed. z and c hold the marched samples only. history :
     from ``balance_history``. d : the old indentation. step : number, from 1 on.
     """
 
@@ -29,5 +29,5 @@ def balance(control, law, z, c, history, d, step):
 def balance_rows(control, law, rows, d, step):
     """Return (d, passes) for elements with internal variables; see ``balance``.
 
-    rows : SpringRows (scene/spring_rows.py), which record the highest evaluated indentation.
+    rows : SpringRows (quick/blocks/spring_rows.py), which record the highest evaluated d.
     """

@@ -13,7 +13,7 @@ There are at most 2 n + 3 passes over n elements: after the first pass d lies ri
 every later pass has a smaller d and fewer touching elements, or is the last. If rounding carries d
 below every threshold, the method restarts once, from the d at which one element carries the load.
 
-A contact is a NamedTuple: springs, or a type that sums over many elements at once (quick/, scene/).
+A contact is a NamedTuple: springs, or a type that sums over many elements at once (quick/).
 Its force at d is dispatched on its type. Eq. 4 is also solved for steady sliding in model/steady.py
 and, for internal variables, in branches/steady_memory.py.
 """

@@ -10,7 +10,7 @@ A simulated quantity has independent realizations, so its error is that of the j
 autocorrelation of its samples.
 
 Source: A. D. Sokal, Monte Carlo Methods in Statistical Mechanics (1997), sec. 3: the sum ends at
-five integrated autocorrelation times; such a time is half of the factor. U. Wolff, Comput. Phys.
+five integrated autocorrelation times, each half of the factor above. U. Wolff, Comput. Phys.
 Commun. 156, 143 (2004), eq. 49: correction for the subtraction of the mean of the same samples.
 """
 

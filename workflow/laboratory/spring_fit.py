@@ -40,7 +40,7 @@ class Sprung(NamedTuple):
 
     curve: np.ndarray  # friction by the fit at ``step.time``
     residual: np.ndarray  # fit minus data
-    factor: float  # by which correlation of the noise increases variances
+    factor: float  # factor of variances due to correlated noise
     mu_1: Estimate
     levels: dict[str, Estimate]  # mu_2; jump: a ln(v2/v1), if stiff; amplitude: b ln(v2/v1)
     log_length: Estimate  # of D_c in m

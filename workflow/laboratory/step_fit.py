@@ -58,7 +58,7 @@ class Relaxation(NamedTuple):
 
     p: np.ndarray
     residual: np.ndarray  # fit minus data, shape (samples,)
-    factor: float  # by which correlation of the noise increases variances
+    factor: float  # factor of variances due to correlated noise
     covariance: np.ndarray  # of p, shape (3, 3)
     rates: np.ndarray  # trial rates, increasing, shape (rates,)
     compatible: np.ndarray  # whether each rate is compatible with the data, shape (rates,)
@@ -163,7 +163,7 @@ class StepFit(NamedTuple):
     levelled: bool  # whether the drift is subtracted, before and after the step
     noise: float  # standard deviation of friction from sample to sample
     rms: float  # of the residual
-    factor: float  # by which correlation of the noise increases variances
+    factor: float  # factor of variances due to correlated noise
     curve: np.ndarray  # friction by the fit at ``step.time``
     stiffness: float | None  # 1/m, of the spring in the fit
 

@@ -35,7 +35,7 @@ from .problem import (
 
 BOUND_MARGINS = (0.05, 0.3, 2.0, 2.0)  # relative to the spread of d and D, one per attempt
 FIRST_MARGIN = 0.6  # of narrower bounds, over the spread; doubled at each return to longer lists
-MIN_NARROWING = 0.25  # smallest relative reduction of the spread of D that pays off
+MIN_NARROWING = 0.25  # smallest relative reduction of the spread of D worth shorter lists
 FIRST_SHORTENING = 6  # first step after which lists may be shortened; grows by half each time
 MAX_SHORT_LIST = 128  # number of samples below which ``overlap`` is faster than ``pressure_sums``
 MIN_D_SHARE = 0.1  # smallest predicted d after the first step, over the old d

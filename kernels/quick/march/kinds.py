@@ -40,7 +40,7 @@ TALLY_SAMPLES, TALLY_DEPTH, TALLY_WEIGHT, TALLY_MOMENT = range(4)
 MIN_GAP_SAMPLES = 8  # a shorter gap is cheaper to list than to cross
 UNKNOWN_GAP = 1e200  # an upper bound of gaps that excludes nothing
 # Contact kinds. ALWAYS_TOUCHES requires that the sample upstream always touches.
-# FORCED_UNDECIDED, only for the first sample of the line: UNDECIDED whatever the bounds.
+# FORCED_UNDECIDED makes the first sample of the line UNDECIDED, whatever the bounds.
 NEVER_TOUCHES, UNDECIDED, ALWAYS_TOUCHES, FORCED_UNDECIDED = 0, 2, 3, 4
 
 
