@@ -36,7 +36,7 @@ SLIP_EVENTS = ("slip_event_time", "slip_event_kind")  # time in tau; kind, as SL
 MAX_SLIP_EVENTS = 1000  # recorded events, at most
 SLIDER_QUANTITIES = ("trace", "stick_slip", "slip_events")
 FIRST_STEP_SHARE = 0.25  # first step after a velocity jump of the drive, over the step before
-MIN_FREE_STEPS = 1e3  # min_step_time, over the step in which rounding hides forces
+MIN_FREE_STEPS = 1e3  # min_step_time, over the min_step of the material
 
 
 def drive_legs(programme: Programme, place: float) -> Iterator[DriveLeg]:

@@ -4,7 +4,7 @@ A sliding step ends at a sample. Its duration is the unknown, found from the bal
 its end. If this duration would far exceed the previous one, the slider sticks. The steps then have
 given durations that grow by a constant factor, as in a hold, and the unknown is the distance by
 which the slider creeps. A slider that accelerates faster than the elastomer responds takes steps of
-the duration ``min_step_time``, below which forces are lost in rounding.
+the duration ``min_step_time``, which keeps forces far above rounding.
 
 These functions are compiled into one kernel for a line, and run as plain Python for a map.
 """

@@ -64,7 +64,7 @@ class Relaxation(NamedTuple):
     compatible: np.ndarray  # whether each rate is compatible with the data, shape (rates,)
     best: np.ndarray  # mu_2 and b at these rates, shape (rates, 2)
     covariances: np.ndarray  # of mu_2 and b at these rates, shape (rates, 2, 2)
-    slack: np.ndarray  # standard errors by which mu_2 and b may yet differ, shape (rates,)
+    slack: np.ndarray  # allowed deviation of mu_2 and b in standard errors, shape (rates,)
 
     def error(self, weights: np.ndarray) -> float:
         """Return the standard error of a weighted sum of mu_2 and b."""
