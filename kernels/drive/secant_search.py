@@ -13,7 +13,7 @@ SEARCH_STATE = np.dtype(
         ("last_value", np.float64),
         ("slope", np.float64),  # slope of the last rising secant, or its estimate; 0 if unknown
         ("max_step", np.float64),  # maximum step while the root is not bracketed
-        ("bracketed_steps", np.int64),  # number of steps since the root is bracketed
+        ("bracketed_steps", np.int64),  # number of steps since the root was bracketed
     ]
 )
 MAX_BRACKETED_STEPS = 80

@@ -29,7 +29,7 @@ FIRST_CREEP_STEP = 0.1  # first step of a search, in samples
 MAX_STEP_GROWTH = 1.5  # the slider sticks if a step would be longer than this times the last one
 MAX_STEPS_TO_SAMPLE = 2.0  # maximum distance of a sliding step, over speed times ``pace``
 MAX_SPEED_RATIO = 1.4  # largest factor between expected and last speed, up or down
-MIN_STEP_SHARE = 1e-3  # of the last step; a shorter rest of a leg is left to the next leg
+MIN_STEP_SHARE = 1e-3  # over the last step: a shorter rest of a leg is left to the next leg
 
 # Slopes with which the next search starts, and a counter: one record, changed in place.
 SEARCH_MEMORY = np.dtype(
@@ -72,7 +72,7 @@ class Trip(NamedTuple):
 
 
 class BalancedStep(NamedTuple):
-    """The last attempted step, with balanced forces."""
+    """Result of an attempted step: state, duration and forces."""
 
     state: Any  # of the body, after the attempted step
     law: Any  # of the elastomer in the step

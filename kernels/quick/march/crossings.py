@@ -43,7 +43,7 @@ class GapCrossings(NamedTuple):
     slot: np.ndarray  # where elements enter the lists
     begin: np.ndarray  # shape (crossings + 1,)
     next: np.ndarray  # place of the next arrival; advances at every step
-    is_ring: np.ndarray  # whether the places form a ring; if not, the last arrival is repeated: 0
+    is_ring: np.ndarray  # whether the places form a ring; if not, all arrivals after the last are 0
     arrivals: np.ndarray  # displacements at arrival
     source: np.ndarray  # slot from which elements leave; -1 for a sample that always touches
     source_z: np.ndarray  # height of the sample that they leave
@@ -75,7 +75,7 @@ def fill_arrivals(flight, arrivals, powers, line, leading, distance, u):
 
 @kernel
 def decay_powers(decay, steps):
-    """Return E^k for k = 0, 1, ... ``steps``; the first negligible power ends the list, as zero."""
+    """Return E^k for k = 0, 1, ... ``steps``, cut at the first negligible power, set to 0."""
     powers = np.empty(steps + 1)
     powers[0] = 1.0
     for k in range(1, steps + 1):

@@ -86,7 +86,7 @@ def undecided_runs(problem, bounds):
     """Return (Runs, CollectedSamples, SummedContact); all other samples never touch."""
     levels = displacement_bounds(problem, bounds)
     first = kind_of_first(problem, bounds, levels)
-    # The kind of z[0] enters its own condition, round the period: assume it, then check.
+    # The kind of z[0] depends on that of z[1], and so on round to z[0]: assume it, then check.
     runs, collected, sums, gap_max = walk_line(problem, bounds, levels, first)
     if first == ALWAYS_TOUCHES and gap_max > 0.0:
         runs, collected, sums, _ = walk_line(problem, bounds, levels, FORCED_UNDECIDED)

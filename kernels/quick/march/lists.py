@@ -193,7 +193,7 @@ def _sort_sample(task, walk, i, j, leading):
 
 @inlined_kernel
 def _lands_certainly(task, source, i, j):
-    """Add sample j, in slot i, to the landings if all arrivals are certain; return whether so."""
+    """Add sample j, in slot i, to the certain landings if possible; return whether it was added."""
     gap = Gap(_height_at(task.line, source.sample), source.sample, source.sample - j)
     landings, weight = task.active.landings, task.active.listed.weight[i]
     z, past = task.line[j], task.past

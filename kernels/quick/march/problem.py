@@ -127,5 +127,5 @@ def displacement_bounds(problem, bounds):
 
 @refcount_free_kernel
 def decayed_displacement(decay, u):
-    """Return the displacement of a free element one sample after it was u."""
+    """Return the displacement of a free element one sample after the displacement u."""
     return decay.sample * u if u < -MIN_MAGNITUDE else 0.0
