@@ -31,7 +31,7 @@ class Plan(NamedTuple):
     study: Study
     variants: list[Variant]
     quantities: Quantities  # of the kernels
-    first: dict[str, int]  # blocks of the first round, by task key; all if there is no goal
+    first: dict[str, int]  # blocks of the first round, by task key; all without a goal
     expected: dict[str, int]  # blocks that the goals are predicted to need, by task key
 
     @property
