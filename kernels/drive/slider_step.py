@@ -17,7 +17,7 @@ import numpy as np
 from ..body.step import Forces, Move, accept, attempt, forces, law_in_step, patch_width
 from ..compile.jit import jitable, kernel
 from ..motion.path import MIN_PARTIAL_STEP, SNAP_TOLERANCE
-from .secant_search import new_search, next_guess, search_is_exhausted
+from ..root_search import new_secant_search, next_secant_guess
 from .slider_record import Moment, SliderRecord, next_time_is_due, record_between
 from .spring import Drive, DriveLeg, ForceBalance, SliderState, drive_at, force_balance
 
@@ -136,21 +136,19 @@ def slide_step(pulled, state, leg, motion, trip, longest, guess):
     Its dt is NaN if it would exceed ``longest``.
     """
     sign, memory = 1.0 if trip.moved > 0.0 else -1.0, pulled.memory[0]
-    search = new_search(memory["time_slope"], FIRST_LOG_TIME_STEP)
     low, high = math.log(pulled.min_step_time), math.log(max(longest, pulled.min_step_time))
     x = min(max(math.log(guess), low), high)
+    secants = new_secant_search(x, FIRST_LOG_TIME_STEP, memory["time_slope"])
     while True:
         step = attempt_step(pulled, state, leg, motion, trip, math.exp(x))
         excess = sign * step.balance.excess
-        next_x = next_guess(search, x, excess)
+        secants = next_secant_guess(secants, x, excess, pulled.force_tolerance, LOG_TIME_ROUNDING)
         late = x >= high and (excess < 0.0 or high <= low)
-        balanced = abs(excess) <= pulled.force_tolerance
-        balanced = balanced or search_is_exhausted(search, LOG_TIME_ROUNDING)
-        if late or balanced or (x <= low and excess > 0.0):
-            memory["time_slope"] = search[0]["slope"]
+        if late or secants.search.ended or (x <= low and excess > 0.0):
+            memory["time_slope"] = secants.slope
             dt = np.nan if late else step.dt
             return BalancedStep(step.state, step.law, dt, step.balance, step.acting)
-        state, x = step.state, min(max(next_x, low), high)
+        state, x = step.state, min(max(secants.search.x, low), high)
 
 
 @jitable
@@ -158,24 +156,23 @@ def creep(pulled, leg, progress, place, edges, dt):
     """Advance to the balance of forces after a time dt, or to the next sample in a shorter time."""
     state, motion, m = progress.state, progress.motion, pulled.steps_per_spacing
     low, high, memory = edges[0] - place, edges[1] - place, pulled.memory[0]
-    search = new_search(memory["creep_slope"], FIRST_CREEP_STEP)
     x = min(max(m * expected_speed(motion, dt) * dt, low), high)
+    secants = new_secant_search(x, FIRST_CREEP_STEP, memory["creep_slope"])
     while True:
         trip = Trip(place, place + x, x / m)
         step = attempt_step(pulled, state, leg, motion, trip, dt)
         excess = step.balance.excess
-        next_x = next_guess(search, x, -excess)
+        secants = next_secant_guess(secants, x, -excess, pulled.force_tolerance, PLACE_ROUNDING)
         if (x >= high and excess > 0.0) or (x <= low and excess < 0.0):
             if dt > pulled.min_step_time:
                 sooner = slide_step(pulled, step.state, leg, motion, trip, dt, 0.9 * dt)
                 if not math.isnan(sooner.dt):
                     step = sooner
             break
-        balanced = abs(excess) <= pulled.force_tolerance
-        if balanced or search_is_exhausted(search, PLACE_ROUNDING):
-            memory["creep_slope"] = search[0]["slope"]
+        if secants.search.ended:
+            memory["creep_slope"] = secants.slope
             break
-        state, x = step.state, min(max(next_x, low), high)
+        state, x = step.state, min(max(secants.search.x, low), high)
     return accept_step(pulled, leg, progress, trip.moved, step)
 
 

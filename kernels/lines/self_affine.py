@@ -7,6 +7,8 @@ Source: Li et al. (2014), Results, below eq. 1 (C_1D ~ q^(-2H-1), q_min = 2 pi/L
 
 import numpy as np
 
+from ..root_search import root_between
+
 NORMALISATIONS = ("modal", "integral")
 
 
@@ -107,13 +109,7 @@ def matching_rolloff(hurst: float, elements: int, slope: float) -> float:
         raise ValueError(
             f"rms slope = {slope:g} h/dx: lines of H = {hurst:g} have {least:.4g} to {most:.4g}"
         )
-    for _ in range(60):  # halvings, to the last bit of a wave number
-        middle = 0.5 * (low + high)
-        if slope_of(middle) < slope:
-            low = middle
-        else:
-            high = middle
-    return low
+    return root_between(lambda rolloff: slope_of(rolloff) - slope, low, high)
 
 
 def draw_phases(rng: np.random.Generator, elements: int) -> np.ndarray:

@@ -16,7 +16,10 @@ from typing import NamedTuple
 
 import numpy as np
 
+from ..root_search import root_between
 from .spectrum import Spectrum
+
+LOG_RANGE = 667.0  # of the distance of a zero from a pole: nearly that of positive numbers
 
 
 class Retardation(NamedTuple):
@@ -61,7 +64,7 @@ def _unit(moduli: np.ndarray, times: np.ndarray, viscosity: float, k: int) -> tu
     """Return (J_k, lambda_k) of the unit whose zero lies between poles k - 1 and k.
 
     The unknown is the distance of the zero from the nearer pole: a weak branch puts it so close
-    that 1 - r t_b would lose all digits. The logarithm of the distance is bisected to its last bit.
+    that 1 - r t_b would lose all digits. The logarithm of the distance is sought.
     """
     slower = times[k - 1] if k > 0 else math.inf
     faster = times[k] if k < times.size else 0.0
@@ -74,13 +77,13 @@ def _unit(moduli: np.ndarray, times: np.ndarray, viscosity: float, k: int) -> tu
     pole, sign = slower, 1.0
     if faster > 0.0 and _modulus(moduli, times, viscosity, pole, half) > 0.0:
         pole, sign = faster, -1.0
-    least, most = half * 1e-290, half
-    while least < (middle := math.sqrt(least) * math.sqrt(most)) < most:
-        if (_modulus(moduli, times, viscosity, pole, sign * middle) > 0.0) == (sign > 0.0):
-            least = middle
-        else:
-            most = middle
-    rate, rest = _rate_near_pole(times, pole, sign * most)
+
+    def rise(log_distance: float) -> float:
+        return -sign * _modulus(moduli, times, viscosity, pole, sign * math.exp(log_distance))
+
+    highest = math.log(half)
+    distance = sign * math.exp(root_between(rise, highest - LOG_RANGE, highest))
+    rate, rest = _rate_near_pole(times, pole, distance)
     fall = float(np.sum(moduli * times / rest**2)) + viscosity
     return 1.0 / (rate * fall), 1.0 / rate
 

@@ -12,6 +12,7 @@ import numpy as np
 
 from ...compile.jit import kernel, refcount_free_kernel
 from ...lines.polynomials import septic_coefficients, septic_height, septic_slope
+from ...root_search import new_search, next_guess
 from ..steady.span_indentation import halley_step
 from ..steady.spans import SPAN
 from .events import (
@@ -30,7 +31,6 @@ from .smooth_line import first_zero, pressure, products, slope_square, span_of
 MIN_SMOOTH_STEPS = 4  # samples per spacing: eight in the shortest wave give mu to 1e-6
 LINEAR_LOAD_ERROR = 5e-4  # largest relative load error corrected to first order
 LINEAR_JUMP_ERROR = 5e-3  # the same after a jump, over min(1, |v2/v1 - 1|)
-MAX_NEWTON_TURNS = 40
 MIN_DEPTH = 1e-9  # relative to the rise of the line beside its deepest point; less is rounding
 
 
@@ -100,18 +100,17 @@ def _balance_load(line, speed, load, guess, patches):
     """
     j, _, deepest = line.deepest
     min_depth = MIN_DEPTH * (max(line.z[j], line.z[j + 1 if j + 1 < line.z.size else 0]) - deepest)
-    d, turns = guess, 0
+    search, tolerance = new_search(guess, -np.inf, np.inf, np.inf), LINEAR_LOAD_ERROR * load
     while True:
+        d = search.x
         contact = turn_line(line, speed, d, patches)
-        excess, turns = contact.force - load, turns + 1
-        if abs(excess) <= LINEAR_LOAD_ERROR * load:
-            return contact, turns
-        if turns == 1:
-            d = deepest + halley_step(d - deepest, contact.force, contact.rate, load)
-        else:
-            d -= excess / contact.rate
-        if turns == MAX_NEWTON_TURNS or not d - deepest > min_depth:
-            return contact, 0
+        excess, slope = contact.force - load, contact.rate
+        if search.evaluations == 0:
+            step = deepest + halley_step(d - deepest, contact.force, slope, load) - d
+            slope = -excess / step if step != 0.0 else slope
+        search = next_guess(search, d, excess, slope, 0.0, tolerance, 0.0)
+        if search.ended or not search.x - deepest > min_depth:
+            return contact, search.evaluations if abs(excess) <= tolerance else 0
 
 
 @refcount_free_kernel
@@ -154,17 +153,16 @@ def _after_jump(line, speeds, contact, integrals, shortfall, patches):
     """
     speed, other = speeds
     step = other - speed
-    rate = -step * integrals.rise / integrals.length
-    tolerance = LINEAR_JUMP_ERROR * min(1.0, abs(step) / speed)
-    for _ in range(MAX_NEWTON_TURNS):
+    search = new_search(-step * integrals.rise / integrals.length, -np.inf, np.inf, np.inf)
+    tolerance = LINEAR_JUMP_ERROR * min(1.0, abs(step) / speed) * contact.force
+    while not search.ended:
+        rate = search.x
         lost = _unpressed(line, other, contact.d + rate, patches, contact.patches)
         excess = rate * integrals.length + step * integrals.rise - lost.force
-        change = excess / (integrals.length - lost.length)
-        if abs(excess) <= tolerance * contact.force:
-            break
-        rate -= change
+        length = integrals.length - lost.length
+        search = next_guess(search, rate, excess, length, 0.0, tolerance, 0.0)
     force, work = _growth(line, other, contact.d + rate, shortfall, patches, contact.patches)
-    change += (force - contact.rate * shortfall) / (integrals.length - lost.length)
+    change = (excess + force - contact.rate * shortfall) / length
     growth = work - change * (integrals.rise - lost.rise)
     pressed = rate * integrals.rise + step * integrals.square - lost.work
     return pressed + growth, rate - change - shortfall

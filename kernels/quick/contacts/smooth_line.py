@@ -15,12 +15,12 @@ from ...lines.polynomials import (
     septic_height,
     septic_slope,
 )
+from ...root_search import new_search, next_guess
 from ..steady.spans import SPAN
 
 THIRD_NODE = math.sqrt(0.6)
 NO_ZERO = 2.0  # returned for t: beyond every interval
-LAST_STEP = 1e-4  # in t: a Halley step below it is the last one, a Newton step below its square
-MAX_HALVINGS = 60  # enough to reach rounding
+LAST_NEWTON_STEP, LAST_HALLEY_STEP = 1e-8, 1e-4  # in t
 # Nodes and weights of Gauss-Legendre quadrature on [0, 1]: exact to the ninth degree, and to 1e-12
 # for products of two polynomials of a line with eight samples in its shortest wave.
 GAUSS_POINTS = tuple(
@@ -180,20 +180,11 @@ def _deepest_point(z, slope, bend, spacing, low):
 @kernel
 def _minimum(c, u, a, start, stop):
     """Return the t of the minimum of f (first_zero), which falls at start and rises at stop."""
-    low, high = start, stop
-    t = 0.5 * (start + stop)
-    for _ in range(MAX_HALVINGS):
-        _, slope, bend = derivatives_at(c, u, a, start, t)
-        if slope < 0.0:
-            low = t
-        else:
-            high = t
-        new = t - slope / bend
-        # Test convergence first: t is now an end of the bracket, which a last step may cross.
-        if abs(new - t) <= LAST_STEP * LAST_STEP:
-            return min(max(new, start), stop)
-        t = new if low < new < high else 0.5 * (low + high)
-    return t
+    search = new_search(0.5 * (start + stop), start, stop, np.inf)
+    while not search.ended:
+        _, slope, bend = derivatives_at(c, u, a, start, search.x)
+        search = next_guess(search, search.x, slope, bend, 0.0, 0.0, LAST_NEWTON_STEP)
+    return search.x
 
 
 @kernel
@@ -214,27 +205,17 @@ def first_zero(c, u, a, start, stop, fresh):
         end, _, _ = derivatives_at(c, u, a, start, stop)
         if end >= 0.0:
             return NO_ZERO
-    low, high, width = start, stop, stop - start
-    t = 0.5 * (low + high)
+    width, t = stop - start, 0.5 * (start + stop)
     if fresh:
         fall *= width
         root = math.sqrt(max(fall * fall - 4.0 * (end - begin - fall) * begin, 0.0))
         guess = start + width * (2.0 * begin / (root - fall))  # zero of the parabola
-        t = guess if low < guess < high else t
-    for _ in range(MAX_HALVINGS):
-        value, slope, bend = derivatives_at(c, u, a, start, t)
-        if value >= 0.0:
-            low = t
-        else:
-            high = t
-        bottom = 2.0 * slope * slope - value * bend
-        new = t - 2.0 * value * slope / bottom if bottom != 0.0 else t
-        if abs(value) <= LAST_STEP * abs(slope) and abs(value * bend) <= LAST_STEP * slope * slope:
-            return min(max(new, start), stop)
-        if not low < new < high:
-            new = 0.5 * (low + high)
-        t = new
-    return t
+        t = guess if start < guess < stop else t
+    search = new_search(t, start, stop, np.inf)
+    while not search.ended:
+        value, slope, bend = derivatives_at(c, u, a, start, search.x)
+        search = next_guess(search, search.x, -value, -slope, -bend, 0.0, LAST_HALLEY_STEP)
+    return search.x
 
 
 @inlined_kernel
