@@ -1,13 +1,14 @@
 """A simulated cluster with the interface of a Pool of workers."""
 
 from collections import Counter
-from collections.abc import Callable, Collection, Iterable, Mapping
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
 from concurrent.futures import Future
 from typing import Any
 
-from elastomer_friction.workflow.cluster.flow import stream
-from elastomer_friction.workflow.cluster.node import Node
-from elastomer_friction.workflow.cluster.pool import Arrival, Snapshot
+from elastomer_friction.workflow.cluster.blame import Blame
+from elastomer_friction.workflow.cluster.flow import Stream
+from elastomer_friction.workflow.cluster.node import Arrival, Node, Snapshot, WorkerDied
+from elastomer_friction.workflow.system import Watch
 from tests.support.simulated_workers import Task, Workers
 
 ERROR = OSError("Input/output error")
@@ -73,6 +74,23 @@ class Cluster(Workers):
         answer: Future[Snapshot] = Future()
         answer.set_result(Snapshot(dict.fromkeys(self.workers, 1), sorted(ready), running))
         return answer
+
+
+def raised(node: Node, error: Exception, alone: bool) -> list[Node]:
+    """Raise the error of a worker; retry a node once, alone, if its worker died."""
+    if isinstance(error, WorkerDied) and not alone:
+        return [node]
+    raise error
+
+
+def stream(
+    pool: Any,
+    nodes: Iterable[Node],
+    watch: Watch | None = None,
+    retry: Callable[[Node, Exception, bool], list[Node]] = raised,
+) -> Iterator[tuple[Node, Any]]:
+    """Return an iterator over (node, value)."""
+    return iter(Stream(pool, iter(nodes), watch or Watch(), retry, Blame()))
 
 
 def streamed(

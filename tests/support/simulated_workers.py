@@ -11,9 +11,7 @@ from heapq import heappop, heappush
 from itertools import count
 from typing import Any
 
-from distributed.scheduler import KilledWorker
-
-from elastomer_friction.workflow.cluster.pool import Arrival
+from elastomer_friction.workflow.cluster.node import Arrival, WorkerDied
 
 ALLOWED_FAILURES = 3  # number of workers that dask lets a task kill
 GIVEN_UP = 45.0  # s, silence after which dask gives up a worker; 30 to 60 in dask
@@ -83,8 +81,7 @@ class Workers:
         for task in worker.processing:
             task.deaths += counted
             if task.deaths > ALLOWED_FAILURES:
-                killed = KilledWorker(task.key, worker, ALLOWED_FAILURES)
-                self._end(Arrival(task.key, error=killed))
+                self._end(Arrival(task.key, error=WorkerDied(task.deaths)))
             else:
                 self.assign(task)
         if self.replaced:

@@ -10,8 +10,8 @@ from ..ground import public_names
 if TYPE_CHECKING:
     from .blame import Blame
     from .client import open_client
-    from .flow import stream
-    from .node import Node
+    from .flow import Stream
+    from .node import Arrival, Node, Snapshot, WorkerDied
     from .pool import Pool
     from .worker import run_batch
 

@@ -9,7 +9,7 @@ from collections.abc import Iterable
 from dataclasses import dataclass, field
 
 from ..system import say
-from .pool import Snapshot
+from .node import Snapshot
 
 MAX_CONSECUTIVE_FAILURES = 3  # of items that succeed elsewhere; then the worker is excluded
 RESTART_SECONDS = 30.0  # time within which a lost worker is expected to restart

@@ -1,35 +1,29 @@
 """Clients of local processes, batch jobs, or a running scheduler."""
 
-import asyncio
-import concurrent.futures
 import contextlib
 import importlib.util
 import logging
 import signal
 import tempfile
-import threading
 from collections.abc import Iterator
 from multiprocessing import resource_tracker
 from typing import Any
 
 import dask
 from dask.system import CPU_COUNT
-from distributed import Client, Nanny, Scheduler, SpecCluster
-from distributed.system import MEMORY_LIMIT
-from distributed.utils import sync
+from distributed import Client, LocalCluster
+from distributed.utils import LoopRunner, sync
 from tornado.ioloop import IOLoop
 
 from ..ground import UserError
 from ..study import BATCH_SYSTEMS, LOCAL, Cluster
 from ..system import THREADS, Watch, say
 from .jobs import ADAPT_INTERVAL, job_cluster
-from .security import ENCRYPTED, new_security, no_pages, scheduler_options, security_of
+from .security import new_security, no_pages, scheduler_options, security_of
 
-CONNECT_SECONDS = 10
-MUTE_SECONDS = 30  # timeout for a scheduler that accepts connections but does not answer
+CONNECT_SECONDS = 10  # timeout of each of three answers of a scheduler
 CLOSE_SECONDS = 2.0  # timeout for closing a client
 WORKER_TTL = "25s"  # silence after which dask restarts a worker; also the period of the check
-LOOPBACK = "127.0.0.1"
 
 
 @contextlib.contextmanager
@@ -55,20 +49,20 @@ def open_client(
         "distributed.worker.profile.enabled": dashboard,  # only the dashboard shows it
         **{f"distributed.nanny.pre-spawn-environ.{k}": v for k, v in THREADS.items()},
     }
-    # Silenced because ``stream`` reports lost workers in one line.
+    # Silenced because ``Stream`` reports lost workers in one line.
     for name in ("distributed.client", "distributed.scheduler"):
         logging.getLogger(name).setLevel(logging.CRITICAL)
-    watch = watch or Watch()
     with contextlib.ExitStack() as stack:
         stack.enter_context(dask.config.set(settings))
         loop = stack.enter_context(_loop_without_ctrl_c())
         if cluster.where == LOCAL:
-            local = stack.enter_context(_local_cluster(loop, workers, dashboard))
-            client = sync(loop, _connected, local)
+            local = _local_cluster(loop, workers or CPU_COUNT, dashboard)
+            client = sync(loop, _connected, stack.enter_context(local))
         elif cluster.where in BATCH_SYSTEMS:
-            jobs = stack.enter_context(job_cluster(loop, cluster, dashboard))
-            client = sync(loop, _connected, jobs)
-            watch.follow(cluster.log_folder)
+            jobs = job_cluster(loop, cluster, dashboard)
+            client = sync(loop, _connected, stack.enter_context(jobs))
+            if watch:
+                watch.follow(cluster.log_folder)
         else:
             client = _client_of(loop, cluster)
         stack.callback(sync, loop, _closed, client)
@@ -78,24 +72,16 @@ def open_client(
 
 
 @contextlib.contextmanager
-def _local_cluster(loop: IOLoop, workers: int | None, dashboard: bool) -> Iterator[SpecCluster]:
+def _local_cluster(loop: IOLoop, count: int, dashboard: bool) -> Iterator[LocalCluster]:
     """Yield a cluster of local processes, which require the certificate of this run to connect."""
-    count = workers or CPU_COUNT
     # Workers import code from this folder, which must therefore belong to this user alone.
     with tempfile.TemporaryDirectory(prefix="elastomer-friction-") as folder:
         security = new_security(folder)
-        shared = {"host": LOOPBACK, "protocol": ENCRYPTED, "security": security}
-        worker = {"nthreads": 1, "memory_limit": MEMORY_LIMIT // count, "local_directory": folder}
-        nanny_options = shared | worker | {"silence_logs": logging.CRITICAL}
-        parts: dict[str, Any] = {
-            "scheduler": {"cls": Scheduler, "options": shared | scheduler_options(dashboard)},
-            "workers": {
-                number: {"cls": Nanny, "options": nanny_options} for number in range(count)
-            },
-        }
-        cluster_options = {"loop": loop, "security": security, "silence_logs": logging.CRITICAL}
+        options: dict[str, Any] = {"n_workers": count, "threads_per_worker": 1}
+        options |= {"scheduler_kwargs": scheduler_options(dashboard), "local_directory": folder}
+        options |= {"loop": loop, "security": security, "silence_logs": logging.CRITICAL}
         pages = dask.config.set(no_pages(security, dashboard))
-        with pages, SpecCluster(**parts, **cluster_options) as local:
+        with pages, LocalCluster(**options) as local:
             # Replace any nanny that gave up because its worker was killed during a restart.
             local.adapt(minimum=count, maximum=count, interval=ADAPT_INTERVAL)
             yield local
@@ -107,26 +93,17 @@ def _loop_without_ctrl_c() -> Iterator[IOLoop]:
 
     Ctrl-C is sent to the whole process group. Workers started from the thread inherit the block.
     """
-    started: concurrent.futures.Future[IOLoop] = concurrent.futures.Future()
-    finished = asyncio.Event()
-
-    async def until_finished() -> None:
-        started.set_result(IOLoop.current())
-        await finished.wait()
-
-    def run() -> None:
-        signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
-        asyncio.run(until_finished())
-
     resource_tracker.ensure_running()  # a later start would unblock the signal in that thread
-    thread = threading.Thread(target=run, name="IO loop", daemon=True)
-    thread.start()
-    loop = started.result()
+    runner = LoopRunner()
+    before = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
     try:
-        yield loop
+        runner.start()
     finally:
-        loop.add_callback(finished.set)
-        thread.join(CLOSE_SECONDS)
+        signal.pthread_sigmask(signal.SIG_SETMASK, before)
+    try:
+        yield runner.loop
+    finally:
+        runner.stop(CLOSE_SECONDS)
 
 
 def _client_of(loop: IOLoop, cluster: Cluster) -> Client:
@@ -146,8 +123,8 @@ async def _connected(where: Any, security: Any = None) -> Client:
     # If this were the default client, xarray would request locks from it while it connects.
     options = {"timeout": CONNECT_SECONDS, "set_as_default": False, "asynchronous": True}
     client = Client(where, security=security, **options)
-    try:  # without a timeout a client waits forever for a stopped scheduler
-        return await asyncio.wait_for(client, MUTE_SECONDS)
+    try:
+        return await client
     except BaseException:
         await _closed(client)
         raise

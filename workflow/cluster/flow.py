@@ -1,19 +1,15 @@
 """The graph of a run through the workers, with a bounded window that is refilled in bulk."""
 
 import math
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
 from itertools import islice
-from types import SimpleNamespace
-from typing import Any, cast
-
-from distributed.scheduler import KilledWorker
+from typing import Any
 
 from ..ground import UserError
 from ..system import BEAT_SECONDS, NO_ANSWER, QUIET_SECONDS, Watch, say
 from .blame import Blame
-from .node import Node
-from .pool import ResultLost, Snapshot
+from .node import Node, ResultLost, Snapshot, WorkerDied
 
 NODES_PER_THREAD, MIN_WINDOW = 4, 8  # nodes in flight
 BOUND_NODES_PER_THREAD = 2  # if nodes are bound to workers: fewer, so that others take the rest
@@ -21,46 +17,25 @@ TAKE_SECONDS = 0.1  # between two checks for arrivals, which are then handled to
 STOP_SECONDS = 10.0  # wait for running nodes after a stop
 MAX_WORKER_DEATHS = 3  # that a node may cause before it is given up; dask has the same limit
 
-# Returns the nodes to compute instead of one that failed with an error, alone or not.
-Retry = Callable[[Node, Exception, bool], list[Node]]
 
-
-def raise_error(node: Node, error: Exception, alone: bool) -> list[Node]:
-    """Raise the error of a worker; retry a node once, alone, if its worker died."""
-    if isinstance(error, KilledWorker) and not alone:
-        return [node]
-    raise error
-
-
-def stream(
-    pool: Any,
-    nodes: Iterable[Node],
-    watch: Watch | None = None,
-    retry: Retry = raise_error,
-    blame: Blame | None = None,
-) -> Iterator[tuple[Node, Any]]:
-    """Yield (node, value) in order of arrival; after watch() is true, only running nodes.
+@dataclass
+class Stream:
+    """Iterable of (node, value) in order of arrival; after watch() is true, of running nodes only.
 
     A node is submitted once those that it waits for are, whose futures it is given. A few nodes
     per worker thread, or as many as finish in a second, are in flight, so that memory does not
     grow with the study. A node that raises is retried on another worker; it waits for one if none
-    has connected or one was lost recently. ``retry`` returns the replacement of a node that failed
-    on two workers, or twice on the only worker. Nodes of killed workers run last and one at a time,
-    so that the node that kills is known. After a stop, running nodes are awaited for at most
-    STOP_SECONDS. Raises UserError if the scheduler is lost, or when patience ends.
-
-    pool : a Pool, or its stand-in in tests. blame : state of the workers from earlier streams.
+    has connected or one was lost recently. If it fails on two workers, or twice on the only one,
+    it is replaced. Nodes of killed workers run last and one at a time, so that the node that kills
+    is known. Raises UserError if the scheduler is lost, or when patience ends.
     """
-    return iter(_Stream(pool, iter(nodes), watch or Watch(), retry, blame or Blame()))
 
-
-@dataclass
-class _Stream:
-    pool: Any
+    pool: Any  # a Pool, or what has its methods
     source: Iterator[Node]
     watch: Watch
-    retry: Retry
-    blame: Blame
+    # retry(node, error, alone) returns what to compute instead of a node that failed, alone or not.
+    retry: Callable[[Node, Exception, bool], list[Node]]
+    blame: Blame  # state of the workers, also from earlier streams
     in_flight: dict[str, Node] = field(default_factory=dict)  # by key
     again: list[Node] = field(default_factory=list)  # submitted before the rest of the source
     waiting: list[Node] = field(default_factory=list)  # for nodes that are not submitted
@@ -75,6 +50,7 @@ class _Stream:
     stopped: float = math.inf  # time of the stop, s
 
     def __iter__(self) -> Iterator[tuple[Node, Any]]:
+        """Yield (node, value)."""
         try:
             self._look()
             self._submit()
@@ -83,7 +59,7 @@ class _Stream:
                 self._look()
                 self._submit()
         finally:
-            self.pool.drop(self.in_flight)
+            self._drop([*self.in_flight])
 
     def _submit(self) -> None:
         """Fill the window from the retries and the source; then submit nodes one at a time."""
@@ -96,9 +72,10 @@ class _Stream:
         self.drawn = bool(nodes)
         self._send_ready([node for node in nodes if not node.inputs])
         self.waiting += [node for node in nodes if node.inputs]
-        ready = [node for node in self.waiting if node.ready()]
-        self.waiting = [node for node in self.waiting if node not in ready]
-        self._send_ready(ready)
+        waiting, self.waiting = self.waiting, []
+        for node in waiting:
+            ready = all(other.done or other.result is not None for other in node.needs())
+            self._send_ready([node]) if ready else self.waiting.append(node)
         self.isolated = self.isolated and len(self.in_flight) < 2
         if not (self.in_flight or self.again) and self.alone:
             self._send_ready([self.alone.pop()])
@@ -108,10 +85,10 @@ class _Stream:
         """Submit nodes; those that failed elsewhere, or wait for a worker that may come."""
         blame = self.blame
         self._send([n for n in nodes if not n.failed], blame.fit() if blame.excluded else [])
-        for node in nodes:
-            if node.failed and blame.awaited(node.failed):
+        for node in (node for node in nodes if node.failed):
+            if blame.awaited(node.failed):
                 self.again.append(node)
-            elif node.failed:
+            else:
                 self._send([node], blame.fit(node.failed))
 
     def _send(self, nodes: list[Node], workers: list[str]) -> None:
@@ -122,12 +99,10 @@ class _Stream:
         for other in (other for node in nodes for other in node.needs() if other.done):
             if not self.pool.holds(other):
                 other.result = None
-        nodes = [node for node in nodes if node.prepare()]
-        if nodes:
-            keys = self.pool.submit(nodes, workers)
-            for key, node in zip(keys, nodes, strict=True):
-                node.workers = workers
-                self.in_flight[key] = node
+        if nodes := [node for node in nodes if node.prepare()]:
+            self.in_flight |= zip(self.pool.submit(nodes, workers), nodes, strict=True)
+            for node in nodes:
+                node.workers, node.worker = workers, ""
 
     def _take(self) -> Iterator[tuple[Node, Any]]:
         """Yield the arrived (node, value), and schedule replacements of failed nodes."""
@@ -146,13 +121,16 @@ class _Stream:
     def _fail(self, node: Node, error: Exception, address: str = "") -> None:
         """Schedule the retry or replacement of a node that failed or whose worker died.
 
-        An error of a node that waits for others counts once these are done, as it may be theirs.
+        The nodes that wait for its result are taken back. An error of a node that waits for others
+        counts once these are done, as it may be theirs.
         """
-        self._withdraw(node)
+        node.result = None
+        withdrawn = [key for key, other in self.in_flight.items() if node in other.given]
+        self.waiting += self._drop(withdrawn)
         if not all(other.done for other in node.given):
             error = ResultLost()
-        if isinstance(error, KilledWorker):
-            node.deaths = max(node.deaths, error.allowed_failures) + 1
+        if isinstance(error, WorkerDied):
+            node.deaths = max(node.deaths + 1, error.deaths)
         elif not isinstance(error, ResultLost):
             node.failed.append(address)
         given_up = node.deaths > MAX_WORKER_DEATHS or self.blame.to_be_given_up(node.failed)
@@ -162,35 +140,26 @@ class _Stream:
         node.failed, node.deaths = [], 0
         nodes = self.retry(node, error, self.isolated)
         node.instead = None if node in nodes else nodes
-        (self.alone if isinstance(error, KilledWorker) else self.again).extend(nodes)
-
-    def _withdraw(self, node: Node) -> None:
-        """Take back the nodes that wait for the result of one that failed."""
-        node.result = None
-        withdrawn = {key: other for key, other in self.in_flight.items() if node in other.given}
-        self._drop(withdrawn)
-        self.waiting += withdrawn.values()
+        (self.alone if isinstance(error, WorkerDied) else self.again).extend(nodes)
 
     def _look(self) -> None:
-        """Once a second, request a snapshot of the workers and report to the watch."""
+        """Once a second, and after a stop, request a snapshot; report to the watch."""
         now, stopping = self.pool.monotonic(), self.watch()
         if stopping:
             self.stopped = min(self.stopped, now)
+        due = now - self.checked >= BEAT_SECONDS
+        if self.answer is None and (due or self.requested < self.stopped <= now):
+            self.answer, self.requested = self.pool.request_snapshot(), now
         if self.answer is not None and self.answer.done():
             self._note(self.answer.result(), now)
             self.answer = None
-        due = now - self.checked >= BEAT_SECONDS
-        if self.answer is None and (
-            due or self.requested < self.stopped <= now
-        ):  # at once after a stop
-            self.answer, self.requested = self.pool.request_snapshot(), now
         if not due:
             return
         self.checked = now
         silent = now - self.requested >= QUIET_SECONDS
         if self.in_flight and (now - self.stopped >= STOP_SECONDS or (stopping and silent)):
             say(f"abandoned: {len(self.in_flight)} batches that did not finish in time")
-            self._drop(self.in_flight)
+            self._drop([*self.in_flight])
         threads = sum(self.blame.now.threads.values())
         self.watch.look(threads, len(self.in_flight), NO_ANSWER if silent else "")
 
@@ -200,25 +169,22 @@ class _Stream:
         Dask would resubmit them too, but does not count workers that retire, as at the end of a
         job. After a stop, drop the nodes that no worker had started at the time of the snapshot.
         """
-        blame = self.blame
-        blame.note(snapshot, now)
-        per_thread = BOUND_NODES_PER_THREAD if blame.excluded else NODES_PER_THREAD
+        self.blame.note(snapshot, now)
+        per_thread = BOUND_NODES_PER_THREAD if self.blame.excluded else NODES_PER_THREAD
         self.window = max(per_thread * sum(snapshot.threads.values()), MIN_WINDOW, self.arrived)
         self.arrived = 0
         for key, node in [*self.in_flight.items()]:
             lost = node.workers or {node.worker} - {""}
             node.worker = snapshot.running.get(key, "")
             if lost and key in self.in_flight and snapshot.threads.keys().isdisjoint(lost):
-                self._drop({key: node})
-                last = cast(Any, SimpleNamespace(address=" or ".join(lost)))
-                self._fail(node, KilledWorker(key, last, node.deaths))
+                self._drop([key])
+                self._fail(node, WorkerDied(node.deaths + 1))
         if self.requested >= self.stopped:
             waiting = self.in_flight.keys() - snapshot.running.keys()
-            self._drop({k: self.in_flight[k] for k in waiting if self.pool.pending(k)})
+            self._drop([key for key in waiting if self.pool.pending(key)])
 
-    def _drop(self, nodes: dict[str, Node]) -> None:
-        """Stop waiting for nodes, given by key."""
-        nodes = dict(nodes)
+    def _drop(self, keys: list[str]) -> list[Node]:
+        """Stop waiting for nodes; return them."""
+        nodes = {key: self.in_flight.pop(key) for key in keys}
         self.pool.drop(nodes)
-        for key in nodes:
-            del self.in_flight[key]
+        return [*nodes.values()]

@@ -13,9 +13,9 @@ import dask
 from tornado.ioloop import IOLoop
 
 from ..ground import UserError
-from ..study import BATCH_SYSTEMS, Cluster, walltime_seconds
+from ..study import BATCH_SYSTEMS, Cluster
 from ..system import PROGRAM_ROOT, THREADS, interface_named, refused
-from .security import ENCRYPTED, new_security, no_pages, scheduler_options
+from .security import new_security, no_pages, scheduler_options
 
 # Workers import code from their local folder, which must therefore belong to this user alone. They
 # import nothing from the folder in which the job was submitted.
@@ -40,61 +40,45 @@ def job_cluster(loop: IOLoop, cluster: Cluster, dashboard: bool = False) -> Iter
     try:
         import dask_jobqueue
     except ImportError as error:
-        raise UserError(
-            f"--{name}: needs dask-jobqueue (the extra '{name}' of this package)"
-        ) from error
+        needed = f"--{name}: needs dask-jobqueue (the extra '{name}' of this package)"
+        raise UserError(needed) from error
     start = getattr(dask_jobqueue, BATCH_SYSTEMS[name].jobqueue)
     with refused(logs, "cannot be used:"):
         logs.mkdir(parents=True, exist_ok=True)
         keys = tempfile.TemporaryDirectory(prefix=".tls-", dir=logs.resolve())
-    with keys as folder, contextlib.ExitStack() as stack:
+    with keys as folder:
         security = new_security(folder)
-        pages = no_pages(security, dashboard)
-        stack.enter_context(dask.config.set(pages))
-        jobs = start(loop=loop, security=security, **_settings(cluster, dashboard, pages))
-        stack.enter_context(jobs)
-        _try_submitting(name, jobs.job_script())
-        jobs.adapt(minimum_jobs=cluster.jobs, maximum_jobs=cluster.jobs, interval=ADAPT_INTERVAL)
-        yield jobs
+        pages, options = no_pages(security, dashboard), scheduler_options(dashboard)
+        shared = {"loop": loop, "security": security, "scheduler_options": options}
+        with dask.config.set(pages), start(**shared, **_settings(cluster, pages)) as jobs:
+            _try_submitting(name, jobs.job_script())
+            count = {"minimum_jobs": cluster.jobs, "maximum_jobs": cluster.jobs}
+            jobs.adapt(**count, interval=ADAPT_INTERVAL)
+            yield jobs
 
 
-def _settings(cluster: Cluster, dashboard: bool, pages: dict[str, Any]) -> dict[str, Any]:
+def _settings(cluster: Cluster, pages: dict[str, Any]) -> dict[str, Any]:
     """Return the arguments of dask-jobqueue's cluster. pages : dask settings of ``no_pages``."""
-    lifetime = cluster.lifetime
     settings = {f"DASK_{name.replace('.', '__').upper()}": value for name, value in pages.items()}
     exported = [f"export {k}={shlex.quote(str(v))}" for k, v in {**THREADS, **settings}.items()]
-    return {
-        "queue": cluster.queue or None,
-        "account": cluster.account or None,
-        "cores": cluster.cores,
+    stagger = LIFETIME_STAGGER * cluster.lifetime
+    lifetime = f"--lifetime {cluster.lifetime:.0f}s --lifetime-stagger {stagger:.0f}s"
+    same = ("queue", "account", "cores", "memory", "walltime")
+    return {name: getattr(cluster, name) or None for name in same} | {
         "processes": cluster.cores,
-        "memory": cluster.memory,
-        "walltime": _written(walltime_seconds(cluster.walltime)),
         "interface": interface_named(cluster.interface),
         "log_directory": cluster.log_folder,
         "python": shlex.quote(sys.executable),
         "job_extra_directives": [*BATCH_SYSTEMS[cluster.where].directives],
         "job_script_prologue": [*exported, *PRIVATE_FOLDER_LINES, *cluster.prologue],
-        "worker_extra_args": [
-            *("--lifetime", f"{lifetime:.0f}s"),
-            *("--lifetime-stagger", f"{LIFETIME_STAGGER * lifetime:.0f}s"),
-            "--no-dashboard",
-        ],
-        "scheduler_options": scheduler_options(dashboard),
-        "protocol": ENCRYPTED,
+        "worker_extra_args": [*lifetime.split(), "--no-dashboard"],
+        "protocol": "tls://",
     }
-
-
-def _written(seconds: float) -> str:
-    minutes, second = divmod(int(seconds), 60)
-    return f"{minutes // 60:02d}:{minutes % 60:02d}:{second:02d}"
 
 
 def _try_submitting(name: str, script: str) -> None:
     """Submit the script on trial, since errors of the real submissions are not reported."""
     command = BATCH_SYSTEMS[name].trial
-    if not command:
-        return
     try:
         done = subprocess.run(command, input=script, capture_output=True, text=True)
     except FileNotFoundError as error:

@@ -1,8 +1,37 @@
-"""Nodes of the graph of a run: tasks, and the tasks whose results they need."""
+"""Nodes of the graph of a run, and what a pool of workers reports of them."""
 
-from collections.abc import Collection, Iterator
+from collections.abc import Collection, Mapping
 from dataclasses import dataclass, field
-from typing import Any
+from typing import Any, NamedTuple
+
+
+class ResultLost(Exception):
+    """Raised if a result could not be fetched from its worker, or if an input of it was lost."""
+
+
+class WorkerDied(Exception):
+    """Raised if ``deaths`` workers died, or retired from their job, while they ran a node."""
+
+    def __init__(self, deaths: int) -> None:
+        super().__init__(f"{deaths} different workers died")
+        self.deaths = deaths
+
+
+class Arrival(NamedTuple):
+    """The outcome of a node: a value or an error."""
+
+    key: str
+    address: str = ""  # address of the worker; "": unknown
+    value: Any = None
+    error: Exception | None = None
+
+
+class Snapshot(NamedTuple):
+    """The scheduler's view of its workers."""
+
+    threads: dict[str, int]  # number of threads of each worker, by address
+    ready: Collection[str] = ()  # addresses that accept work; the others are short of memory
+    running: Mapping[str, str] = {}  # key of a node on a worker -> address
 
 
 @dataclass(eq=False)
@@ -21,21 +50,12 @@ class Node:
     workers: Collection[str] = ()  # allowed workers; empty: all
     worker: str = ""  # address in the last snapshot
 
-    def leaves(self) -> Iterator["Node"]:
-        """Yield this node, or the nodes that replace it."""
-        if self.instead is None:
-            yield self
-        else:
-            for node in self.instead:
-                yield from node.leaves()
-
     def needs(self) -> list["Node"]:
         """Return the nodes that it waits for, failed ones replaced."""
-        return [leaf for node in self.inputs for leaf in node.leaves()]
-
-    def ready(self) -> bool:
-        """Return whether each node that it waits for is done or submitted."""
-        return all(node.done or node.result is not None for node in self.needs())
+        while any(node.instead is not None for node in self.inputs):
+            replaced = ([n] if n.instead is None else n.instead for n in self.inputs)
+            self.inputs = [node for nodes in replaced for node in nodes]
+        return self.inputs
 
     def prepare(self) -> bool:
         """Set ``item`` and ``given`` before it is submitted; return whether it is needed."""

@@ -6,48 +6,28 @@ together: dask's ``as_completed`` starts a coroutine for each future, which cost
 """
 
 import asyncio
-import concurrent.futures
 import contextlib
 import pickle
 import time
 import uuid
-from collections.abc import Callable, Collection, Iterable, Mapping
+from collections.abc import Callable, Collection, Mapping
+from concurrent.futures import Future as Answer
 from queue import SimpleQueue
-from typing import Any, NamedTuple, cast
+from typing import Any, cast
 
 from distributed import Client, Future
 from distributed.client import FutureCancelledError
 from distributed.protocol.pickle import dumps
+from distributed.scheduler import KilledWorker
 
 from ..ground import UserError
-from .node import Node
+from .node import Arrival, Node, ResultLost, Snapshot, WorkerDied
 from .worker import ADDRESS_ATTRIBUTE, forget_tasks, with_address
 
 SCHEDULER_LOST = "the scheduler was lost; run again to resume"
 CONNECTION_LOST = "scheduler-connection-lost"  # dask's reason of cancelled futures
 FETCH_SECONDS = 30.0  # timeout of a transfer, after which the result is recomputed
 FORGET, NO_KWARGS = dumps(forget_tasks), dumps({})
-
-
-class ResultLost(Exception):
-    """Raised if a result could not be fetched from its worker, or if an input of it was lost."""
-
-
-class Arrival(NamedTuple):
-    """The outcome of a node: a value or an error."""
-
-    key: str
-    address: str = ""  # address of the worker; "": unknown
-    value: Any = None
-    error: Exception | None = None
-
-
-class Snapshot(NamedTuple):
-    """The scheduler's view of its workers."""
-
-    threads: dict[str, int]  # number of threads of each worker, by address
-    ready: Collection[str] = ()  # addresses that accept work; the others are short of memory
-    running: Mapping[str, str] = {}  # key of a node on a worker -> address
 
 
 class Pool:
@@ -58,54 +38,38 @@ class Pool:
     def __init__(self, client: Client, functions: dict[str, Callable]) -> None:
         """Create a pool. functions : by name of the nodes."""
         self._client, self._loop = client, cast(Any, client.loop).asyncio_loop
+        self._scheduler: Any = client.scheduler
         self._functions = {name: dumps(function) for name, function in functions.items()}
         self._pending: dict[str, Future] = {}
-        self._fetched: set[str] = set()  # keys of results that are on their way
         self._arrivals: SimpleQueue[Arrival] = SimpleQueue()
 
-    def submit(self, nodes: Iterable[Node], workers: Collection[str] = ()) -> list[str]:
+    def submit(self, nodes: list[Node], workers: Collection[str] = ()) -> list[str]:
         """Submit nodes, restricted to ``workers`` unless it is empty; return their keys."""
-        restriction: dict[str, Any] = {"workers": [*workers]} if workers else {}
-        nodes, uid = [*nodes], uuid.uuid4()
+        uid = uuid.uuid4()
         keys = [f"{node.name}-{uid}-{number}" for number, node in enumerate(nodes)]
-        roots = [(node, key) for node, key in zip(nodes, keys, strict=True) if not node.given]
-        if roots:
-            functions = [self._functions[node.name] for node, _ in roots]
-            items = [pickle.dumps(node.item, 5) for node, _ in roots]
-            root_keys: Any = [key for _, key in roots]
-            futures = self._client.map(
-                with_address, functions, items, key=root_keys, pure=False, **restriction
-            )
-            for (node, _), future in zip(roots, futures, strict=True):
-                node.result = future
-        for node, key in zip(nodes, keys, strict=True):
-            if node.given:
-                arguments = self._functions[node.name], pickle.dumps(node.item, 5)
-                inputs = [other.result for other in node.given]
-                node.result = self._client.submit(
-                    with_address, *arguments, *inputs, key=key, pure=False, **restriction
-                )
-        self._pending |= {key: node.result for node, key in zip(nodes, keys, strict=True)}
+        functions = [self._functions[node.name] for node in nodes]
+        items = [pickle.dumps(node.item, 5) for node in nodes]
+        inputs = [[other.result for other in node.given] for node in nodes]
+        where: Any = [*workers] or None
+        futures = self._client.map(
+            with_address, functions, items, inputs, key=cast(Any, keys), pure=False, workers=where
+        )
+        for node, key, future in zip(nodes, keys, futures, strict=True):
+            node.result = self._pending[key] = future
         return keys
 
     def take(self, seconds: float) -> list[Arrival]:
         """Return what has arrived after the given time, and fetch what is finished."""
         time.sleep(seconds)
-        arrivals = [self._arrivals.get_nowait() for _ in range(self._arrivals.qsize())]
-        finished = [f for f in self._pending.values() if f.status != "pending"]
-        for future in finished:
-            del self._pending[str(future.key)]
-        if finished:
-            self._fetched |= {str(future.key) for future in finished}
+        if finished := [f for f in self._pending.values() if f.status != "pending"]:
+            for future in finished:
+                del self._pending[str(future.key)]
             asyncio.run_coroutine_threadsafe(self._fetch(finished), self._loop)
-        arrivals = [arrival for arrival in arrivals if arrival.key in self._fetched]
-        self._fetched -= {arrival.key for arrival in arrivals}
-        return arrivals
+        return [self._arrivals.get_nowait() for _ in range(self._arrivals.qsize())]
 
     def drop(self, nodes: Mapping[str, Node]) -> None:
         """Stop waiting for nodes, given by key; those that no worker has started do not run."""
         for key, node in nodes.items():
-            self._fetched.discard(key)
             self._pending.pop(key, None)
             if node.result is not None:
                 node.result.release()
@@ -119,15 +83,15 @@ class Pool:
         """Return whether a node is unfinished."""
         return key in self._pending and self._pending[key].status == "pending"
 
-    def request_snapshot(self) -> "concurrent.futures.Future[Snapshot]":
+    def request_snapshot(self) -> "Answer[Snapshot]":
         """Request a snapshot. Its future raises UserError if the scheduler is lost."""
         return asyncio.run_coroutine_threadsafe(self._snapshot(), self._loop)
 
     async def _snapshot(self) -> Snapshot:
-        scheduler: Any = self._client.scheduler
+        asked = self._scheduler
         try:
             threads, ready, processing = await asyncio.gather(
-                scheduler.ncores(), scheduler.ncores_running(), scheduler.processing()
+                asked.ncores(), asked.ncores_running(), asked.processing()
             )
         except OSError as error:
             raise UserError(SCHEDULER_LOST) from error
@@ -145,20 +109,21 @@ class Pool:
             if len(futures) > 1:
                 await asyncio.gather(*(self._fetch([future]) for future in futures))
                 return
-            arrivals = [_failure(futures[0], error)]
+            address = getattr(error, ADDRESS_ATTRIBUTE, "")
+            arrivals = [Arrival(keys[0], address, error=_meaning(futures[0], error))]
         for arrival in arrivals:
             self._arrivals.put(arrival)
         with contextlib.suppress(OSError):  # the next snapshot reports a lost scheduler
-            scheduler: Any = self._client.scheduler
-            await scheduler.run_function(function=FORGET, args=dumps((keys,)), kwargs=NO_KWARGS)
+            await self._scheduler.run_function(
+                function=FORGET, args=dumps((keys,)), kwargs=NO_KWARGS
+            )
 
 
-def _failure(future: Future, error: Exception) -> Arrival:
-    """Return the arrival of a future whose result could not be fetched."""
-    key = str(future.key)
-    if isinstance(error, FutureCancelledError):
-        lost = error.reason == CONNECTION_LOST
-        return Arrival(key, error=UserError(SCHEDULER_LOST) if lost else ResultLost())
-    if future.status == "error" or not isinstance(error, OSError):
-        return Arrival(key, getattr(error, ADDRESS_ATTRIBUTE, ""), error=error)
-    return Arrival(key, error=ResultLost())
+def _meaning(future: Future, error: Exception) -> Exception:
+    """Return what an error means that was raised when the result of a future was fetched."""
+    if isinstance(error, KilledWorker):
+        return WorkerDied(error.allowed_failures + 1)
+    if isinstance(error, FutureCancelledError) and error.reason == CONNECTION_LOST:
+        return UserError(SCHEDULER_LOST)
+    transfer = isinstance(error, OSError) and future.status != "error"
+    return ResultLost() if transfer or isinstance(error, FutureCancelledError) else error

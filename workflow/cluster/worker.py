@@ -23,7 +23,7 @@ def run_batch(
     return work(batch)
 
 
-def with_address(function: bytes, item: bytes, *inputs: tuple[str, Any]) -> tuple[str, Any]:
+def with_address(function: bytes, item: bytes, inputs: list[tuple[str, Any]]) -> tuple[str, Any]:
     """Return the address of this worker and function(item, *values of the inputs).
 
     Function and item are pickled, so that the scheduler only passes them on. Errors carry the

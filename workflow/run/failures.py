@@ -5,7 +5,7 @@ import math
 import sys
 from typing import Any
 
-from ..cluster import Node
+from ..cluster import Node, WorkerDied
 from ..ground import UserError
 from ..plan import Plan
 from ..simulate import Batch, Task
@@ -33,7 +33,7 @@ class Failures:
         """Return the replacements of a failed node (see cluster/flow.py); a fit has none."""
         if node.name == MARCH:
             return [Node(MARCH, batch) for batch in self.replaced(node.item, error, alone)]
-        if _killed(error) and not alone:
+        if isinstance(error, WorkerDied) and not alone:
             return [node]
         raise error
 
@@ -43,7 +43,7 @@ class Failures:
             raise error
         if isinstance(error, ImportError):
             raise UserError(f"a worker cannot import its code: {error}") from error
-        if len(batch.tasks) > 1 or (_killed(error) and not alone):
+        if len(batch.tasks) > 1 or (isinstance(error, WorkerDied) and not alone):
             seconds = batch.seconds / len(batch.tasks)
             return [dataclasses.replace(batch, tasks=(t,), seconds=seconds) for t in batch.tasks]
         self._record(batch, error)
@@ -74,21 +74,14 @@ class Failures:
         (task,) = batch.tasks
         if task.key in self.store.failed:
             return  # another block of this task failed before
-        if _killed(error):
-            times = getattr(error, "allowed_failures", 0) + 1
-            why = f"its worker died {times} times, or retired before the job's walltime"
+        if isinstance(error, WorkerDied):
+            why = f"its worker died {error.deaths} times, or retired before the job's walltime"
         else:
             why = f"{type(error).__name__}: {error}".splitlines()[0]
         last = batch.first_block + batch.blocks - 1
         self.store.record_failure(task.key, f"{why} (blocks {batch.first_block}-{last})")
         self.fresh += 1
         print(f"failed: {self.where(task)}: {self.store.failed[task.key]}", file=sys.stderr)
-
-
-def _killed(error: Exception) -> bool:
-    """Return whether a worker died. dask's scheduler is not imported if there are no workers."""
-    scheduler = sys.modules.get("distributed.scheduler")
-    return scheduler is not None and isinstance(error, scheduler.KilledWorker)
 
 
 def point_in_words(point: dict[str, float]) -> str:

@@ -3,12 +3,13 @@
 import time
 from functools import partial
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from ...kernels.compile import cache
 from .. import result as results
+from ..cluster import Blame, Stream
 from ..ground import UserError
 from ..plan import (
     JACKKNIFE_GROUPS,
@@ -42,7 +43,7 @@ from .run_progress import Progress
 from .status import Status, StatusWriter, status_file, study_digest
 from .store_key import KEY_ATTRIBUTE, is_unchanged, result_key
 from .summary import Summary
-from .workers import RunOptions, Workers, fit_seconds, open_workers
+from .workers import RunOptions, fit_seconds, open_pool
 
 if TYPE_CHECKING:
     from ..result import Groups
@@ -64,9 +65,9 @@ def run_plan(plan: Plan, result: Path, how: RunOptions) -> Summary:
         run = _Run(plan, result, how)
         if not run.is_done():
             run.load_kernels()
-            with run.interrupt, open_workers(how, run.seconds(), run.watch) as workers:
+            with run.interrupt, open_pool(how, run.seconds(), run.watch) as pool:
                 run.summary.start = time.monotonic() - began
-                run.finish(workers)
+                run.finish(pool)
     run.summary.wall = time.monotonic() - began
     return run.summary
 
@@ -86,7 +87,7 @@ class _Run:
         self.failures = Failures(store, plan, how.max_failures)
         if how.retry_failed:
             store.forget_failures({task.key for _, task in self.failures.tasks()})
-        self.rates = MeasuredRates(plan)
+        self.rates, self.blame = MeasuredRates(plan), Blame()
         self.watch = Watch(self._stops, how.cluster.patience)
         name = study_digest(plan.study)
         store.begin(name)
@@ -118,12 +119,12 @@ class _Run:
             for variant in self.plan.variants:
                 load_kernels(variant.lines.body, variant.numerics.scheme, self.plan.quantities)
 
-    def finish(self, workers: Workers) -> None:
+    def finish(self, pool: Any) -> None:
         """Compute and collect, then write the result; always record the outcome in the status."""
         state = "ended early"
         try:
             with self.watch.telling(self._look):
-                datasets = self._datasets(workers)
+                datasets = self._datasets(pool)
             if datasets:
                 with self.summary.filing():
                     self.retry(partial(results.write_datasets, self.result, datasets))
@@ -136,13 +137,13 @@ class _Run:
             self.summary.failures = self.failures.lines()
             self.status.end(state)
 
-    def _datasets(self, workers: Workers) -> "Groups":
+    def _datasets(self, pool: Any) -> "Groups":
         """Compute and fit in rounds, then collect; begin again if shards are damaged."""
         collector = Collector(self.plan, self.store)
         missing = self.missing if self.plan.first == self.plan.expected else None
         for _ in range(ATTEMPTS):
             rounds = Rounds(self.plan)
-            while self._compute(workers, collector, rounds.blocks, missing):
+            while self._compute(pool, collector, rounds.blocks, missing):
                 missing = None
                 if not rounds.advance(collector):
                     return self._marked(collector.datasets(rounds.blocks), rounds.blocks)
@@ -165,7 +166,7 @@ class _Run:
 
     def _compute(
         self,
-        workers: Workers,
+        pool: Any,
         collector: Collector,
         blocks: dict[str, int],
         missing: list[Missing] | None,
@@ -189,7 +190,7 @@ class _Run:
                 buffer.flush_when_due()
 
             with self.progress.begin(pieces, graph), self.watch.telling(look):
-                for node, value in workers.stream(nodes, self.watch, self.failures):
+                for node, value in Stream(pool, nodes, self.watch, self.failures, self.blame):
                     if isinstance(node, FitNode):
                         collector.enter(node, value[0])
                         self.progress.fitted(node, value[1])

@@ -21,6 +21,7 @@ from ..simulate import CODE_HASH
 from ..store import Store, journal
 from ..study import Study
 from ..system import holder, write_durably
+from .failures import Failures
 
 WRITE_SECONDS = 5.0  # shortest time between two writes
 LONGEST = 2**16  # bytes that are read of a status file
@@ -32,7 +33,7 @@ class Status:
 
     study: str  # digest of the study, see study_digest
     total: int  # number of records, one per problem and block
-    done: int  # number of finished records
+    done: int  # number of settled records: stored, or of failed problems
     left: float  # remaining core-seconds as predicted by the plan
     failed: int = 0  # number of failed problems
     offset: int = 0  # bytes of the journal counted so far
@@ -53,6 +54,7 @@ class Status:
         """Count new entries of the journal; return False if all records must be counted again."""
         if journal.size(folder) < self.offset:
             return False
+        complete = True
         for entry, offset in journal.entries(folder, self.offset):
             self.offset = offset
             if "shard" in entry:
@@ -61,9 +63,10 @@ class Status:
                 self.left = max(0.0, left) if self.done < self.total else 0.0
             elif "failed" in entry:
                 self.failed += 1
+                complete = False  # which of its records were stored is not known here
             elif entry.keys() & {"run", "retry", "dropped"}:  # another run, or a dropped shard
                 return False
-        return True
+        return complete
 
     def runs(self, by: str | None) -> bool:
         """Return whether the process ``by`` runs this study."""
@@ -165,11 +168,11 @@ def read_status(study: Study, result: Path, folder: Path) -> Status:
 
 
 def _counted(study: Study, folder: Path) -> Status:
-    """Return the status of a study by counting its stored records."""
-    plan, store = make_plan(study), Store(folder)
-    missing = missing_work(plan, store)
-    failed = sum(t.key in store.failed for v in plan.variants for t in v.tasks)
-    done = plan.records - total_records(missing)
+    """Return the status of a study by counting its settled records."""
+    plan = make_plan(study)
+    failures = Failures(Store(folder), plan, 0)
+    missing = missing_work(plan, failures)
+    done, failed = plan.records - total_records(missing), len(failures.tasks())
     return Status(study_digest(study), plan.records, done, total_seconds(missing), failed)
 
 

@@ -1,14 +1,16 @@
 """Workers that compute and fit: this process for short work, otherwise those of a cluster."""
 
 import sys
-from collections.abc import Callable, Iterable, Iterator
+import time
+from collections.abc import Callable, Collection, Iterator, Mapping
+from concurrent.futures import Future
 from contextlib import contextmanager
 from functools import partial
+from itertools import count
 from typing import Any, NamedTuple
 
 from .. import cluster, reduce
-from ..cluster import Node
-from ..ground import UserError
+from ..cluster import Arrival, Node, Snapshot
 from ..plan import Plan
 from ..simulate import Batch, BatchResult, block_means
 from ..study import LOCAL, THIS_MACHINE, Cluster
@@ -18,9 +20,7 @@ SECONDS_HERE = 10.0  # predicted time below which this process computes without 
 SECONDS_PER_FIT = 3e-5  # core time of one fit to one jackknife replicate
 
 MARCH, FIT = "march", "fit"  # names of nodes
-
-# stream(nodes, watch, retry) yields (node, its value).
-Stream = Callable[..., Iterator[tuple[Node, Any]]]
+HERE = "here"  # address of this process as a worker
 
 
 class RunOptions(NamedTuple):
@@ -53,27 +53,20 @@ def fit_seconds(plan: Plan, groups: int) -> float:
     return (groups + 1) * plan.quantities.relaxation * SECONDS_PER_FIT
 
 
-class Workers(NamedTuple):
-    """A stream of the nodes of a graph through the workers."""
-
-    stream: Stream
-
-
 @contextmanager
-def open_workers(how: RunOptions, seconds: float, watch: Watch) -> Iterator[Workers]:
-    """Yield the workers. seconds : predicted time of the work.
+def open_pool(how: RunOptions, seconds: float, watch: Watch) -> Iterator[Any]:
+    """Yield a pool of workers, or of this process. seconds : predicted time of the work.
 
     Raises UserError if no workers are available.
     """
     if how.here(seconds):
-        yield Workers(partial(stream_here, functions_of(how.work)))
+        yield PoolHere(functions_of(how.work))
         return
     if how.cluster.where == LOCAL:
         print("Starting worker processes, about 3 s.", file=sys.stderr)
     with cluster.open_client(how.cluster, how.workers, how.dashboard, watch) as client:
         march = partial(cluster.run_batch, expected=own_versions(), work=how.work)
-        pool = cluster.Pool(client, functions_of(march))
-        yield Workers(partial(cluster.stream, pool, blame=cluster.Blame()))
+        yield cluster.Pool(client, functions_of(march))
 
 
 def functions_of(march: Callable[..., BatchResult]) -> dict[str, Callable[..., Any]]:
@@ -81,43 +74,52 @@ def functions_of(march: Callable[..., BatchResult]) -> dict[str, Callable[..., A
     return {MARCH: march, FIT: reduce.reduce_portion}
 
 
-def stream_here(
-    functions: dict[str, Callable[..., Any]],
-    nodes: Iterable[Node],
-    watch: Watch,
-    retry: Callable[[Node, Exception, bool], list[Node]],
-) -> Iterator[tuple[Node, Any]]:
-    """Yield (node, value), one after the other, until watch() is true.
+class PoolHere:
+    """A ``cluster.Pool`` whose only worker is this process, which computes a node in ``take``."""
 
-    As in cluster.stream, a node that raises twice is passed to ``retry``, which returns its
-    replacements.
-    """
-    source, again = iter(nodes), list[Node]()
-    watch.look(1, 0)
-    while not watch():
-        node = again.pop(0) if again else next(source, None)
-        if node is None:
-            return
-        if not node.prepare():
-            continue
+    monotonic = staticmethod(time.monotonic)
+
+    def __init__(self, functions: dict[str, Callable[..., Any]]) -> None:
+        """Create a pool. functions : by name of the nodes."""
+        self.functions, self.numbers = functions, count()
+        self.submitted: dict[str, Node] = {}  # by key
+
+    def submit(self, nodes: list[Node], workers: Collection[str] = ()) -> list[str]:
+        """Submit nodes; return their keys."""
+        keys = [str(next(self.numbers)) for _ in nodes]
+        for key, node in zip(keys, nodes, strict=True):
+            self.submitted[key], node.result = node, HERE
+        return keys
+
+    def take(self, seconds: float) -> list[Arrival]:
+        """Compute the next node; return what comes of it."""
+        if not self.submitted:
+            return []
+        key, node = next(iter(self.submitted.items()))
+        del self.submitted[key]
         try:
-            value = _tried(functions[node.name], node)
+            inputs = [other.result for other in node.given]
+            node.result = self.functions[node.name](node.item, *inputs)
         except Exception as error:
-            node.instead = retry(node, error, True)
-            again += node.instead
-            continue
-        watch.look(1, 1)
-        node.result = value
-        node.finish()
-        yield node, value
+            return [Arrival(key, HERE, error=error)]
+        return [Arrival(key, HERE, node.result)]
 
+    def drop(self, nodes: Mapping[str, Node]) -> None:
+        """Compute nodes, given by key, no more."""
+        for key, node in nodes.items():
+            self.submitted.pop(key, None)
+            node.result = None
 
-def _tried(function: Callable[..., Any], node: Node) -> Any:
-    """Return the value of a node, tried twice unless it raises a UserError."""
-    inputs = [other.result for other in node.given]
-    try:
-        return function(node.item, *inputs)
-    except UserError:
-        raise
-    except Exception:  # on a cluster two workers try it
-        return function(node.item, *inputs)
+    def holds(self, node: Node) -> bool:
+        """Return whether the result of a node that is done is still in memory."""
+        return node.result is not None
+
+    def pending(self, key: str) -> bool:
+        """Return whether a node is unfinished."""
+        return key in self.submitted
+
+    def request_snapshot(self) -> "Future[Snapshot]":
+        """Return the future of a snapshot, which is there."""
+        answer: Future[Snapshot] = Future()
+        answer.set_result(Snapshot({HERE: 1}, [HERE]))
+        return answer

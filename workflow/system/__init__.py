@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 from ..ground import public_names
 
 if TYPE_CHECKING:
+    from .certificate import write_certificate
     from .compiling import COMPILING_MIB, report_compilation
     from .disk_retry import DiskRetry
     from .durable_files import (

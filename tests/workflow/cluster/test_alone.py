@@ -1,7 +1,6 @@
 """Simulated: what is tried instead of an item that was alone in the cluster."""
 
-from distributed.scheduler import KilledWorker
-
+from elastomer_friction.workflow.cluster.node import WorkerDied
 from tests.support.simulated import Cluster, streamed
 from tests.support.simulated_workers import DIE
 
@@ -23,8 +22,8 @@ def test_two_items_instead_of_one_that_was_alone_are_not_alone():
     cluster = Cluster(b0=work, c0=work)
     cluster.replaced = work
     assert streamed(cluster, ["both"], retry=retry) == [(2, 2)]
-    both = [("both", KilledWorker, False), ("both", OSError, True)]
-    assert asked == [*both, (1, KilledWorker, False)]
+    both = [("both", WorkerDied, False), ("both", OSError, True)]
+    assert asked == [*both, (1, WorkerDied, False)]
 
 
 def test_what_outlives_every_worker_is_given_up_once_it_did_so_alone():
@@ -45,7 +44,7 @@ def test_what_outlives_every_worker_is_given_up_once_it_did_so_alone():
             cluster.after(50.0 * (i + 1), cluster.retire, f"{name}{i}")
     items = ["endless", *range(20)]
     assert sorted(streamed(cluster, items, retry=retry)) == [(i, i) for i in range(20)]
-    assert asked == [("endless", KilledWorker, alone) for alone in (False, True)]
+    assert asked == [("endless", WorkerDied, alone) for alone in (False, True)]
     once = [item for item, _ in cluster.tried if item != "endless"]
     assert sorted(once) == [*range(20)]
     assert cluster.now < 1000.0 + 8.0 * 50.0 + 30.0

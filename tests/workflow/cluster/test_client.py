@@ -13,7 +13,7 @@ from typing import NamedTuple
 import dask
 import psutil
 import pytest
-from distributed import Client, SpecCluster
+from distributed import Client, LocalCluster
 
 from elastomer_friction.workflow.cluster import client as module
 from elastomer_friction.workflow.cluster.client import open_client
@@ -109,12 +109,12 @@ def test_workers_of_our_own_give_the_same_bytes_to_who_has_a_certificate(own, fi
 
 
 def test_ctrl_c_while_workers_start_is_heard(monkeypatch):
-    class Disturbed(SpecCluster):
-        def __init__(self, **how):
+    class Disturbed(LocalCluster):
+        def __init__(self, *args, **how):
             os.kill(os.getpid(), signal.SIGINT)
-            super().__init__(**how)
+            super().__init__(*args, **how)
 
-    monkeypatch.setattr(module, "SpecCluster", Disturbed)
+    monkeypatch.setattr(module, "LocalCluster", Disturbed)
     with Interrupt() as interrupt, open_client(Cluster(), 1) as client:
         assert interrupt()
         assert len(client.nthreads()) == 1  # the worker has not heard it

@@ -41,8 +41,7 @@ def test_jobs_are_asked_for_as_the_table_says(tmp_path, monkeypatch):
     monkeypatch.setattr(slurm.sys, "executable", "/a folder/python")
     monkeypatch.setattr(slurm, "interface_named", str)  # ib0 need not be there
     given = CLUSTER | {"log_folder": str(tmp_path)}  # which is made
-    settings = slurm._settings(read_cluster(given), False, {"distributed.a.b": []})
-    settings.pop("scheduler_options")  # of the cluster, not of its jobs
+    settings = slurm._settings(read_cluster(given), {"distributed.a.b": []})
     settings["security"] = Security(tls_ca_file="a", tls_worker_cert="c", tls_worker_key="k")
     script = SLURMJob("tls://here:1", "name", **settings).job_script()
     assert set(LINES) <= set(script.splitlines())

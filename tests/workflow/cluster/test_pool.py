@@ -9,8 +9,8 @@ import pytest
 from distributed.comm import CommClosedError
 
 from elastomer_friction.workflow.cluster import pool as module
-from elastomer_friction.workflow.cluster.node import Node
-from elastomer_friction.workflow.cluster.pool import Pool, ResultLost
+from elastomer_friction.workflow.cluster.node import Node, ResultLost
+from elastomer_friction.workflow.cluster.pool import Pool
 from elastomer_friction.workflow.ground import UserError
 from tests.support.python import PATIENCE
 
@@ -105,6 +105,7 @@ def test_a_scheduler_that_is_lost_while_it_is_asked_is_reported(client, monkeypa
 
         ncores_running = processing = ncores
 
-    monkeypatch.setattr(client, "scheduler", Lost())
+    pool = Pool(client, {})
+    monkeypatch.setattr(pool, "_scheduler", Lost())
     with pytest.raises(UserError, match="the scheduler was lost; run again to resume"):
-        Pool(client, {}).request_snapshot().result(PATIENCE)
+        pool.request_snapshot().result(PATIENCE)

@@ -2,8 +2,7 @@
 
 from concurrent.futures import Future
 
-from distributed.scheduler import KilledWorker
-
+from elastomer_friction.workflow.cluster.node import WorkerDied
 from elastomer_friction.workflow.system import Watch
 from tests.support.simulated import ERROR, Cluster, first, sick, sound, streamed, tries
 from tests.support.simulated_workers import DIE
@@ -156,7 +155,7 @@ def test_what_kills_its_workers_is_blamed_alone_though_another_is_sick():
         return 0.1, DIE if item == 3 else item
 
     def once_more(item, error, alone):
-        once = isinstance(error, KilledWorker) and not alone
+        once = isinstance(error, WorkerDied) and not alone
         return [item] if once else given(item, error, alone)
 
     cluster, given = Cluster(a=sick, b0=poisoned, c0=poisoned), Given()

@@ -3,8 +3,8 @@
 import random
 
 import pytest
-from distributed.scheduler import KilledWorker
 
+from elastomer_friction.workflow.cluster.node import WorkerDied
 from tests.support.simulated import Cluster, first, sick, sound, streamed, tries
 
 
@@ -42,7 +42,7 @@ def test_nothing_is_given_up_while_somebody_is_well_and_nothing_hangs(seed):
     well = trouble(cluster, seed)
 
     def give_up(item, error, alone):
-        if isinstance(error, KilledWorker) and not alone:
+        if isinstance(error, WorkerDied) and not alone:
             return [item]
         assert all(cluster.now - since < 2.0 for since in well.values()), well  # a roll, and a half
         done.append(item)

@@ -10,11 +10,11 @@ from elastomer_friction.workflow.reduce.portions import reduce_portion
 from elastomer_friction.workflow.run import graph as graph_module
 from elastomer_friction.workflow.run.collect import Collector
 from elastomer_friction.workflow.run.graph import FitNode
-from elastomer_friction.workflow.run.workers import stream_here
+from elastomer_friction.workflow.run.workers import PoolHere
 from elastomer_friction.workflow.simulate.realizations import block_means
 from elastomer_friction.workflow.simulate.tasks import SCALARS
 from elastomer_friction.workflow.store.store import Store
-from elastomer_friction.workflow.system.watch import Watch
+from tests.support.simulated import stream
 from tests.support.small import cut_batches, random_result, small_plan
 
 PLAN = small_plan()
@@ -42,7 +42,7 @@ def fit_all(collector, marches=(), blocks=None):
     graph, done = collector.graph(blocks or BLOCKS, collector.store.read), []
     nodes = graph.nodes([*marches], 1e9, lambda _: 1.0)
     functions = {"march": block_means, "fit": reduce_portion}
-    for node, value in stream_here(functions, nodes, Watch(), pytest.fail):
+    for node, value in stream(PoolHere(functions), nodes, retry=pytest.fail):
         done.append(node.name)
         if isinstance(node, FitNode):
             collector.enter(node, value[0])

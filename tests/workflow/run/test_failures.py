@@ -4,8 +4,8 @@ import dataclasses
 
 import numpy as np
 import pytest
-from distributed.scheduler import KilledWorker, WorkerState
 
+from elastomer_friction.workflow.cluster.node import WorkerDied
 from elastomer_friction.workflow.ground import UserError
 from elastomer_friction.workflow.run.failures import Failures
 from elastomer_friction.workflow.simulate.realizations import block_means
@@ -15,7 +15,7 @@ from tests.support.shards import BATCH, held
 from tests.support.small import all_records, small_plan
 
 PLAN = small_plan()
-KILLED = KilledWorker("key", WorkerState.__new__(WorkerState), 3)
+KILLED = WorkerDied(4)
 
 
 @pytest.fixture
