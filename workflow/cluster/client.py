@@ -1,10 +1,13 @@
 """Clients of local processes, batch jobs, or a running scheduler."""
 
+import asyncio
+import concurrent.futures
 import contextlib
 import importlib.util
 import logging
 import signal
 import tempfile
+import threading
 from collections.abc import Iterator
 from multiprocessing import resource_tracker
 from typing import Any
@@ -12,7 +15,7 @@ from typing import Any
 import dask
 from dask.system import CPU_COUNT
 from distributed import Client, LocalCluster
-from distributed.utils import LoopRunner, sync
+from distributed.utils import sync
 from tornado.ioloop import IOLoop
 
 from ..ground import UserError
@@ -21,7 +24,8 @@ from ..system import THREADS, Watch, say
 from .jobs import ADAPT_INTERVAL, job_cluster
 from .security import new_security, no_pages, scheduler_options, security_of
 
-CONNECT_SECONDS = 10  # timeout of each of three answers of a scheduler
+CONNECT_SECONDS = 10
+MUTE_SECONDS = 30  # timeout for a scheduler that accepts connections but does not answer
 CLOSE_SECONDS = 2.0  # timeout for closing a client
 WORKER_TTL = "25s"  # silence after which dask restarts a worker; also the period of the check
 
@@ -93,17 +97,26 @@ def _loop_without_ctrl_c() -> Iterator[IOLoop]:
 
     Ctrl-C is sent to the whole process group. Workers started from the thread inherit the block.
     """
+    started: concurrent.futures.Future[IOLoop] = concurrent.futures.Future()
+    finished = asyncio.Event()
+
+    async def until_finished() -> None:
+        started.set_result(IOLoop.current())
+        await finished.wait()
+
+    def run() -> None:
+        signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
+        asyncio.run(until_finished())
+
     resource_tracker.ensure_running()  # a later start would unblock the signal in that thread
-    runner = LoopRunner()
-    before = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
+    thread = threading.Thread(target=run, name="IO loop", daemon=True)
+    thread.start()
+    loop = started.result()  # not dask's LoopRunner: it runs on if a client does not connect
     try:
-        runner.start()
+        yield loop
     finally:
-        signal.pthread_sigmask(signal.SIG_SETMASK, before)
-    try:
-        yield runner.loop
-    finally:
-        runner.stop(CLOSE_SECONDS)
+        loop.add_callback(finished.set)
+        thread.join(CLOSE_SECONDS)
 
 
 def _client_of(loop: IOLoop, cluster: Cluster) -> Client:
@@ -123,8 +136,8 @@ async def _connected(where: Any, security: Any = None) -> Client:
     # If this were the default client, xarray would request locks from it while it connects.
     options = {"timeout": CONNECT_SECONDS, "set_as_default": False, "asynchronous": True}
     client = Client(where, security=security, **options)
-    try:
-        return await client
+    try:  # without a timeout a client waits forever for a stopped scheduler
+        return await asyncio.wait_for(client, MUTE_SECONDS)
     except BaseException:
         await _closed(client)
         raise

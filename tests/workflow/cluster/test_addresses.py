@@ -75,6 +75,6 @@ def test_another_service_is_refused(monkeypatch, terminal):
 
 
 def test_who_takes_connections_and_says_nothing_is_not_waited_for(monkeypatch):
-    monkeypatch.setattr(module, "CONNECT_SECONDS", 0.5)
+    monkeypatch.setattr(module, "MUTE_SECONDS", 0.5)
     with socket.create_server(("127.0.0.1", 0)) as server:
         refused(f"tcp://127.0.0.1:{server.getsockname()[1]}")

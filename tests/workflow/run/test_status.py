@@ -7,6 +7,8 @@ import socket
 
 import pytest
 
+from elastomer_friction.workflow.plan.batches import missing_work, total_records, total_seconds
+from elastomer_friction.workflow.run.failures import Failures
 from elastomer_friction.workflow.run.status import (
     Status,
     StatusWriter,
@@ -75,9 +77,8 @@ def test_what_the_journal_got_since_is_counted_by_the_reader_and_the_writer(plac
     _, store, writer = place
     writer.write(3, 2)
     store.add([(HOUR, random_result(HOUR))])
-    store.record_failure("0" * 32, "why")
     found = read(place)
-    assert (found.done, found.failed) == (16, 1)
+    assert (found.done, found.failed) == (16, 0)
     assert found.left == pytest.approx(3600.0)
     assert written(place)["done"] == 0
     writer.end("interrupted")
@@ -85,6 +86,19 @@ def test_what_the_journal_got_since_is_counted_by_the_reader_and_the_writer(plac
     assert (found["done"], found["state"]) == (16, "interrupted")
     assert (found["workers"], found["running"]) == (0, 0)
     assert found["left"] == pytest.approx(3600.0)
+
+
+def test_records_of_a_failed_problem_are_settled_for_the_reader_and_for_the_writer(place):
+    _, store, writer = place
+    store.record_failure(BATCH.tasks[0].key, "why")
+    counted = read(place)
+    missing = missing_work(PLAN, Failures(store, PLAN, 0))
+    writer.extent = lambda: (PLAN.records - total_records(missing), total_seconds(missing))
+    writer.end("interrupted")
+    found = read(place)
+    assert found.pid == os.getpid()  # from the file
+    assert (counted.done, counted.failed) == (found.done, found.failed) == (4, 1)
+    assert counted.left == found.left
 
 
 def test_nothing_is_left_once_all_is_done_whatever_was_predicted(place):
