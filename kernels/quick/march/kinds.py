@@ -22,7 +22,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ...compile.jit import kernel, refcount_free_kernel
+from ...compile.jit import inlined_kernel, kernel, refcount_free_kernel
 from ..steady.spans import (
     FIRST_HEIGHT,
     FIRST_SLOPE,
@@ -33,15 +33,26 @@ from ..steady.spans import (
     TURN_SUM,
     WORK_SUM,
 )
-from .problem import decayed_displacement, displacement_bounds, line_rise
+from .problem import (
+    ALWAYS_TOUCHES,
+    FORCED_UNDECIDED,
+    NEVER_TOUCHES,
+    UNDECIDED,
+    Bounds,
+    DisplacementBounds,
+    JumpProblem,
+    decayed_displacement,
+    displacement_bounds,
+    kind_of_first,
+    line_rise,
+    span_always_touches,
+    span_never_touches,
+)
 
 # Indices into a tally: number of samples, sums of overlaps, of lagged slopes, of their products.
 TALLY_SAMPLES, TALLY_DEPTH, TALLY_WEIGHT, TALLY_MOMENT = range(4)
 MIN_GAP_SAMPLES = 8  # a shorter gap is cheaper to list than to cross
 UNKNOWN_GAP = 1e200  # an upper bound of gaps that excludes nothing
-# Contact kinds. ALWAYS_TOUCHES requires that the sample upstream always touches.
-# FORCED_UNDECIDED makes the first sample of the line UNDECIDED, whatever the bounds.
-NEVER_TOUCHES, UNDECIDED, ALWAYS_TOUCHES, FORCED_UNDECIDED = 0, 2, 3, 4
 
 
 class ListedSamples(NamedTuple):
@@ -81,6 +92,40 @@ class Runs(NamedTuple):
     source_touches: np.ndarray  # whether the source always touches
 
 
+class LineWalk(NamedTuple):
+    """State of a walk over the line, between two samples."""
+
+    kind: int  # contact kind of the last sample
+    source: int  # the last sample that may touch
+    source_touches: bool  # whether it always touches
+    gap_min: float  # gap_min, gap_max : bounds of max(g, 0) at the last sample
+    gap_max: float
+    run_count: int  # number of runs so far
+    listed_count: int  # number of listed samples so far
+
+
+class Classification(NamedTuple):
+    """Input of ``walk_line``, and where the walk stores its results."""
+
+    problem: JumpProblem
+    bounds: Bounds
+    levels: DisplacementBounds
+    first: int  # assumed kind of z[0]
+    level: float  # of SummedContact
+    tally: np.ndarray  # of the samples that always touch
+    runs: Runs  # to fill
+    collected: CollectedSamples  # to fill
+
+
+class SampleKind(NamedTuple):
+    """Contact kind of a sample, and what decides it."""
+
+    kind: int
+    rise: float  # a_j; 0 unless computed
+    gap_min: float  # gap_min, gap_max : bounds of max(g, 0)
+    gap_max: float
+
+
 @kernel
 def undecided_runs(problem, bounds):
     """Return (Runs, CollectedSamples, SummedContact); all other samples never touch."""
@@ -97,32 +142,13 @@ def undecided_runs(problem, bounds):
 def walk_line(problem, bounds, levels, first):
     """Return (Runs, CollectedSamples, SummedContact, upper bound of max(g, 0) at z[0]).
 
-    first : assumed kind of z[0]; a returned bound > 0 refutes ALWAYS_TOUCHES. State of the walk
-    between two samples : contact kind of the last sample; last sample that may touch, and whether
-    it always touches; bounds of max(g, 0); number of runs; number of listed samples.
+    first : assumed kind of z[0]; a bound > 0 refutes ALWAYS_TOUCHES.
     """
-    n, whole = problem.z.size, problem.spans.lowest.size
-    level, tally = problem.end.d / problem.law.stiffness, np.zeros(4)
+    n, level, tally = problem.z.size, problem.end.d / problem.law.stiffness, np.zeros(4)
     runs = allocate_runs(n // 2 + 1)
     collected = CollectedSamples(np.empty(n), np.empty(n), np.empty(n), np.empty(n))
-    # The sample upstream of the line's end is z[0]; the source lies farther if z[0] never touches.
-    kind, source, source_touches, gap_min = NEVER_TOUCHES, n, first == ALWAYS_TOUCHES, 0.0
-    gap_max, count, size = 0.0 if source_touches else UNKNOWN_GAP, 0, 0
-    for b in range(problem.start.entered.size - 1, -1, -1):
-        if b < whole and (b > 0 or first != FORCED_UNDECIDED):
-            if span_never_touches(problem, bounds, levels, b):
-                kind, gap_min, gap_max = NEVER_TOUCHES, 0.0, UNKNOWN_GAP
-                continue
-            if gap_max == 0.0 and span_always_touches(problem, bounds, b):
-                add_span(problem, level, b, tally)
-                kind, source, source_touches = ALWAYS_TOUCHES, b * SPAN, True
-                continue
-        state = kind, source, source_touches, gap_min, gap_max, count, size
-        state = _walk_span(problem, bounds, levels, first, b, state, runs, collected, level, tally)
-        kind, source, source_touches, gap_min, gap_max, count, size = state
-    if first == NEVER_TOUCHES and count > 0:
-        runs.distance[0] = source + n - runs.leading[0]
-        runs.source_touches[0] = source_touches
+    task = Classification(problem, bounds, levels, first, level, tally, runs, collected)
+    count, size, gap_max = _walk_spans(task)
     runs = Runs(
         runs.leading[:count],
         runs.trailing[:count],
@@ -135,6 +161,35 @@ def walk_line(problem, bounds, levels, first):
     return runs, collected, SummedContact(level, tally[0], tally[1], tally[2], tally[3]), gap_max
 
 
+@refcount_free_kernel
+def _walk_spans(task):
+    """Sort all samples; return (number of runs, of listed samples, bound of max(g, 0) at z[0]).
+
+    task : Classification.
+    """
+    problem, bounds, levels, first = task.problem, task.bounds, task.levels, task.first
+    n, whole, touches = problem.z.size, problem.spans.lowest.size, first == ALWAYS_TOUCHES
+    # Elements reach the end of the line from z[0], or from beyond it if it never touches.
+    walk = LineWalk(NEVER_TOUCHES, n, touches, 0.0, 0.0 if touches else UNKNOWN_GAP, 0, 0)
+    for b in range(problem.start.entered.size - 1, -1, -1):
+        if b < whole and (b > 0 or first != FORCED_UNDECIDED):
+            _, source, touches, gap_min, gap_max, count, size = walk
+            if span_never_touches(problem, bounds, levels, b):
+                kind, gap_min, gap_max = NEVER_TOUCHES, 0.0, UNKNOWN_GAP
+                walk = LineWalk(kind, source, touches, gap_min, gap_max, count, size)
+                continue
+            if gap_max == 0.0 and span_always_touches(problem, bounds, b):
+                add_span(problem, task.level, b, task.tally)
+                kind, source, touches = ALWAYS_TOUCHES, b * SPAN, True
+                walk = LineWalk(kind, source, touches, gap_min, gap_max, count, size)
+                continue
+        walk = _walk_span(task, b, walk)
+    if first == NEVER_TOUCHES and walk.run_count > 0:
+        task.runs.distance[0] = walk.source + n - task.runs.leading[0]
+        task.runs.source_touches[0] = walk.source_touches
+    return walk.run_count, walk.listed_count, walk.gap_max
+
+
 @kernel
 def allocate_runs(most):
     """Return Runs with room for ``most`` of them."""
@@ -143,52 +198,77 @@ def allocate_runs(most):
 
 
 @refcount_free_kernel
-def _walk_span(problem, bounds, levels, first, b, state, runs, collected, level, tally):
-    """Return the state of the walk after the samples of a span, visited one by one."""
-    z, slope, law, start, end = problem.z, problem.slope, problem.law, problem.start, problem.end
-    kind, source, source_touches, gap_min, gap_max, count, size = state
+def _walk_span(task, b, walk):
+    """Return the LineWalk after the samples of span b, visited one by one."""
+    z, start, end = task.problem.z, task.problem.start, task.problem.end
     u_start, u_end = start.entered[b], end.entered[b]
     for j in range(min((b + 1) * SPAN, z.size) - 1, b * SPAN - 1, -1):
         w_start = decayed_displacement(start.decay, u_start)
         w_end = decayed_displacement(end.decay, u_end)
         u_start, u_end = min(w_start, z[j] - start.d), min(w_end, z[j] - end.d)
-        near, far = (w_start, w_end) if levels.near_is_start else (w_end, w_start)
-        previous, upstream_touches = kind, gap_max == 0.0
-        kind, rise = NEVER_TOUCHES, 0.0
-        if z[j] - near < bounds.d_max + levels.near_slack:
-            rise = line_rise(law, z[j], z[j + 1 if j + 1 < z.size else 0])
-            least, most = gap_bounds(law, bounds, levels, z[j], rise, near, far, gap_min, gap_max)
-            initial = z[j] - w_start - start.d
-            least, most = min(least, initial), max(most, initial)
-            gap_min, gap_max = max(least, 0.0), max(most, 0.0)
-            forced = j == 0 and first == FORCED_UNDECIDED
-            kind = contact_kind(forced, upstream_touches and gap_max == 0.0, least, most)
-        else:
-            gap_min, gap_max = 0.0, UNKNOWN_GAP
-        if kind == NEVER_TOUCHES:
-            # Store it in advance; it is listed only if an undecided sample ends the gap soon.
-            if source - j < MIN_GAP_SAMPLES and source < z.size:
-                weight, slot = lagged_slope_at(slope, law.lag, j), size + source - 1 - j
-                _collect(collected, slot, z[j], bounds.d_max, weight, w_start, w_end)
-            continue
-        weight = lagged_slope_at(slope, law.lag, j)
-        if kind == ALWAYS_TOUCHES:
-            add_sample(level - rise, weight, tally)
-        else:
-            near = source - j <= MIN_GAP_SAMPLES and source < z.size
-            short_gap = previous == NEVER_TOUCHES and near
-            continues = short_gap and count > 0 and runs.trailing[count - 1] == source
-            if previous != UNDECIDED and not continues:
-                runs.leading[count] = source - 1 if short_gap else j
-                runs.distance[count] = source - runs.leading[count]
-                runs.source_touches[count] = source_touches
-                count += 1
-            runs.trailing[count - 1] = j
-            size += source - 1 - j if short_gap else 0
-            _collect(collected, size, z[j], bounds.d_max, weight, w_start, w_end)
-            size += 1
-        source, source_touches = j, gap_max == 0.0
-    return kind, source, source_touches, gap_min, gap_max, count, size
+        walk = _sort_sample(task, walk, j, w_start, w_end)
+    return walk
+
+
+@inlined_kernel
+def _sort_sample(task, walk, j, w_start, w_end):
+    """Sum sample j, list it, or leave it to a gap; return the LineWalk after it.
+
+    w_start, w_end : free displacements at v1 and v2.
+    """
+    problem, d_max = task.problem, task.bounds.d_max
+    z, law = problem.z, problem.law
+    kind, rise, gap_min, gap_max = _kind_of_sample(task, walk, j, w_start, w_end)
+    _, source, touches, _, _, count, size = walk
+    if kind == NEVER_TOUCHES:
+        # Store it in advance; it is listed only if an undecided sample ends the gap soon.
+        if source - j < MIN_GAP_SAMPLES and source < z.size:
+            weight = lagged_slope_at(problem.slope, law.lag, j)
+            slot = size + source - 1 - j
+            _collect(task.collected, slot, z[j], d_max, weight, w_start, w_end)
+        return LineWalk(kind, source, touches, gap_min, gap_max, count, size)
+    weight = lagged_slope_at(problem.slope, law.lag, j)
+    if kind == ALWAYS_TOUCHES:
+        add_sample(task.level - rise, weight, task.tally)
+    else:
+        count, size = _extend_runs(task.runs, walk, j, z.size)
+        _collect(task.collected, size, z[j], d_max, weight, w_start, w_end)
+        size += 1
+    return LineWalk(kind, j, gap_max == 0.0, gap_min, gap_max, count, size)
+
+
+@inlined_kernel
+def _kind_of_sample(task, walk, j, w_start, w_end):
+    """Return the SampleKind of sample j. w_start, w_end : free displacements at v1 and v2."""
+    problem, bounds, levels = task.problem, task.bounds, task.levels
+    z, law = problem.z, problem.law
+    near, far = (w_start, w_end) if levels.near_is_start else (w_end, w_start)
+    if not z[j] - near < bounds.d_max + levels.near_slack:
+        return SampleKind(NEVER_TOUCHES, 0.0, 0.0, UNKNOWN_GAP)
+    rise = line_rise(law, z[j], z[j + 1 if j + 1 < z.size else 0])
+    least, most = gap_bounds(law, bounds, levels, z[j], rise, near, far, walk.gap_min, walk.gap_max)
+    initial = z[j] - w_start - problem.start.d
+    least, most = min(least, initial), max(most, initial)
+    gap_min, gap_max = max(least, 0.0), max(most, 0.0)
+    forced = j == 0 and task.first == FORCED_UNDECIDED
+    kind = contact_kind(forced, walk.gap_max == 0.0 and gap_max == 0.0, least, most)
+    return SampleKind(kind, rise, gap_min, gap_max)
+
+
+@inlined_kernel
+def _extend_runs(runs, walk, j, n):
+    """Add sample j to the last run or to a new one; return (number of runs, slot of the sample)."""
+    source, count = walk.source, walk.run_count
+    near = source - j <= MIN_GAP_SAMPLES and source < n
+    short_gap = walk.kind == NEVER_TOUCHES and near
+    continues = short_gap and count > 0 and runs.trailing[count - 1] == source
+    if walk.kind != UNDECIDED and not continues:
+        runs.leading[count] = source - 1 if short_gap else j
+        runs.distance[count] = source - runs.leading[count]
+        runs.source_touches[count] = walk.source_touches
+        count += 1
+    runs.trailing[count - 1] = j
+    return count, walk.listed_count + (source - 1 - j if short_gap else 0)
 
 
 @refcount_free_kernel
@@ -230,40 +310,6 @@ def contact_kind(forced, touches, least, most):
     if touches and most < 0.0:
         return ALWAYS_TOUCHES
     return NEVER_TOUCHES if least >= 0.0 else UNDECIDED
-
-
-@refcount_free_kernel
-def span_never_touches(problem, bounds, levels, b):
-    """Return whether the lowest sample of a whole span lies too high to touch.
-
-    levels : DisplacementBounds.
-    """
-    near = levels.near
-    w = near.decay.span * near.entered[b]  # upper bound of displacements in the span
-    return problem.spans.lowest[b] - w >= bounds.d_max + levels.near_slack
-
-
-@refcount_free_kernel
-def span_always_touches(problem, bounds, b):
-    """Return whether a whole span always touches if the sample upstream of it does."""
-    largest_rise = problem.end.thresholds[b] / problem.law.stiffness
-    return problem.start.d > problem.start.thresholds[b] and largest_rise < bounds.advance_min
-
-
-@refcount_free_kernel
-def kind_of_first(problem, bounds, levels):
-    """Return the contact kind of z[0], where a walk over the line ends."""
-    z, (start, end) = problem.z, (problem.start, problem.end)
-    u_start, u_end, w_start, w_end = start.entered[0], end.entered[0], 0.0, 0.0
-    for j in range(min(SPAN, z.size) - 1, -1, -1):
-        w_start = decayed_displacement(start.decay, u_start)
-        w_end = decayed_displacement(end.decay, u_end)
-        u_start, u_end = min(w_start, z[j] - start.d), min(w_end, z[j] - end.d)
-    if z[0] - (w_start if levels.near_is_start else w_end) >= bounds.d_max + levels.near_slack:
-        return NEVER_TOUCHES
-    rise = line_rise(problem.law, z[0], z[1])
-    touches = z[0] - w_start < start.d and rise < bounds.advance_min
-    return ALWAYS_TOUCHES if touches else FORCED_UNDECIDED
 
 
 @refcount_free_kernel

@@ -23,10 +23,7 @@ from .crossings import (
     update_distances,
 )
 from .kinds import (
-    ALWAYS_TOUCHES,
     MIN_GAP_SAMPLES,
-    NEVER_TOUCHES,
-    UNDECIDED,
     UNKNOWN_GAP,
     ListedSamples,
     Runs,
@@ -35,7 +32,7 @@ from .kinds import (
     allocate_runs,
     contact_kind,
 )
-from .problem import Bounds, line_rise
+from .problem import ALWAYS_TOUCHES, NEVER_TOUCHES, UNDECIDED, Bounds, line_rise
 
 CERTAIN_LANDING = 5  # a contact kind: elements always land here, after a gap
 

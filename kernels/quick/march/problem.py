@@ -1,8 +1,8 @@
 """Input of the active-set march, and the bounds that it assumes of d, D and the displacements.
 
 Bounds of d and D are first guessed, then checked at every step. The displacements of the two steady
-states bound those on the way from one to the other: in contact u = z - d, and without contact u
-decays by a factor E in each step, which is that of v1 before the jump and that of v2 after it.
+states bound those on the way from one to the other: a free u decays by the factor E of v1 before
+the jump, of v2 after it; in contact u = z - d. They decide the contact kinds of most spans.
 """
 
 from typing import NamedTuple
@@ -13,9 +13,12 @@ from ...compile.jit import kernel, refcount_free_kernel
 from ...rheology.kelvin import Kelvin
 from ...rheology.law import MIN_MAGNITUDE
 from ..steady.span_sweep import DecayFactors
-from ..steady.spans import Spans
+from ..steady.spans import SPAN, Spans
 
 MIN_SPREAD = 1e-11  # smallest spread of d or D, relative to d; far above rounding
+# Contact kinds. ALWAYS_TOUCHES requires that the sample upstream always touches.
+# FORCED_UNDECIDED, only for the first sample of the line: UNDECIDED whatever the bounds.
+NEVER_TOUCHES, UNDECIDED, ALWAYS_TOUCHES, FORCED_UNDECIDED = 0, 2, 3, 4
 
 
 class SteadyState(NamedTuple):
@@ -129,3 +132,37 @@ def displacement_bounds(problem, bounds):
 def decayed_displacement(decay, u):
     """Return the displacement of a free element one sample after the displacement u."""
     return decay.sample * u if u < -MIN_MAGNITUDE else 0.0
+
+
+@refcount_free_kernel
+def span_never_touches(problem, bounds, levels, b):
+    """Return whether the lowest sample of a whole span lies too high to touch.
+
+    levels : DisplacementBounds.
+    """
+    near = levels.near
+    w = near.decay.span * near.entered[b]  # upper bound of displacements in the span
+    return problem.spans.lowest[b] - w >= bounds.d_max + levels.near_slack
+
+
+@refcount_free_kernel
+def span_always_touches(problem, bounds, b):
+    """Return whether a whole span always touches if the sample upstream of it does."""
+    largest_rise = problem.end.thresholds[b] / problem.law.stiffness
+    return problem.start.d > problem.start.thresholds[b] and largest_rise < bounds.advance_min
+
+
+@refcount_free_kernel
+def kind_of_first(problem, bounds, levels):
+    """Return the contact kind of z[0], where a walk over the line ends."""
+    z, (start, end) = problem.z, (problem.start, problem.end)
+    u_start, u_end, w_start, w_end = start.entered[0], end.entered[0], 0.0, 0.0
+    for j in range(min(SPAN, z.size) - 1, -1, -1):
+        w_start = decayed_displacement(start.decay, u_start)
+        w_end = decayed_displacement(end.decay, u_end)
+        u_start, u_end = min(w_start, z[j] - start.d), min(w_end, z[j] - end.d)
+    if z[0] - (w_start if levels.near_is_start else w_end) >= bounds.d_max + levels.near_slack:
+        return NEVER_TOUCHES
+    rise = line_rise(problem.law, z[0], z[1])
+    touches = z[0] - w_start < start.d and rise < bounds.advance_min
+    return ALWAYS_TOUCHES if touches else FORCED_UNDECIDED
