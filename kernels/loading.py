@@ -22,7 +22,7 @@ from .quick.contacts.steady_friction import LineSet
 from .quick.march.active import active_march
 from .quick.march.problem import JumpProblem, SteadyState
 from .quick.relaxation import SteadyEnds, plain_relaxations
-from .quick.steady.span_sweep import DecayFactors
+from .quick.steady.span_sliding import DecayFactors
 from .quick.steady.spans import SPAN
 from .rheology.forms import form_of
 from .rheology.kelvin import SCHEMES

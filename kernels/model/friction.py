@@ -1,11 +1,13 @@
 """Friction of a contact state: eq. 5 by quadrature at an instant, or as the mean over a step.
 
 Eq. 5 is summed here, sample by sample, and in two places of quick/ with precomputed sums over many
-samples: contacts/pressure.py at an instant, and march/active.py as the mean over a step.
+samples: contacts/loads.py for a line that is pressed everywhere, and march/active.py as the mean
+over a step.
 Source: Li et al. (2014), eqs. 3 to 5, doi:10.1038/srep05795.
 """
 
 import math
+from typing import NamedTuple
 
 import numpy as np
 
@@ -14,6 +16,14 @@ from .contact import solve_indentation
 
 MIN_COVERAGE = 0.01  # least share of a touching sample in contact: keeps it in the load balance
 MIN_EDGE_REACH, MAX_EDGE_REACH = -0.5, 1.5  # samples; a trailing edge farther off is not resolved
+
+
+class ContactSamples(NamedTuple):
+    """The touching samples of a line at one instant."""
+
+    weight: np.ndarray  # share of each sample that is in contact
+    depth: np.ndarray  # z - d of each, in h
+    slope: np.ndarray  # of each, in h/dx
 
 
 @kernel
@@ -28,15 +38,30 @@ def quadrature(z, slope, w, d, formed, speed, load):
     z, slope, w : shape (n,). d : indentation. formed, speed : vbar. load : n Fbar.
     mu in h/dx, rate in h/tau, contact : share of the line in contact.
     """
+    mu, rate, contact = pressed_friction(contact_samples(z, slope, w, d, formed), speed, load)
+    return mu, rate, min(contact / z.size, 1.0)  # two edges can overlap
+
+
+@kernel
+def contact_samples(z, slope, w, d, formed):
+    """Return the ContactSamples of a steady state (w, d) at the speed ``formed``, vbar."""
     at = _touching(z, w, d)
-    weight = np.empty(at.size)
+    weight, depth, slopes = np.empty(at.size), np.empty(at.size), np.empty(at.size)
     for i in range(at.size):
-        weight[i] = _covered(z, slope, w, d, formed, at[i])
-    threshold = (z[at] - d) - speed * slope[at]  # minus the pressure where d' = 0
+        j = at[i]
+        weight[i] = _covered(z, slope, w, d, formed, j)
+        depth[i], slopes[i] = z[j] - d, slope[j]
+    return ContactSamples(weight, depth, slopes)
+
+
+@kernel
+def pressed_friction(touching, speed, load):
+    """Return (mu, d', number of pressed samples) of ContactSamples; see ``quadrature``."""
+    threshold = touching.depth - speed * touching.slope  # minus the pressure where d' = 0
     # The first guess presses all elements but that of the highest threshold.
-    rate, _ = solve_indentation(threshold, load, threshold.max(), weight)
-    normal, tangential, contact = weighted_sums(threshold, weight, slope[at], rate)
-    return tangential / normal, rate, min(contact / z.size, 1.0)  # two edges can overlap
+    rate, _ = solve_indentation(threshold, load, threshold.max(), touching.weight)
+    normal, tangential, count = weighted_sums(threshold, touching.weight, touching.slope, rate)
+    return tangential / normal, rate, count
 
 
 @kernel

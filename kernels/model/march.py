@@ -8,8 +8,7 @@ compiles a version for each pair, without code of the others.
 import numpy as np
 
 from ..compile.jit import kernel
-from ..motion.slide import shift, start_rings
-from ..motion.stretches import gather, piece_bounds, touchable
+from ..motion.slide import gather, piece_bounds, shift, start_rings, touchable
 from .balance import balance, balance_history
 from .friction import step_average
 

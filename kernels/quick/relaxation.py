@@ -8,15 +8,15 @@ from ..compile.jit import kernel
 from ..model.friction import lagged_slope, step_average
 from ..model.march import march
 from ..rheology.law import State
-from .steady.span_sweep import DecayFactors, sweep_spans
-from .steady.stack import spans_in
+from .steady.span_sliding import DecayFactors, sweep_spans
+from .steady.spans import spans_in
 
 
 class SteadyEnds(NamedTuple):
     """Steady sliding on lines at v1 or v2, the initial or the final state of a march."""
 
     decay: DecayFactors
-    thresholds: np.ndarray  # d above which whole spans touch (thresholds.py), shape (lines, spans)
+    thresholds: np.ndarray  # d above which whole spans touch (spans.py), shape (lines, spans)
     d: np.ndarray  # indentation over the deepest sample, in h, shape (lines,)
 
 
@@ -24,7 +24,7 @@ class SteadyEnds(NamedTuple):
 def plain_relaxations(stack, law, one, two, control, kept_steps):
     """Return (curves, updates): mu minus its steady value at v2, and element updates.
 
-    stack : the lines (steady/stack.py). law : at v2. one, two : SteadyEnds at v1 and at v2.
+    stack : the lines (steady/spans.py). law : at v2. one, two : SteadyEnds at v1 and at v2.
     control, kept_steps : see march. curves : in h/dx, shape (lines, kept). updates : (lines,).
     """
     lines, n = stack.z.shape

@@ -21,7 +21,7 @@ from ..quick.contacts.steady_friction import (
 from ..quick.march.active import active_march
 from ..quick.march.problem import JumpProblem, SteadyState
 from ..quick.relaxation import SteadyEnds, plain_relaxations
-from ..quick.steady.stack import single_line
+from ..quick.steady.spans import single_line
 from .case import MARCHING, Case, Outcome, PhaseClocks, Quantities, Seconds
 from .memory_case import run_memory_case
 from .prepared import Prepared, SharedCases, prepare

@@ -16,8 +16,7 @@ MARCHES = """
 from elastomer_friction.kernels import Quantities, loading
 from elastomer_friction.kernels.quick.march.active import active_march
 from elastomer_friction.kernels.quick.relaxation import plain_relaxations
-from elastomer_friction.kernels.quick.steady.spans import add_rises
-from elastomer_friction.kernels.quick.steady.stack import stack_of
+from elastomer_friction.kernels.quick.steady.spans import add_rises, stack_of
 
 kernels = plain_relaxations, add_rises, stack_of, active_march
 loading.load_marches("exponential")

@@ -15,9 +15,7 @@ The last correction of d enters mu to first order; d' is found after each veloci
 The result does not depend on the sampling.
 
 *At the samples.* Other lines, and states in which rounding prevents the first method, use the
-quadrature of model/friction.py. ``touching_samples`` lists the touching samples,
-``pressed_samples`` prepares sums over pressed spans, whose samples need not be visited, and
-``pressure`` sums eqs. 3 to 5.
+quadrature of model/friction.py.
 
 ``loads`` runs the sweeps for several lines in one call. ``steady_friction`` is the entry point: it
 selects the method and returns a ``SteadySliding``.

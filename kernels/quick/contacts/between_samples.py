@@ -13,7 +13,7 @@ import numpy as np
 from ...compile.jit import kernel, refcount_free_kernel
 from ...lines.polynomials import septic_coefficients, septic_height, septic_slope
 from ...root_search import new_search, next_guess
-from ..steady.span_indentation import halley_step
+from ..steady.span_sliding import halley_step
 from ..steady.spans import SPAN
 from .events import (
     AREA,

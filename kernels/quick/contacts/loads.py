@@ -10,31 +10,23 @@ from typing import NamedTuple
 
 import numpy as np
 
+from ...body.patch_width import samples_per_contact
 from ...compile.jit import kernel, refcount_free_kernel
-from ...model.contact import indentation_under
-from ..steady.contact_pieces import (
-    JOINED,
-    LEADING,
-    LEADING_REACH,
-    TRAILING,
-    TRAILING_REACH,
-    allocate_pieces,
-    first_pieces,
+from ...model.friction import (
+    contact_samples,
+    elastic_correction,
+    pressed_friction,
+    step_average,
 )
-from ..steady.span_indentation import APPROACH_STEPS, approach_indentation, span_indentation
-from ..steady.span_sweep import decay_factors
-from ..steady.spans import SPAN
-from ..steady.stack import spans_in
-from ..steady.thresholds import Thresholds, pressure_thresholds_at, thresholds_of
-from .pressed_samples import MovingLine, allocate_pressed, press_contact
-from .pressure import contact_friction, elastic_part, whole_line_friction
-from .touching_samples import (
-    allocate_touching,
-    largest_slope,
-    list_touching,
-    mean_rise,
-    median_width,
+from ..steady.span_sliding import (
+    APPROACH_STEPS,
+    DecayFactors,
+    approach_indentation,
+    decay_factors,
+    span_indentation,
+    sweep_spans,
 )
+from ..steady.spans import SPAN, Spans, Thresholds, pressure_threshold, spans_in, thresholds_of
 
 # Columns of LoadTable.table: d over the deepest sample (h), mu (h/dx), share of the line in
 # contact, samples per contact, sweeps, whether the whole line touches, and whether it remains
@@ -51,13 +43,16 @@ LOAD_COLUMNS = 7
 ) = range(LOAD_COLUMNS)
 
 
-class SpeedThresholds(NamedTuple):
-    """Speeds of steady sliding and after jumps, with their thresholds."""
+class SlidingLine(NamedTuple):
+    """A line that slides steadily, whose velocity jumps to other speeds."""
 
+    decay: DecayFactors
+    z: np.ndarray  # in h, shape (n,)
+    slope: np.ndarray  # in h/dx, shape (n,)
+    spans: Spans
+    thresholds: Thresholds
     speed: float  # vbar
-    thresholds: Thresholds  # at ``speed``
-    others: np.ndarray  # after the jumps, vbar, shape (others,)
-    pressure: np.ndarray  # shape (others, spans + 1): pressure_thresholds at the other speeds
+    others: np.ndarray  # speeds after the jumps, vbar, shape (others,)
 
 
 class LoadTable(NamedTuple):
@@ -66,7 +61,7 @@ class LoadTable(NamedTuple):
     table: np.ndarray  # shape (..., loads, LOAD_COLUMNS)
     jumps: np.ndarray  # shape (..., loads, others): change of mu at the jumps to other speeds
     rates: np.ndarray  # shape (..., loads, others): d' just after them
-    entered: np.ndarray  # shape (..., loads, spans + 1), see ContactPieces
+    entered: np.ndarray  # shape (..., loads, spans + 1), u of elements that enter each span
 
 
 class FrictionOptions(NamedTuple):
@@ -75,7 +70,7 @@ class FrictionOptions(NamedTuple):
     steps: float  # samples per spacing
     elastic_share: float  # share of the elastic part that is corrected
     band_limited: bool  # whether the line has no modes above q = pi/dx
-    followed: bool  # whether to compute d alone in partial contacts, which are followed later
+    followed: bool  # whether to compute d alone in partial contact, which is followed later
 
 
 @kernel
@@ -89,111 +84,127 @@ def slide_on_lines(law, stack, speed, others, loads, options):
     table, contact = np.empty((lines, loads.size, LOAD_COLUMNS)), np.empty((lines, n // SPAN))
     shape = lines, loads.size, others.size
     jumps, rates = np.empty(shape), np.empty(shape)
-    entered = np.empty((lines, loads.size, n // SPAN + 1))
+    entered = np.zeros((lines, loads.size, n // SPAN + 1))  # the last stays 0 without a tail
     for k in range(lines):
         z, slope, spans = stack.z[k], stack.slope[k], spans_in(stack, k)
-        thresholds = thresholds_of(z, slope, speed, law.stiffness)
-        after = pressure_thresholds_at(z, slope, others)
-        speeds = SpeedThresholds(speed, thresholds, others, after)
+        thresholds = thresholds_of(z, law.stiffness)
+        line = SlidingLine(decay, z, slope, spans, thresholds, speed, others)
         results = LoadTable(table[k], jumps[k], rates[k], entered[k])
-        slide_under_loads(decay, z, slope, spans, speeds, loads, options, results)
+        slide_under_loads(line, loads, options, results)
         for b in range(thresholds.contact.size):
             contact[k, b] = thresholds.contact[b]
     return contact, decay, LoadTable(table, jumps, rates, entered)
 
 
 @kernel
-def slide_under_loads(decay, z, slope, spans, speeds, loads, options, results):
-    """Fill ``results``, a LoadTable, for steady sliding of one line under all loads.
-
-    decay, spans : DecayFactors of the law and Spans of the line. loads : n Fbar.
-    """
-    n, thresholds = z.size, speeds.thresholds
-    contacts = allocate_pieces(slope, speeds.speed)
-    rooms = allocate_touching(n), allocate_pressed(n)
-    table, jumps, rates, entered = results
+def slide_under_loads(line, loads, options, results):
+    """Fill ``results``, a LoadTable, for a SlidingLine under all loads, n Fbar."""
+    decay, z, _, spans, thresholds, _, _ = line
+    n, w, table = z.size, np.empty(z.size), results.table
     for i in range(loads.size):
-        load, pieces, sweeps = loads[i], 1, 0
+        load, entered, sweeps = loads[i], results.entered[i], 0
         d = load / n + (z[0] + spans.line_sums[0] / n)
         full = d > thresholds.line_contact
-        if full:
-            _list_whole_line(z, d, contacts)
-        else:
-            near = approach_indentation(decay, z, spans, thresholds.contact, load)
-            d, sweeps, pieces = span_indentation(
-                decay, z, spans, thresholds.contact, load, near, contacts
-            )
+        if not full:
+            contact = thresholds.contact
+            near = approach_indentation(decay, z, spans, contact, load)
+            d, sweeps = span_indentation(decay, z, spans, contact, load, near, entered)
             sweeps += APPROACH_STEPS
-        listed = first_pieces(contacts, pieces)
-        for b in range(contacts.entered.size):
-            entered[i, b] = contacts.entered[b]
-        table[i, D_COLUMN], table[i, SWEEPS_COLUMN], table[i, FULL_COLUMN] = d, sweeps, full
-        table[i, PRESSED_COLUMN] = False
-        if options.followed and not full:
+        row, jumps, rates, pressed = table[i], results.jumps[i], results.rates[i], False
+        if full:
+            _enter_touching(z, d, entered)
+            pressed = _press_whole_line(line, load, options, row, jumps, rates)
+        row[D_COLUMN], row[SWEEPS_COLUMN] = d, sweeps
+        row[FULL_COLUMN], row[PRESSED_COLUMN] = full, pressed
+        if (options.followed and not pressed) or (pressed and not _misses_sign(options, row)):
             continue
-        line = MovingLine(z, slope, spans, speeds.speed, thresholds.pressure)
-        mu, contact, least = _sampled_friction(
-            line, speeds, listed, load, d, full, options, rooms, jumps[i], rates[i]
-        )
-        if options.band_limited and mu <= 0.0:
-            # The true mu is positive: compute it from the work of the forces as the line rises.
-            mu = options.steps * mean_rise(z, d, decay, listed)
-        table[i, MU_COLUMN] = mu
-        table[i, CONTACT_COLUMN] = min(contact / n, 1.0)  # edges of two contacts can overlap
-        table[i, WIDTH_COLUMN] = median_width(z, d, decay, listed)
-        table[i, PRESSED_COLUMN] = full and least == n
+        sweep_spans(decay, z, spans, thresholds.contact, d, None, w)
+        if not pressed:
+            _press_contact(line, w, d, load, options, row, jumps, rates)
+        if _misses_sign(options, row):
+            row[MU_COLUMN] = options.steps * _mean_rise(z, w, d)
+
+
+@refcount_free_kernel
+def _misses_sign(options, row):
+    """Return whether rounding or coarse samples hide the sign of mu, which is positive."""
+    return options.band_limited and row[MU_COLUMN] <= 0.0
+
+
+@refcount_free_kernel
+def _enter_touching(z, d, entered):
+    """Fill ``entered`` for a line that touches everywhere."""
+    for b in range(entered.size):
+        upstream = (b + 1) * SPAN
+        entered[b] = z[upstream if upstream < z.size else 0] - d
 
 
 @kernel
-def _sampled_friction(line, speeds, contacts, load, d, full, options, rooms, jumps, rates):
-    """Return (mu, number of pressed samples, its minimum before and after all jumps) at d.
+def _press_whole_line(line, load, options, row, jumps, rates):
+    """Fill the results under a load if the line is pressed everywhere, also after all jumps.
 
-    Fill ``jumps`` and ``rates``.
+    Return whether it is. The mean of the pressures p = (d + d') - z + vbar z' is load / n.
     """
-    touching = list_touching(line.z, line.slope, contacts, rooms[0])
-    pressed = press_contact(line, touching, d, rooms[1])
-    mu, contact, deep = _friction(pressed, full, speeds.thresholds.line_pressure, load, d)
-    least = contact
-    missing = 0.0
+    z, slope, speed = line.z, line.slope, line.speed
+    mu, elastic, deep = _whole_line_friction(line, speed, load)
+    pressed = deep > pressure_threshold(z, slope, speed)
+    for k in range(line.others.size):
+        mu_after, _, deep_after = _whole_line_friction(line, line.others[k], load)
+        pressed = pressed and deep_after > pressure_threshold(z, slope, line.others[k])
+        jumps[k], rates[k] = mu_after - mu, deep_after - deep
+    if pressed:
+        # The exact elastic part vanishes over a whole period.
+        row[MU_COLUMN] = mu - options.elastic_share / load * elastic
+        row[CONTACT_COLUMN], row[WIDTH_COLUMN] = 1.0, z.size
+    return pressed
+
+
+@refcount_free_kernel
+def _whole_line_friction(line, speed, load):
+    """Return (mu, elastic part of the sum of p z', d + d') of a line pressed everywhere.
+
+    The elastic part is the sum of (d + d' - z) z'.
+    """
+    z, slope = line.z[0], line.slope[0]  # the reference of the sums
+    height, rise, work, square = line.spans.line_sums
+    n = line.z.size
+    p = load / n + (height - speed * rise) / n
+    mu = slope + (p * rise - (work - speed * square)) / load
+    depth = p - speed * slope  # d + d' over the first sample
+    elastic = depth * rise - work + slope * (n * depth - height)
+    return mu, elastic, p + (z - speed * slope)
+
+
+@kernel
+def _press_contact(line, w, d, load, options, row, jumps, rates):
+    """Fill the results of the steady state (w, d) under a load by the quadrature of its samples."""
+    z, slope, speed, n = line.z, line.slope, line.speed, line.z.size
+    touching = contact_samples(z, slope, w, d, speed)
+    mu, rate, count = pressed_friction(touching, speed, load)
+    for k in range(line.others.size):
+        mu_after, rate_after, _ = pressed_friction(touching, line.others[k], load)
+        jumps[k], rates[k] = mu_after - mu, rate_after - rate  # errors of the elastic part cancel
     if options.elastic_share > 0.0:
-        missing = elastic_part(pressed, contacts, deep, options.steps)
-    for k in range(speeds.others.size):
-        after = MovingLine(line.z, line.slope, line.spans, speeds.others[k], speeds.pressure[k])
-        pressed_after = press_contact(after, touching, deep, rooms[1])
-        mu_after, count, deep_after = _friction(
-            pressed_after, full, speeds.pressure[k, -1], load, deep
-        )
-        least = min(least, count)
-        jumps[k], rates[k] = mu_after - mu, deep_after - deep  # errors of the elastic part cancel
-    if options.elastic_share > 0.0:
+        missing = elastic_correction(z, slope, w, d, speed, rate, options.steps)
         # mu is a mean of slopes, so the steepest bounds it if a contact is narrower than a sample.
-        limit = largest_slope(line.spans, touching)
-        mu = min(max(mu + options.elastic_share / load * missing, -limit), limit)
-    return mu, contact, least
+        steepest = 0.0
+        for s in touching.slope:
+            steepest = max(steepest, abs(s))
+        mu = min(max(mu + options.elastic_share / load * missing, -steepest), steepest)
+    row[MU_COLUMN], row[CONTACT_COLUMN] = mu, min(count / n, 1.0)  # two edges can overlap
+    overlap = np.empty(n)
+    for j in range(n):
+        overlap[j] = d - (z[j] - w[j])
+    row[WIDTH_COLUMN] = samples_per_contact(overlap)
 
 
-@refcount_free_kernel
-def _list_whole_line(z, d, contacts):
-    """Record the whole line as one piece of contact."""
-    contacts.ends[0, LEADING], contacts.ends[0, TRAILING] = z.size - 1, 0
-    contacts.ends[0, JOINED] = 1
-    contacts.edges[0, LEADING_REACH] = contacts.edges[0, TRAILING_REACH] = 0.5
-    for b in range(contacts.entered.size):
-        upstream = (b + 1) * SPAN
-        contacts.entered[b] = z[upstream if upstream < z.size else 0] - d
+@kernel
+def _mean_rise(z, w, d):
+    """Return the force-weighted mean of the rise of the line per step, over its contacts.
 
-
-@refcount_free_kernel
-def _friction(contact, full, line_threshold, load, guess):
-    """Return (mu, number of pressed samples, d + d').
-
-    line_threshold : largest pressure threshold of the line. guess : of d + d'.
+    It gives mu from the work of the forces as the line rises. w : free displacements.
     """
-    if full:
-        z, slope, spans, speed, _ = contact.line
-        mu, deep = whole_line_friction(z, slope, spans, speed, load)
-        if deep > line_threshold:
-            return mu, float(z.size), deep
-    deep, _ = indentation_under(contact, load, guess)
-    mu, count = contact_friction(contact, deep)
-    return mu, count, deep
+    rise, c = np.empty(z.size), np.empty(z.size)
+    for j in range(z.size):
+        rise[j], c[j] = z[j + 1 if j + 1 < z.size else 0] - z[j], z[j] - w[j]
+    return step_average(rise, c, d)

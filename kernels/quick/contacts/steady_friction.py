@@ -10,9 +10,16 @@ from ...lines.line import Line
 from ...model.friction import correction_share
 from ...rheology.kelvin import SCHEMES, Kelvin
 from ...rheology.law import State
-from ..steady.span_sweep import DecayFactors, sweep_spans
-from ..steady.spans import Spans, add_rises
-from ..steady.stack import Stack, single_line, spans_of_line, stack_of, stacked
+from ..steady.span_sliding import DecayFactors, sweep_spans
+from ..steady.spans import (
+    Spans,
+    Stack,
+    add_rises,
+    single_line,
+    spans_of_line,
+    stack_of,
+    stacked,
+)
 from .between_samples import MIN_SMOOTH_STEPS, FollowedColumns, slide_between
 from .loads import (
     CONTACT_COLUMN,
@@ -104,7 +111,7 @@ class SteadySliding(NamedTuple):
 
     line_set: LineSet
     constants: SpeedConstants
-    thresholds: np.ndarray  # d above which whole spans touch (thresholds.py), shape (lines, spans)
+    thresholds: np.ndarray  # d above which whole spans touch (spans.py), shape (lines, spans)
     decay: DecayFactors
     loads: np.ndarray  # n Fbar, shape (loads,)
     results: LoadTable  # jumps and rates are replaced by follow_contacts

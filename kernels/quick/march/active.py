@@ -10,7 +10,7 @@ import numpy as np
 
 from ...compile.jit import kernel, refcount_free_kernel
 from ...model.contact import excess_at, indentation_under, lowest_threshold, overlap
-from ..contacts.pressed_samples import pressure_sums
+from .contact_sums import pressure_sums
 from .crossings import (
     SteadyFlight,
     enter_runs,
@@ -86,7 +86,7 @@ def active_march(problem, control, kept_steps, margins=BOUND_MARGINS):
     for attempt in range(1, len(margins) + 1):
         runs, collected, sums = undecided_runs(problem, bounds)
         listed = listed_samples(runs, collected)
-        depth, moment, _ = pressure_sums(collected.c_end, None, collected.weight, end.d)
+        depth, moment, _ = pressure_sums(collected.c_end, collected.weight, end.d)
         settled = (sums.moment + moment) / (sums.depth + depth)
         entries = run_entries(law, listed, runs, flight, problem.z, last)
         landings = no_landings(end.d, start.d, last)
@@ -230,10 +230,9 @@ def move_listed(law, listed, d):
 def average_friction(listed, sums, landing_depth, landing_moment, d, advance):
     """Return mu averaged over a step by eq. 5, as step_average in model/friction.py does.
 
-    contacts/pressure.py has the same sums at an instant.
     landing_depth, landing_moment : rows 0 and 1 of landing_sums. advance : D of this step.
     """
-    depth, moment, _ = pressure_sums(listed.c, None, listed.weight, d)
+    depth, moment, _ = pressure_sums(listed.c, listed.weight, d)
     excess = advance - sums.level
     moment += landing_moment + (sums.moment + excess * sums.weight)
     return moment / (depth + landing_depth + (sums.depth + excess * sums.samples))
@@ -268,7 +267,7 @@ def _excess_of_partly_listed(contact, load, d):
     if contact.c.size < MAX_SHORT_LIST:
         force, count = overlap(contact.c, d)
     else:
-        force, _, count = pressure_sums(contact.c, None, None, d)
+        force, _, count = pressure_sums(contact.c, None, d)
     more = contact.samples * (d - contact.d_old)
     slope = count + contact.samples
     return force + more + (contact.carried - load), slope, slope

@@ -20,7 +20,7 @@ import numpy as np
 
 from ...compile.jit import dispatch_on_type, kernel, refcount_free_kernel
 from ...rheology.law import MIN_MAGNITUDE
-from .kinds import TALLY_DEPTH, TALLY_MOMENT, TALLY_SAMPLES, TALLY_WEIGHT
+from .contact_sums import TALLY_DEPTH, TALLY_MOMENT, TALLY_SAMPLES, TALLY_WEIGHT
 from .problem import line_rise
 
 NEGLIGIBLE_DECAY = 1e-30  # a displacement decayed by a smaller factor is zero relative to d

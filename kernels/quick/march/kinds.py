@@ -9,13 +9,6 @@ problem.py
 so bounds of D give bounds of g_j from those of g_(j+1). The two steady states give further bounds.
 Spans that always touch or never touch are passed at once. In the few others, the displacements of
 both steady states are recomputed sample by sample.
-
-Sums over a span follow from those in steady/spans.py, and its samples are not visited. For a sample
-j and its upstream neighbour j + 1 let Delta f_j = f_(j+1) - f_j. With slopes s_j and any level,
-
-    level - a_j = (level - z_j / K) + E Delta z_j,    lagged slope = s_j + lag Delta s_j,
-
-so the sums of spans.py give the sums over a span of both quantities and of their product.
 """
 
 from typing import NamedTuple
@@ -23,16 +16,8 @@ from typing import NamedTuple
 import numpy as np
 
 from ...compile.jit import inlined_kernel, kernel, refcount_free_kernel
-from ..steady.spans import (
-    FIRST_HEIGHT,
-    FIRST_SLOPE,
-    HEIGHT_SUM,
-    RISE_SUM,
-    SLOPE_SUM,
-    SPAN,
-    TURN_SUM,
-    WORK_SUM,
-)
+from ..steady.spans import SPAN
+from .contact_sums import SummedContact, add_sample, add_span, lagged_slope_at
 from .problem import (
     ALWAYS_TOUCHES,
     FORCED_UNDECIDED,
@@ -49,8 +34,6 @@ from .problem import (
     span_never_touches,
 )
 
-# Indices into a tally: number of samples, sums of overlaps, of lagged slopes, of their products.
-TALLY_SAMPLES, TALLY_DEPTH, TALLY_WEIGHT, TALLY_MOMENT = range(4)
 MIN_GAP_SAMPLES = 8  # a shorter gap is cheaper to list than to cross
 UNKNOWN_GAP = 1e200  # an upper bound of gaps that excludes nothing
 
@@ -71,16 +54,6 @@ class CollectedSamples(NamedTuple):
     weight: np.ndarray  # lagged slopes
     c: np.ndarray  # thresholds in steady sliding at v1
     c_end: np.ndarray  # thresholds in steady sliding at v2
-
-
-class SummedContact(NamedTuple):
-    """Sums over the samples j that always touch and whose upstream neighbours always touch."""
-
-    level: float  # d / K at v2, the final D; sums relative to it lose no digits
-    samples: float  # number
-    depth: float  # sum of level - a_j
-    weight: float  # sum of the lagged slopes
-    moment: float  # sum of (level - a_j) times the lagged slope
 
 
 class Runs(NamedTuple):
@@ -142,7 +115,7 @@ def undecided_runs(problem, bounds):
 def walk_line(problem, bounds, levels, first):
     """Return (Runs, CollectedSamples, SummedContact, upper bound of max(g, 0) at z[0]).
 
-    first : assumed kind of z[0]; a bound > 0 refutes ALWAYS_TOUCHES.
+    first : assumed kind of z[0]; a returned bound > 0 refutes ALWAYS_TOUCHES.
     """
     n, level, tally = problem.z.size, problem.end.d / problem.law.stiffness, np.zeros(4)
     runs = allocate_runs(n // 2 + 1)
@@ -169,7 +142,7 @@ def _walk_spans(task):
     """
     problem, bounds, levels, first = task.problem, task.bounds, task.levels, task.first
     n, whole, touches = problem.z.size, problem.spans.lowest.size, first == ALWAYS_TOUCHES
-    # Elements reach the end of the line from z[0], or from beyond it if it never touches.
+    # The sample upstream of the line's end is z[0]; the source lies farther if z[0] never touches.
     walk = LineWalk(NEVER_TOUCHES, n, touches, 0.0, 0.0 if touches else UNKNOWN_GAP, 0, 0)
     for b in range(problem.start.entered.size - 1, -1, -1):
         if b < whole and (b > 0 or first != FORCED_UNDECIDED):
@@ -310,38 +283,6 @@ def contact_kind(forced, touches, least, most):
     if touches and most < 0.0:
         return ALWAYS_TOUCHES
     return NEVER_TOUCHES if least >= 0.0 else UNDECIDED
-
-
-@refcount_free_kernel
-def add_span(problem, level, b, tally):
-    """Add to a tally a span whose samples always touch."""
-    rows, law = problem.spans.rows, problem.law
-    z, s = rows[b, FIRST_HEIGHT], rows[b, FIRST_SLOPE]
-    rise, turn = rows[b + 1, FIRST_HEIGHT] - z, rows[b + 1, FIRST_SLOPE] - s
-    rises, turns = rows[b, RISE_SUM], rows[b, TURN_SUM]
-    depth, slopes = level - z / law.stiffness, SPAN * s + rows[b, SLOPE_SUM]
-    tally[TALLY_SAMPLES] += SPAN
-    tally[TALLY_DEPTH] += SPAN * depth - rows[b, HEIGHT_SUM] / law.stiffness + law.decay * rise
-    tally[TALLY_WEIGHT] += slopes + law.lag * turn
-    moment = depth * slopes - (rows[b, WORK_SUM] + s * rows[b, HEIGHT_SUM]) / law.stiffness
-    lagged = depth * turn - (rise * turn - rises - turns) / law.stiffness
-    along = law.decay * ((rises + s * rise) + law.lag * turns)
-    tally[TALLY_MOMENT] += moment + law.lag * lagged + along
-
-
-@refcount_free_kernel
-def add_sample(depth, weight, tally):
-    """Add to a tally a sample that always touches. depth : level - a_j. weight : lagged slope."""
-    tally[TALLY_SAMPLES] += 1.0
-    tally[TALLY_DEPTH] += depth
-    tally[TALLY_WEIGHT] += weight
-    tally[TALLY_MOMENT] += depth * weight
-
-
-@refcount_free_kernel
-def lagged_slope_at(slope, lag, j):
-    """Return the lagged slope of one sample (friction.py)."""
-    return slope[j] + lag * (slope[j + 1 if j + 1 < slope.size else 0] - slope[j])
 
 
 @kernel

@@ -12,6 +12,7 @@ import numpy as np
 from ...compile.jit import inlined_kernel, kernel, refcount_free_kernel
 from ...rheology.kelvin import Kelvin
 from ...rheology.law import State
+from .contact_sums import SummedContact, add_sample
 from .crossings import (
     Entries,
     Gap,
@@ -27,8 +28,6 @@ from .kinds import (
     UNKNOWN_GAP,
     ListedSamples,
     Runs,
-    SummedContact,
-    add_sample,
     allocate_runs,
     contact_kind,
 )

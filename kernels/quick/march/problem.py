@@ -1,8 +1,9 @@
 """Input of the active-set march, and the bounds that it assumes of d, D and the displacements.
 
 Bounds of d and D are first guessed, then checked at every step. The displacements of the two steady
-states bound those on the way from one to the other: a free u decays by the factor E of v1 before
-the jump, of v2 after it; in contact u = z - d. They decide the contact kinds of most spans.
+states bound those on the way from one to the other: in contact u = z - d, and without contact u
+decays by a factor E in each step, which is that of v1 before the jump and that of v2 after it.
+These bounds decide the contact kinds of most spans.
 """
 
 from typing import NamedTuple
@@ -12,12 +13,12 @@ import numpy as np
 from ...compile.jit import kernel, refcount_free_kernel
 from ...rheology.kelvin import Kelvin
 from ...rheology.law import MIN_MAGNITUDE
-from ..steady.span_sweep import DecayFactors
+from ..steady.span_sliding import DecayFactors
 from ..steady.spans import SPAN, Spans
 
 MIN_SPREAD = 1e-11  # smallest spread of d or D, relative to d; far above rounding
 # Contact kinds. ALWAYS_TOUCHES requires that the sample upstream always touches.
-# FORCED_UNDECIDED, only for the first sample of the line: UNDECIDED whatever the bounds.
+# FORCED_UNDECIDED makes the first sample of the line UNDECIDED, whatever the bounds.
 NEVER_TOUCHES, UNDECIDED, ALWAYS_TOUCHES, FORCED_UNDECIDED = 0, 2, 3, 4
 
 
@@ -25,8 +26,8 @@ class SteadyState(NamedTuple):
     """Steady sliding at one speed, by spans of the line (steady/spans.py)."""
 
     decay: DecayFactors
-    thresholds: np.ndarray  # indentation from which a whole span touches (steady/thresholds.py)
-    entered: np.ndarray  # displacement of the element that enters each span (contact_pieces.py)
+    thresholds: np.ndarray  # indentation from which a whole span touches (steady/spans.py)
+    entered: np.ndarray  # displacement of the element that enters each span
     d: float  # indentation
 
 

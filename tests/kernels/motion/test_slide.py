@@ -8,8 +8,14 @@ from elastomer_friction.kernels.lines.self_affine import mode_numbers
 from elastomer_friction.kernels.motion import track as module
 from elastomer_friction.kernels.motion.fourier import FourierShift
 from elastomer_friction.kernels.motion.legs import Hold, Oscillation, Slide, steps_of
-from elastomer_friction.kernels.motion.slide import shift, start_rings
-from elastomer_friction.kernels.motion.stretches import SHORT_GAP, gather, piece_bounds, touchable
+from elastomer_friction.kernels.motion.slide import (
+    SHORT_GAP,
+    gather,
+    piece_bounds,
+    shift,
+    start_rings,
+    touchable,
+)
 from elastomer_friction.kernels.motion.track import tracks
 from tests.lines import random_line
 

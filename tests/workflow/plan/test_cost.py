@@ -15,7 +15,7 @@ from elastomer_friction.kernels import (
     rms_slope,
 )
 from elastomer_friction.kernels.model.steady import steady_sliding
-from elastomer_friction.kernels.motion.stretches import touchable
+from elastomer_friction.kernels.motion.slide import touchable
 from elastomer_friction.kernels.rheology.kelvin import SCHEMES
 from elastomer_friction.workflow.plan.cost import COST_FACTOR, drawing_seconds, realization_seconds
 from elastomer_friction.workflow.plan.error_laws import touchable_share

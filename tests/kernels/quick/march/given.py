@@ -15,10 +15,14 @@ from elastomer_friction.kernels import (
 )
 from elastomer_friction.kernels.model.steady import sweep
 from elastomer_friction.kernels.quick.march.problem import JumpProblem, SteadyState
-from elastomer_friction.kernels.quick.steady.span_sweep import decay_factors
-from elastomer_friction.kernels.quick.steady.spans import SPAN, add_rises
-from elastomer_friction.kernels.quick.steady.stack import spans_of_line, stack_of
-from elastomer_friction.kernels.quick.steady.thresholds import thresholds_of
+from elastomer_friction.kernels.quick.steady.span_sliding import decay_factors
+from elastomer_friction.kernels.quick.steady.spans import (
+    SPAN,
+    add_rises,
+    spans_of_line,
+    stack_of,
+    thresholds_of,
+)
 from elastomer_friction.kernels.rheology.law import State
 from tests.lines import random_line
 
@@ -55,7 +59,7 @@ def steady_state_of(z, law, state):
     above = np.append(np.arange(SPAN, z.size, SPAN), 0)
     entered = np.full(z.size // SPAN + 1, np.nan)
     entered[: above.size] = u[above]
-    thresholds = thresholds_of(z, z, 1.0, law.stiffness)  # speed and slopes do not matter
+    thresholds = thresholds_of(z, law.stiffness)
     return SteadyState(decay_factors(law), thresholds.contact, entered, d)
 
 

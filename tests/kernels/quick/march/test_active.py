@@ -9,7 +9,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from elastomer_friction.kernels import SCHEMES, ConstantForce
-from elastomer_friction.kernels.motion.stretches import touchable
+from elastomer_friction.kernels.motion.slide import touchable
 from elastomer_friction.kernels.quick.march.active import (
     BOUND_MARGINS,
     MarchState,
