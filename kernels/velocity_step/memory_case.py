@@ -6,8 +6,12 @@ Kelvin elements that only slide in the positive direction are computed faster (c
 import numpy as np
 
 from ..body.patch_width import samples_per_contact
-from ..branches.dissipation import friction_by_loss, step_friction
-from ..branches.jump import friction_jump, initial_rate
+from ..branches.memory_friction import (
+    friction_by_loss,
+    friction_jump,
+    initial_rate,
+    step_friction,
+)
 from ..branches.steady_memory import SteadyMemory, steady_memory
 from ..lines.line import Line
 from ..motion.legs import Slide

@@ -95,7 +95,7 @@ def trace_resolution(
     The status follows from the smallest number of samples per contact during contact, and from the
     bias. The bias adds two errors in quadrature: the shape error (for lines without an error law,
     the bias of mu_1), and the difference between the first marched mu and mu_1, which is more
-    accurate (branches/dissipation.py, quick/contacts). It is NaN unless the trace starts with
+    accurate (branches/memory_friction.py, quick/contacts). It is NaN unless the trace starts with
     steady sliding at v1 and mu_1 is known. origin : start of the programme.
     """
     samples, first = estimates["trace_samples_per_contact"], estimates["trace_mu"][:, 0]

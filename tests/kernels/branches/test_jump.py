@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from elastomer_friction.kernels import Line, amplitudes, draw_phases, quadrature, steady_sliding
-from elastomer_friction.kernels.branches.jump import friction_jump, initial_rate
+from elastomer_friction.kernels.branches.memory_friction import friction_jump, initial_rate
 from elastomer_friction.kernels.branches.steady_memory import steady_memory
 from elastomer_friction.kernels.model.friction import lagged_slope
 from elastomer_friction.kernels.rheology.forms import FORMS_BY_SCHEME
