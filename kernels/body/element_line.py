@@ -4,13 +4,13 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from ..compile.jit import inlined_kernel
 from ..model.balance import balance
 from ..model.friction import weighted_sums
 from ..rheology.law import Elements, advance_memory, predict
-from .ground import fill_heights, slope_over
+from .force_means import mean_forces
+from .ground import fill_heights, fill_slopes
 from .patch_width import median_patch_width
-from .step import Forces, accept, attempt, elements_of, end_leg, forces, on_ground, patch_width
+from .step import accept, attempt, elements_of, end_leg, forces, on_ground, patch_width
 
 
 class ElementLine(NamedTuple):
@@ -23,8 +23,8 @@ class ElementLine(NamedTuple):
     p: np.ndarray  # shape (n,): forces of the last accepted step, in 4 G dx h
     new: np.ndarray  # shape (n,): forces of the attempted step
     w: np.ndarray  # shape (n,): displacements without force in it
-    z: np.ndarray  # shape (n,): heights of the line at its end
-    c: np.ndarray  # shape (n,): contact thresholds z - w
+    z: np.ndarray  # shape (n,): heights of the line at its end, then slopes
+    c: np.ndarray  # shape (n,): contact thresholds z - w, then workspace
     load_of_width: np.ndarray  # shape (n,): workspace of median_patch_width
 
 
@@ -67,44 +67,11 @@ def _attempt(body, state, law, step):
 
 @forces.register(ElementLine)
 def _forces(body, state, law, step):
-    sums = 0.0, 0.0, 0
-    for i in range(body.new.size):
-        sums = add_force(sums, body.ground, step, law.lag, i, body.new[i])
-    return mean_forces(sums, body.new.size)
-
-
-@inlined_kernel
-def add_force(sums, ground, step, lag, i, p):
-    """Add the force p of element i to the sums of eq. 5 (model/friction.py).
-
-    The slope is taken where the force acts, a share ``lag`` of the step before its end.
-    """
-    normal, tangential, touching = sums
-    if not p > 0.0:
-        return normal, tangential, touching
-    slope = slope_over(ground, step.after, i)
-    if lag > 0.0:
-        slope += lag * (slope_over(ground, step.before, i) - slope)
-    return normal + p, tangential + p * slope, touching + 1
-
-
-@inlined_kernel
-def mean_forces(sums, n):
-    """Return the Forces of n elements."""
-    normal, tangential, touching = sums
-    mu = tangential / normal if normal > 0.0 else np.nan
-    return Forces(mu, normal / n, tangential / n, touching / n)
-
-
-def forces_at_start(p: np.ndarray, slope: np.ndarray, lag: float) -> Forces:
-    """Return the Forces of the steady step before a programme.
-
-    p, slope : shape (n,) of a line or (rows, n) of a map, the last axis along x. lag : of the step,
-    signed like its velocity; 0 without one.
-    """
-    earlier = np.roll(slope, -1 if lag > 0.0 else 1, axis=-1)
-    acting = (slope + abs(lag) * (earlier - slope)).ravel()
-    return mean_forces(weighted_sums(-p.ravel(), None, acting, 0.0), p.size)
+    c, slope, n = body.c, body.z, body.c.size
+    fill_slopes(body.ground, step, law.lag, 0, n, slope)
+    for i in range(n):
+        c[i] = -body.new[i]
+    return mean_forces(weighted_sums(c, None, slope, 0.0), n)
 
 
 @accept.register(ElementLine)

@@ -39,8 +39,11 @@ def fill_thresholds(ground, place, first, n, w, c):
 
 
 @dispatch_on_type.inlined
-def slope_over(ground, place, i):
-    """Return the slope over element i, in h/dx."""
+def fill_slopes(ground, step, lag, first, n, slope):
+    """Fill slope with the slopes over elements from ``first`` on, up to the last of n, in h/dx.
+
+    They are interpolated to where the force acts, a share ``lag`` of the step before its end.
+    """
 
 
 @lowest_heights.register(Track)
@@ -71,6 +74,9 @@ def _fill_thresholds(ground, place, first, n, w, c):
         c[i] = z[i] - w[i]
 
 
-@slope_over.register(Track)
-def _slope_over(ground, place, i):
-    return ground.slope[ground.line[place], ground.begin[place] + i]
+@fill_slopes.register(Track)
+def _fill_slopes(ground, step, lag, first, n, slope):
+    after = ground.slope[ground.line[step.after], ground.begin[step.after] + first :]
+    before = ground.slope[ground.line[step.before], ground.begin[step.before] + first :]
+    for i in range(min(slope.size, n - first)):
+        slope[i] = after[i] + lag * (before[i] - after[i])

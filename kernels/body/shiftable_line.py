@@ -14,10 +14,10 @@ from ..lines.polynomials import (
 from .ground import (
     CELL_SAMPLES,
     fill_heights,
+    fill_slopes,
     fill_thresholds,
     first_sample,
     lowest_heights,
-    slope_over,
 )
 
 
@@ -83,11 +83,22 @@ def height_at(c, j, t):
     return c[0, j] + t * (c[1, j] + t * (c[2, j] + t * (c[3, j] + t * high)))
 
 
-@slope_over.register(ShiftableLine)
-def _slope_over(ground, place, i):
-    c, m, (j, t) = ground.polynomials, ground.steps_per_spacing, interval_at(ground, place)
-    j += i
+@fill_slopes.register(ShiftableLine)
+def _fill_slopes(ground, step, lag, first, n, slope):
+    (j, t), m = interval_at(ground, step.after), ground.steps_per_spacing
+    count = min(slope.size, n - first)
+    for i in range(count):
+        slope[i] = -m * slope_at(ground.polynomials, j + first + i, t)
+    j, t = interval_at(ground, step.before)
+    for i in range(count if lag > 0.0 else 0):
+        before = -m * slope_at(ground.polynomials, j + first + i, t)
+        slope[i] += lag * (before - slope[i])
+
+
+@inlined_kernel
+def slope_at(c, j, t):
+    """Return the derivative with respect to t of ``height_at``."""
     if t == 0.0:
-        return -m * c[1, j]
+        return c[1, j]
     low, high = (c[0, j], c[1, j], c[2, j], c[3, j]), (c[4, j], c[5, j], c[6, j], c[7, j])
-    return -m * septic_slope(low + high, t)
+    return septic_slope(low + high, t)

@@ -2,7 +2,8 @@
 
 import numpy as np
 
-from ..body.element_line import element_line, forces_at_start
+from ..body.element_line import element_line
+from ..body.force_means import forces_at_start
 from ..body.patch_width import samples_per_contact
 from ..body.shiftable_line import shiftable_line
 from ..compile.jit import kernel

@@ -2,7 +2,8 @@
 
 import numpy as np
 
-from ..body.element_line import element_line, forces_at_start
+from ..body.element_line import element_line
+from ..body.force_means import forces_at_start
 from ..body.patch_width import samples_per_contact
 from ..body.step import elements_of, on_ground
 from ..compile.jit import kernel

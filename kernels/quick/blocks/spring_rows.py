@@ -30,7 +30,7 @@ class SpringRows(NamedTuple):
 
     c: np.ndarray  # shape (rows, BLOCK_ELEMENTS): thresholds z_i - w_i, in h; inf: no element
     some: np.ndarray  # indices of the rows that are not left out, ascending
-    sums: np.ndarray  # workspace, shape (2, SUM_COLUMNS)
+    sums: np.ndarray  # workspace, shape (2, SUM_COLUMNS), or 3 rows for add_weighted
     evaluation: np.ndarray  # EVALUATION, shape (1,)
 
 
@@ -61,6 +61,27 @@ def add_overlap(rows, row, d):
 
 
 @inlined_kernel
+def add_weighted(rows, row, weight, d):
+    """Add depths of a row times a weight (BLOCK_ELEMENTS,) to the third column sums."""
+    c, sums = rows.c, rows.sums
+    for i in range(SUM_COLUMNS):
+        p0, p1 = d - c[row, i], d - c[row, SUM_COLUMNS + i]
+        p2, p3 = d - c[row, 2 * SUM_COLUMNS + i], d - c[row, 3 * SUM_COLUMNS + i]
+        total = sums[2, i] + (p0 if p0 > 0.0 else 0.0) * weight[i]
+        total += (p1 if p1 > 0.0 else 0.0) * weight[SUM_COLUMNS + i]
+        total += (p2 if p2 > 0.0 else 0.0) * weight[2 * SUM_COLUMNS + i]
+        sums[2, i] = total + (p3 if p3 > 0.0 else 0.0) * weight[3 * SUM_COLUMNS + i]
+
+
+@inlined_kernel
+def clear(sums):
+    """Set all column sums to zero."""
+    for row in range(sums.shape[0]):
+        for i in range(SUM_COLUMNS):
+            sums[row, i] = 0.0
+
+
+@inlined_kernel
 def fold(sums):
     """Sum the columns of every row of ``sums`` into its first column."""
     half = SUM_COLUMNS // 2
@@ -76,8 +97,7 @@ def _excess_of_spring_rows(contact, load, d):
     sums, evaluation = contact.sums, contact.evaluation[0]
     if d != evaluation["d"]:
         evaluation["highest_d"] = max(evaluation["highest_d"], d)
-        for i in range(SUM_COLUMNS):
-            sums[0, i] = sums[1, i] = 0.0
+        clear(sums)
         for row in contact.some:
             add_overlap(contact, row, d)
         fold(sums)

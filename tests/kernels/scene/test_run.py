@@ -7,7 +7,7 @@ import re
 import numpy as np
 import pytest
 
-from elastomer_friction.kernels.body.element_line import forces_at_start
+from elastomer_friction.kernels.body.force_means import forces_at_start
 from elastomer_friction.kernels.body.patch_width import samples_per_contact
 from elastomer_friction.kernels.motion.legs import Hold, Oscillation, Slide, steps_of
 from elastomer_friction.kernels.rheology.forms import FORMS_BY_SCHEME
