@@ -46,6 +46,7 @@ def outline_grid(study: Study, result: Path, sample_seconds: float | None = None
         f"study       {study.name}: {study.title}",
         f"result      {result}",
         f"computes    {', '.join(study.scene.quantities)}",
+        f"body        {study.body_choice}",
         *(f"  {axis:14s}{len(v):4d}  {_range(np.array(v), 6)}" for axis, v in study.grid.items()),
         f"points      {plan.points}, {plan.problems} distinct problems",
         *_realizations(plan),

@@ -69,6 +69,12 @@ def axes_in(data: xr.Dataset) -> list[str]:
     return [axis for axis in ALL_AXES if axis in data.dims]
 
 
+def body_in_words(data: xr.Dataset) -> str:
+    """Return a sentence on the body of a result and the reason for it; "" if it is not stated."""
+    facts = [data.attrs[name] for name in ("body", "body_reason") if name in data.attrs]
+    return f"Body: {', '.join(facts)}." if facts else ""
+
+
 def model_in_words(data: xr.Dataset) -> str:
     """Return a sentence on the ratio of mu_1 to that on a half-space, or "" if it is unknown."""
     if "model_ratio" not in data:

@@ -97,6 +97,8 @@ def _facts(plan: Plan, variant: Variant) -> dict[str, str | int | float]:
     """Return the global attributes: the provenance, the body and the files that were read."""
     lines, shifts = variant.lines, variant.material.shifts
     facts = provenance(plan.study, variant.numerics) | {"body": lines.body}
+    if lines.body == plan.study.surface.body:
+        facts["body_reason"] = plan.study.body_reason
     share = plan.study.force_share(variant.label)
     if share != 1.0:  # the force coordinate is that of the study
         facts["normal_force_share"] = share

@@ -84,6 +84,7 @@ class Summary:
             f"reused; {duration(self.used)} of core time used, {duration(self.predicted_done)} "
             f"predicted for them{factor}{whole}"
         ]
+        rows.append(f"body: {plan.study.body_choice}")
         rows += [f"{title}: {description}" for title, description in plan.study.descriptions]
         if self.unchanged:
             rows.append("the result is there already, of the same study, program and records")

@@ -17,7 +17,6 @@ from ..reduce import Estimates, blocks_of, completed, reduce_blocks, reduction_o
 from ..result import build_dataset
 from ..simulate import block_means
 from ..study import (
-    FOUNDATION,
     HALF_SPACE,
     PROGRAMME_AXES,
     Profile,
@@ -100,8 +99,16 @@ def _profile(arguments: Mapping[str, Any]) -> Profile | None:
     if length is None:
         raise UserError("length: missing; give the period of the profile in m")
     body = toml_value("body", arguments["body"])
+    if body is None and arguments["prescribed_indentation"] is None and _is_square(profile):
+        body = HALF_SPACE
     read_array = map_of_array if body == HALF_SPACE else profile_of_array
     return read_array(profile, positive("length", toml_value("length", length)))
+
+
+def _is_square(profile: Any) -> bool:
+    """Return whether heights are a map: as many rows as samples."""
+    shape = np.shape(profile)
+    return len(shape) == 2 and shape[0] == shape[1]
 
 
 def _scene(arguments: Mapping[str, Any], grid: dict[str, Any]) -> dict[str, Any]:
@@ -113,6 +120,8 @@ def _scene(arguments: Mapping[str, Any], grid: dict[str, Any]) -> dict[str, Any]
     depth = load.get("prescribed_indentation")
     names = ("quantities", "start", "repeat", "programme", "body")
     scene = {name: toml_value(name, arguments[name]) for name in names}
+    if scene["body"] is None:
+        del scene["body"]
     if arguments["drive"] is not None:
         scene["drive"] = table("drive", arguments["drive"])
     if depth is not None and scene["quantities"] == list(DEFAULT_QUANTITIES):
@@ -233,7 +242,7 @@ def run(
     prescribed_indentation: float | str | None = None,
     programme: Sequence[Mapping[str, Any]],
     drive: Mapping[str, Any] | None = None,
-    body: str = FOUNDATION,
+    body: str | None = None,
     start: str = "steady",
     repeat: int = 1,
     quantities: Sequence[str] = DEFAULT_QUANTITIES,
@@ -245,7 +254,8 @@ def run(
     """Slide a rigid line over an elastomer by a programme of motion; all values in SI units.
 
     profile : heights (m) of one period, shape (n,) or (lines, n), used without preparation. On a
-        half-space: a map (n, n) with the last axis along x, or (n,) for a line contact.
+        half-space: a map (n, n) with the last axis along x, or (n,) for a line contact. Of a
+        rectangular map the square at its centre is used.
     length : length of that period (m).
     surface : random lines in place of a profile, described by the keys of the table [surface] and
         by hurst, roughness and spacing as in [grid].
@@ -253,7 +263,8 @@ def run(
     normal_force : load (N). Alternatives are normal_pressure (Pa) and prescribed_indentation: that
         of the mean line (m), or the name of a file of times (s) and indentations (m).
     drive : keys of [scene.drive], for a programme of segments ``pull``.
-    body : "foundation" or "half-space", as in [scene].
+    body : "foundation" or "half-space"; by default a half-space for a square profile and for a
+        surface under normal_pressure, else the foundation.
     programme : list of segments, each as in [[scene.programme]], or {"time": ..., "velocity": ...}
         with arrays in s and m/s. start, repeat, quantities : as in [scene].
     realizations : number of lines; several lines give standard errors. seed : of random lines.

@@ -10,8 +10,17 @@ from typing import Any, ClassVar
 from ...kernels import QUARTET
 from ..ground import UserError
 from .axes import ALL_AXES, Grid, Parts, parts_at, separated, with_value
+from .body_choice import choose_body, settled
 from .cluster import THIS_MACHINE, Cluster, read_cluster
-from .effects import FOUNDATION, PROGRAMME_AXES, Material, Scene, check_quantities, read_scene_table
+from .effects import (
+    FOUNDATION,
+    HALF_SPACE,
+    PROGRAMME_AXES,
+    Material,
+    Scene,
+    check_quantities,
+    read_scene_table,
+)
 from .grid import read_grid
 from .numerics import Numerics
 from .settings import filled
@@ -54,6 +63,7 @@ class Study(AnyStudy):
     materials: dict[str, Material]  # by label
     surfaces: dict[str, Surface]  # by label; all have the same length, spacing and roughness
     pressures: tuple[float, ...] = ()  # Pa, nominal; empty if forces are given
+    body_reason: str = ""  # for the body of the study, in words
     cluster: Cluster = THIS_MACHINE  # not part of the identity of results
 
     @property
@@ -65,6 +75,11 @@ class Study(AnyStudy):
     def surface(self) -> Surface:
         """The surface of the study itself."""
         return self.surfaces[""]
+
+    @property
+    def body_choice(self) -> str:
+        """The body of the study itself and the reason for it, in words."""
+        return f"{self.surface.body}: {self.body_reason}"
 
     @property
     def axes(self) -> tuple[str, ...]:
@@ -129,11 +144,13 @@ def read_grid_study(
     written = {name: table for name, table in tables.items() if name != "cluster"}
     head = study_head(name, folder, written, filled("study", given["study"], head_keys))
     given, several = separated(given)
+    choice = choose_body(given, measured=profile is not None or "file" in given["surface"])
     surface = (
-        read_surface(given["surface"], folder, given["scene"].get("body", FOUNDATION))
+        read_surface(given["surface"], folder, choice.body)
         if profile is None
-        else Surface(profile.measured_length, profile=profile)
+        else Surface(profile.measured_length, profile=profile, body=_body_of(profile))
     )
+    choice = settled(choice, surface, given["grid"])
     variants, materials, surfaces = read_variants(given, folder, surface)
     surface = surfaces[""]
     _check_other_values(given, several, folder, surface)
@@ -161,8 +178,14 @@ def read_grid_study(
         materials=materials,
         surfaces=surfaces,
         pressures=given["grid"].get("normal_pressure", ()),
+        body_reason=choice.reason,
         cluster=cluster,
     )
+
+
+def _body_of(profile: Profile) -> str:
+    """Return the body for which heights were prepared: maps have two dimensions, lines one."""
+    return HALF_SPACE if profile.heights.ndim > 2 else FOUNDATION
 
 
 def _check_other_values(
@@ -174,7 +197,9 @@ def _check_other_values(
         for value in others:
             changed = with_value(tables, row, value)
             if row.table == "surface":
-                read_variants(changed, folder, read_surface(changed["surface"], folder))
+                read_variants(
+                    changed, folder, read_surface(changed["surface"], folder, surface.body)
+                )
             else:
                 read_variants(changed, folder, surface)
 

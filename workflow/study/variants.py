@@ -36,8 +36,7 @@ def read_variants(
     numerics, material = tables["numerics"], tables["material"]
     variants = {"": read_numerics("numerics", numerics)}
     materials = {"": read_material("material", material, folder)}
-    body = tables["scene"].get("body", FOUNDATION)
-    surfaces = {"": surface._replace(body=body)}
+    body, surfaces = surface.body, {"": surface}
     for label, given in tables["compare"].items():
         where = f"compare.{label}"
         if not re.fullmatch(r"[A-Za-z]\w*", label):
@@ -74,12 +73,14 @@ def check_bodies(scene: Scene, surfaces: Mapping[str, Surface]) -> None:
         )
     if not scene.indentation_rate:
         raise UserError(
-            "scene.indentation_rate = false: eq. 3 as printed needs the foundation; omit it"
+            "scene.indentation_rate = false: eq. 3 as printed needs the foundation; omit it, or "
+            f'set scene.body = "{FOUNDATION}"'
         )
     for name in scene.quantities:
         if name in ELEMENT_QUANTITIES:
             raise UserError(
-                f'scene.quantities: "{name}": is not defined on a half-space, which has no elements'
+                f'scene.quantities: "{name}": is not defined on a half-space, which has no '
+                f'elements; omit it, or set scene.body = "{FOUNDATION}"'
             )
 
 

@@ -31,7 +31,7 @@ def test_plan_prints_axes_points_problems_and_realizations(capsys, study):
 def test_plan_is_a_short_table_in_a_fixed_order(capsys, study):
     lines = output(capsys, "plan", study).splitlines()
     firsts = list(dict.fromkeys(line.split()[0] for line in lines if not line.startswith(" ")))
-    order = "study result computes points realizations steps predicted memory errors model "
+    order = "study result computes body points realizations steps predicted memory errors model "
     order += "material not"
     assert firsts == [*order.split(), "settings"]
     assert len(lines) <= 24

@@ -99,7 +99,8 @@ def test_force_is_that_of_the_variant():
     text = TEXT.partition("[compare")[0] + '[compare.block]\nbody = "half-space"\n'
     text = text.replace("normal_force = [0.04, 0.4]", "normal_pressure = [1e3, 3e3]")
     text = text.replace("length = 0.01", "length = 0.01\nrolloff = 5e-3")  # F_N/L^2 is half
-    plan = small_plan(*SETTINGS[:2], "grid.spacing=1.25e-3", text=text)
+    settings = *SETTINGS[:2], "grid.spacing=1.25e-3", "scene.body=foundation"
+    plan = small_plan(*settings, text=text)
     assert plan.study.force_share("block") == 2.0
     data = dataset_of(plan, 4, label="block")
     pressure = (data.mean_contact_pressure * data.contact_fraction).max(

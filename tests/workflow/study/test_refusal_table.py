@@ -32,14 +32,14 @@ CHECKED = (
 )
 # Functions whose refusals are tested elsewhere: find_study lists all studies (test_refusals.py),
 # and the small study has neither measured lines nor a scene from Python (test_study.py).
-ELSEWHERE = {"find_study", "read_grid_study", "_lines_in_blocks"}
+ELSEWHERE = {"settled", "find_study", "read_grid_study", "_lines_in_blocks"}
 # Refusals of arrays, netCDF, profiles from Python and missing packages are tested in
 # tests/workflow/study/surfaces; their terms are among the other refusals.
 ELSEWHERE |= {"_read_npy", "_variables", "_read_with_surface_topography"}
 ELSEWHERE |= {
     "profile_of_array",
     "map_of_array",
-    "read_map",
+    "map_of_lines",
     "heights_of_array",
     "check_finite",
     "check_load",

@@ -144,7 +144,10 @@ SCENE = {
         "The elastic body. `foundation` is the paper's row of independent elements along a line; "
         "`half-space` is a deep elastic block with a periodic square surface of side "
         "`surface.length`, on which each pressed point lowers its neighbours (docs/bodies.md).",
-        default=FOUNDATION,
+        default=None,
+        usual="a half-space for a random surface under `grid.normal_pressure` and for a measured "
+        "map whose steps are known both ways, unless `surface.lines` or a prescribed indentation "
+        "requests lines; else the foundation",
     ),
     "quantities": Key(
         read_quantities,

@@ -8,10 +8,9 @@ import numpy as np
 from ....kernels import measured_amplitudes, rms_slope
 from ....kernels.half_space.surface import map_amplitudes, rms_slope_of
 from ...ground import UserError
-from .files import read_lines
 from .line_correlation import LineCorrelation, line_correlation
 from .positions import STEP_TOLERANCE
-from .raw_lines import KEY, MIN_SAMPLES, LineFile, plain
+from .raw_lines import KEY, MIN_SAMPLES, LineFile, Lines, plain
 
 SLOPE_LIMITS = 1e-5, 30.0  # of the rms slope; beyond them heights and lengths differ in unit
 LOAD_LIMITS = 1e-8, 1e6  # F_N/(4 G L h)
@@ -62,10 +61,14 @@ def _line_axes(heights: np.ndarray) -> tuple[int, ...]:
     return tuple(range(1, heights.ndim))
 
 
+def is_map(lines: Lines) -> bool:
+    """Return whether the lines are rows of a map, whose distance is stated."""
+    return len(lines.heights) >= MIN_SAMPLES and lines.row_spacing is not None
+
+
 @quietly
-def read_profile(file: LineFile, detrend: str, periodic: str) -> Profile:
+def profile_of_lines(file: LineFile, lines: Lines, detrend: str, periodic: str) -> Profile:
     """Return the prepared lines of a file. Raises UserError, one line that names key and file."""
-    lines = read_lines(file)
     levelled = level(lines.heights, detrend)
     check_not_flat(f"{KEY} = {file.name!r}", levelled, lines.heights)
     notes, hint = f"{lines.notes}; {_preparation_text(detrend, periodic)}", ""
@@ -79,7 +82,7 @@ def read_profile(file: LineFile, detrend: str, periodic: str) -> Profile:
 
 
 @quietly
-def read_map(file: LineFile, detrend: str, periodic: str) -> Profile:
+def map_of_lines(file: LineFile, lines: Lines, detrend: str, periodic: str) -> Profile:
     """Return the prepared map of a file: the largest square at its centre. Raises UserError.
 
     The row spacing must equal the sample spacing. This is assumed if the file does not state it.
@@ -87,7 +90,6 @@ def read_map(file: LineFile, detrend: str, periodic: str) -> Profile:
     prefix = f"{KEY} = {file.name!r}"
     if file.gaps == "drop":
         raise UserError('surface.gaps = "drop": leaves rows out of a map; use "fill"')
-    lines = read_lines(file)
     rows, samples = lines.heights.shape
     if rows < MIN_SAMPLES:
         raise UserError(
@@ -97,11 +99,11 @@ def read_map(file: LineFile, detrend: str, periodic: str) -> Profile:
     if lines.row_spacing is not None and abs(lines.row_spacing / lines.step - 1.0) > STEP_TOLERANCE:
         raise UserError(
             f"{prefix}: its rows are {lines.row_spacing:.4g} m apart and samples "
-            f"{lines.step:.4g} m: a half-space needs a map of square cells"
+            f"{lines.step:.4g} m: a half-space needs a map of square cells; resample it, or set "
+            'scene.body = "foundation"'
         )
-    side = min(rows, samples)
-    top, left = (rows - side) // 2, (samples - side) // 2
-    square = lines.heights[top : top + side, left : left + side]
+    square = central_square(lines.heights)
+    side = len(square)
     levelled = _level_map(square, detrend)
     check_not_flat(prefix, levelled[None], square[None])
     assumed = " (assumed)" if lines.row_spacing is None else ""
@@ -112,6 +114,13 @@ def read_map(file: LineFile, detrend: str, periodic: str) -> Profile:
     )
     whole = make_periodic(make_periodic(levelled, periodic).T, periodic).T
     return _measured_profile(file, whole[None], lines.step, periodic, notes)
+
+
+def central_square(heights: np.ndarray) -> np.ndarray:
+    """Return the largest square at the centre of a map."""
+    side = min(heights.shape)
+    top, left = ((size - side) // 2 for size in heights.shape)
+    return heights[top : top + side, left : left + side]
 
 
 def _measured_profile(
@@ -145,24 +154,25 @@ def profile_of_array(heights: object, length: float) -> Profile:
 
 @quietly
 def map_of_array(heights: object, length: float) -> Profile:
-    """Return the map of one period of heights in m, shape (n, n), or (n,) for a line contact.
+    """Return the map of one period of heights in m, shape (rows, n), or (n,) for a line contact.
 
-    length : of the side (m), n steps; one element per sample. Raises UserError that names the
+    Rows are as far apart as samples. Of a rectangular map the square at its centre is used.
+    length : of n steps along x (m); one element per sample. Raises UserError that names the
     argument ``profile``.
     """
     values = heights_of_array(heights)
-    if (
-        values.ndim != 2
-        or values.shape[0] not in (1, values.shape[1])
-        or values.shape[1] < MIN_SAMPLES
-    ):
+    line = values.ndim == 2 and values.shape[0] == 1
+    if values.ndim != 2 or min(values.shape if not line else values.shape[1:]) < MIN_SAMPLES:
         raise UserError(
-            f"profile: has the shape {values.shape}: a half-space takes a square map (n, n), "
-            f"the last axis along x, or a line contact (n,), of {MIN_SAMPLES} samples or more"
+            f"profile: has the shape {values.shape}: a half-space takes a map (rows, n), the last "
+            f"axis along x, or a line contact (n,), of {MIN_SAMPLES} samples or more each way"
         )
-    kind = "line contact" if values.shape[0] == 1 else "map"
-    notes = f"given from Python: a {kind} of {values.shape}, one period as it is"
-    return _given_profile(heights, values[None], length, notes)
+    kind = "line contact" if line else "map"
+    square = values if line else central_square(values)
+    cut = "" if square.shape == values.shape else f", the middle {len(square)} x {len(square)}"
+    notes = f"given from Python: a {kind} of {values.shape}{cut}, one period as it is"
+    side = length * square.shape[1] / values.shape[1]
+    return _given_profile(heights, square[None], side, notes)
 
 
 def _given_profile(heights: object, values: np.ndarray, length: float, notes: str) -> Profile:

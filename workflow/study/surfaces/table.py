@@ -19,8 +19,9 @@ from ..settings import (
     positive,
     within,
 )
+from .files import read_lines
 from .gaps import GAPS
-from .profile import DETRENDS, PERIODICS, read_map, read_profile
+from .profile import DETRENDS, PERIODICS, is_map, map_of_lines, profile_of_lines
 from .raw_lines import LineFile, metres
 from .surface import LINE_KINDS, MAP_KINDS, Surface
 
@@ -168,10 +169,11 @@ MEASURED_KEYS = FILE_KEYS | LINE_KIND_KEYS
 SURFACE = RANDOM_KEYS | MEASURED_KEYS
 
 
-def read_surface(given: Mapping[str, Any], folder: Path, body: str = FOUNDATION) -> Surface:
+def read_surface(given: Mapping[str, Any], folder: Path, body: str | None = None) -> Surface:
     """Return the surface for the checked values of a table. Raises UserError.
 
-    Paths are relative to ``folder``. A half-space uses the lines of a file as one map.
+    folder : of the file. body : its elastic body; None: a half-space if the file holds a map, and
+    otherwise a foundation. A half-space uses the lines of a file as one map.
     """
     if "file" in given:
         settings = filled("surface", given, FILE_KEYS)
@@ -190,14 +192,18 @@ def read_surface(given: Mapping[str, Any], folder: Path, body: str = FOUNDATION)
                 "those of heights, as [0, 1]; of heights alone with surface.step"
             )
         file = LineFile(folder / name, name, *reading)
-        reader = read_map if body == HALF_SPACE else read_profile
-        profile = reader(file, settings["detrend"], settings["periodic"])
+        lines = read_lines(file)
+        if body is None:
+            body = HALF_SPACE if is_map(lines) else FOUNDATION
+        prepare = map_of_lines if body == HALF_SPACE else profile_of_lines
+        profile = prepare(file, lines, settings["detrend"], settings["periodic"])
         line_kind = {key: value for key, value in given.items() if key in LINE_KIND_KEYS}
-        return lines_like("surface", Surface(profile.measured_length, profile=profile), line_kind)
+        surface = Surface(profile.measured_length, profile=profile, body=body)
+        return lines_like("surface", surface, line_kind)
     for key in filter(MEASURED_KEYS.__contains__, given):
         value = list(given[key]) if isinstance(given[key], tuple) else given[key]  # as in TOML
         raise UserError(f"surface.{key} = {value!r:.40}: goes with surface.file alone")
-    surface = Surface(**filled("surface", given, RANDOM_KEYS))
+    surface = Surface(**filled("surface", given, RANDOM_KEYS), body=body or FOUNDATION)
     for key in ("rolloff", "cutoff"):
         if given.get(key, 0.0) > surface.length:
             raise UserError(

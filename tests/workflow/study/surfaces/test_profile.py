@@ -6,13 +6,13 @@ import numpy as np
 import pytest
 
 from elastomer_friction.workflow.ground import UserError
-from elastomer_friction.workflow.study.surfaces.files import LineFile
+from elastomer_friction.workflow.study.surfaces.files import LineFile, read_lines
 from elastomer_friction.workflow.study.surfaces.profile import (
     DETRENDS,
     PERIODICS,
     check_load,
     profile_of_array,
-    read_profile,
+    profile_of_lines,
 )
 
 ROOT = Path(__file__).resolve().parents[4]
@@ -23,7 +23,8 @@ LENGTH = 1e-4
 
 
 def read(path, detrend="line", periodic="mirror", units=()):
-    return read_profile(LineFile(path, path.name, (), units), detrend, periodic)
+    file = LineFile(path, path.name, (), units)
+    return profile_of_lines(file, read_lines(file), detrend, periodic)
 
 
 def test_lines_of_a_microscope():

@@ -7,7 +7,7 @@ import pytest
 
 from elastomer_friction.workflow.ground import UserError
 from elastomer_friction.workflow.study.surfaces.files import read_lines
-from elastomer_friction.workflow.study.surfaces.profile import read_map
+from elastomer_friction.workflow.study.surfaces.profile import map_of_lines
 from elastomer_friction.workflow.study.surfaces.raw_lines import LineFile
 
 RESOURCES = Path(__file__).resolve().parents[3] / "resources"
@@ -86,14 +86,18 @@ def test_points_of_a_map_become_lines_along_what_runs_first(tmp_path, order, hea
     assert "a list of points of a map" in lines.notes
 
 
+def prepared_map(file, detrend="line", periodic="mirror"):
+    return map_of_lines(file, read_lines(file), detrend, periodic)
+
+
 def test_a_map_on_a_half_space_has_square_cells(tmp_path):
     path = tmp_path / "map.xyz"
     path.write_text("x [um],y [um],z [um]\n" + map_of_points(), encoding="utf-8")
     with pytest.raises(UserError, match="its rows are 1e-06 m apart and samples 5e-07 m: a half-s"):
-        read_map(LineFile(path, path.name), "line", "mirror")
+        prepared_map(LineFile(path, path.name))
     np.save(tmp_path / "map.npy", Z.T)
     asked = LineFile(tmp_path / "map.npy", "map.npy", tuple(range(12)), ("um", "um"), 1e-6)
-    found = read_map(asked, "line", "mirror")
+    found = prepared_map(asked)
     assert found.heights.shape == (1, 24, 24)
     assert "rows as far apart as samples (assumed)" in found.notes
 
@@ -105,11 +109,11 @@ def test_a_flat_row_is_part_of_a_map_and_a_flat_map_is_refused(tmp_path, row, de
     heights[row] = heights.max()  # a plateau
     asked = LineFile(tmp_path / "map.npy", "map.npy", tuple(range(12)), ("um", "um"), 1e-6)
     np.save(asked.path, heights.T)
-    found = read_map(asked, detrend, "none").heights[0]
+    found = prepared_map(asked, detrend, "none").heights[0]
     np.testing.assert_allclose(found - found.mean(), (heights - heights.mean()) * 1e-6, atol=1e-18)
     np.save(asked.path, np.full((12, 12), 3.0))
     with pytest.raises(UserError, match=r"surface.file = 'map.npy': is flat: needs heights that"):
-        read_map(asked, detrend, "none")
+        prepared_map(asked, detrend, "none")
 
 
 def test_lines_of_a_map_run_along_the_column_that_is_asked_for(tmp_path):
