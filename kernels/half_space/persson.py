@@ -13,10 +13,13 @@ from typing import NamedTuple
 
 import numpy as np
 
+from ..lines.self_affine import last_mode
 from ..rheology.spectrum import Spectrum, complex_modulus
+from .surface import ring_amplitudes, ring_integral
 
 GAMMA = 0.5
 QUADRANT_ANGLES = 16  # angles per quadrant; the other quadrants follow by symmetry
+MAX_LATTICE_ELEMENTS = 512  # a side of more elements has over 10^5 wave vectors
 MAX_RINGS = 512  # the modes of a line are binned if there are more
 ERF = np.vectorize(math.erf, otypes=[float])
 
@@ -27,6 +30,24 @@ class Waves(NamedTuple):
     q: np.ndarray  # |q|, ascending
     q_x: np.ndarray  # component along the direction of sliding, not negative
     power: np.ndarray  # in h^2
+
+
+def waves_of_self_affine(
+    hurst: float, elements: int, rolloff: float, cutoff: int, normalisation: str
+) -> Waves:
+    """Return the waves of a self-affine surface; arguments as of ring_amplitudes.
+
+    Rings of wave vectors replace single ones on sides of more than MAX_LATTICE_ELEMENTS elements.
+    """
+    if elements <= MAX_LATTICE_ELEMENTS:
+        return waves_of_map(
+            ring_amplitudes(hurst, elements, rolloff, cutoff, normalisation), elements
+        )
+    last = last_mode(rolloff, cutoff, elements // 2, normalisation)
+    k = np.arange(1.0, last + 1.0)
+    power = 2.0 * np.pi * k * np.maximum(k, rolloff) ** (-2.0 * hurst - 2.0)
+    whole = ring_integral(hurst, rolloff, last) if normalisation == "integral" else power.sum()
+    return waves_of_line(np.sqrt(2.0 * power / whole), elements)
 
 
 def waves_of_map(amplitude: np.ndarray, elements: int) -> Waves:

@@ -104,10 +104,15 @@ def ring_amplitudes(
     power[inside] = np.maximum(k[inside], rolloff) ** (-2.0 * hurst - 2.0)
     total = float((_multiplicity(highest) * power).sum())
     if normalisation == "integral":
-        flat = max(rolloff, 1.0)
-        total = 0.5 * (flat**2 - 1.0) * flat ** (-2.0 * hurst - 2.0)
-        total = 2.0 * np.pi * (total + falling_integral(hurst, flat, float(last)))
+        total = ring_integral(hurst, rolloff, last)
     return np.sqrt(power / total)
+
+
+def ring_integral(hurst: float, rolloff: float, last: int) -> float:
+    """Return the integral of max(k, rolloff)^(-2H-2) over the ring 1 <= |k| <= last."""
+    flat = max(rolloff, 1.0)
+    inner = 0.5 * (flat**2 - 1.0) * flat ** (-2.0 * hurst - 2.0)
+    return 2.0 * np.pi * (inner + falling_integral(hurst, flat, float(last)))
 
 
 def rms_slope_of(amplitudes: np.ndarray, elements: int) -> float:

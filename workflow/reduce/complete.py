@@ -5,9 +5,14 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ...kernels import MOTION_TRACES, amplitudes
-from ...kernels.half_space.persson import Waves, persson_theory, waves_of_line, waves_of_map
-from ...kernels.half_space.surface import ring_amplitudes
+from ...kernels import MOTION_TRACES, equivalent_of_cut
+from ...kernels.half_space.persson import (
+    Waves,
+    persson_theory,
+    waves_of_line,
+    waves_of_map,
+    waves_of_self_affine,
+)
 from ..plan import (
     Plan,
     Variant,
@@ -21,6 +26,8 @@ from ..study import HALF_SPACE, Surface, accuracy_estimates
 from .blocks import Estimates, columns, enter
 from .fits import FITTED
 from .resolution import UNRESOLVED, resolution, trace_resolution
+
+CUT_KINDS = ("measured", "random-phase")  # lines that are cuts through the rough surface
 
 
 def completed(
@@ -77,15 +84,15 @@ def _persson_estimates(tasks: list[Task], lines: Surface) -> Estimates:
 
 
 def _waves(lines: Surface, hurst: float, elements: int, shape: LineShape) -> Waves:
-    spectrum, modes = lines.spectrum, (shape.rolloff, shape.cutoff)
-    if spectrum is not None and lines.profile is not None:
-        spectrum = spectrum / lines.profile.roughness
+    """Return the waves of the rough surface, which are the same for both bodies."""
+    if lines.profile is None or lines.spectrum is None:
+        modes = shape.rolloff, shape.cutoff
+        return waves_of_self_affine(hurst, elements, *modes, lines.normalisation)
+    spectrum = lines.spectrum / lines.profile.roughness
     if lines.body == HALF_SPACE:
-        if spectrum is None:
-            spectrum = ring_amplitudes(hurst, elements, *modes, lines.normalisation)
         return waves_of_map(spectrum, elements)
-    if spectrum is None:
-        spectrum = amplitudes(hurst, elements, lines.normalisation, *modes)
+    if lines.lines in CUT_KINDS:
+        spectrum = equivalent_of_cut(spectrum)
     return waves_of_line(spectrum, elements)
 
 

@@ -9,6 +9,7 @@ from elastomer_friction.kernels.half_space.persson import (
     persson_theory,
     waves_of_line,
     waves_of_map,
+    waves_of_self_affine,
 )
 from elastomer_friction.kernels.half_space.surface import (
     Surface,
@@ -48,6 +49,18 @@ def test_a_line_represents_its_equivalent_surface(load):
     line = persson_theory(waves_of_line(amplitudes(0.3, n), n), KELVIN, load, 0.3)
     ring = persson_theory(waves_of_map(ring_amplitudes(0.3, n), n), KELVIN, load, 0.3)
     assert line == pytest.approx(ring, rel=0.05)
+
+
+@pytest.mark.parametrize("normalisation", ["modal", "integral"])
+@pytest.mark.parametrize("modes", [(4.0, 0), (8.5, 200)])
+def test_rings_replace_the_wave_vectors_of_a_large_surface(normalisation, modes):
+    n = 1024
+    rings = waves_of_self_affine(0.4, n, *modes, normalisation)
+    lattice = waves_of_map(ring_amplitudes(0.4, n, *modes, normalisation), n)
+    assert rings.q.size < lattice.q.size
+    for load in (0.003, 0.1, 30.0):
+        ours, theirs = (persson_theory(waves, BRANCHES, load, 0.5) for waves in (rings, lattice))
+        assert ours == pytest.approx(theirs, rel=0.01)
 
 
 def test_bands_of_a_long_line_keep_its_height_and_slope():
