@@ -22,22 +22,29 @@ UNRESOLVED, COARSE, RESOLVED = 0, 1, 2
 RESOLUTION_MEANINGS = "unresolved coarse resolved"
 RESOLVED_SAMPLES = 4.0  # smallest number of samples across a resolved contact
 UNRESOLVED_SAMPLES = 1.0  # largest number of samples across an unresolved contact
+MAP_BIAS = 0.05  # largest relative bias of any stated estimate at a resolved point of a half-space
 RESOLUTION_COMMENT: str = (
-    f"resolved: samples_per_contact is {RESOLVED_SAMPLES:g} or more, and of measured lines "
-    f"bias_bound at most {BIAS:g}; coarse: above {UNRESOLVED_SAMPLES:g}; unresolved: contacts are "
-    "no wider than a sample, so that points touch one by one"
+    f"resolved: samples_per_contact is {RESOLVED_SAMPLES:g} or more, and bias_bound at most "
+    f"{BIAS:g} for measured lines and {MAP_BIAS:g} for maps; coarse: above "
+    f"{UNRESOLVED_SAMPLES:g} sample; unresolved: contacts are no wider than a sample, so that "
+    "points touch one by one"
 )
 NARROW_CONTACTS = f"contacts of fewer than {RESOLVED_SAMPLES:g} samples"
-LARGE_BIAS = f"a discretisation error above {100.0 * BIAS:g} %"
+LARGE_BIAS = (
+    f"a discretisation error above {100.0 * BIAS:g} % ({100.0 * MAP_BIAS:g} % on a half-space)"
+)
 MAX_RELATIVE_BIAS = 1.0  # larger values are clipped, as they only mean a large error
 
 
-def resolution_status(samples: np.ndarray, bias: np.ndarray | float = 0.0) -> np.ndarray:
+def resolution_status(
+    samples: np.ndarray, bias: np.ndarray | float = 0.0, max_bias: float = BIAS
+) -> np.ndarray:
     """Return the status of each point from its samples per contact, int8; -1 where NaN.
 
-    bias : relative upper bound; zero or NaN if unknown.
+    bias : relative upper bound; zero or NaN if unknown. max_bias : of a resolved point.
     """
-    status = np.where((samples >= RESOLVED_SAMPLES) & np.logical_not(bias > BIAS), RESOLVED, COARSE)
+    fine = np.logical_not(bias > max_bias)
+    status = np.where((samples >= RESOLVED_SAMPLES) & fine, RESOLVED, COARSE)
     status = np.where(samples <= UNRESOLVED_SAMPLES, UNRESOLVED, status)
     return np.where(np.isnan(samples), -1, status).astype(np.int8)
 
@@ -79,12 +86,22 @@ def resolution(
                 bias[row] += first_order_rate_error(problem, steps, rates[row])
         biases[f"{name}_bias"] = np.minimum(bias, MAX_RELATIVE_BIAS)
     biases["bias_bound"] = np.fmax.reduce(list(biases.values()))
+    # On maps and on lines without an error law, the width of contacts does not bound the error.
     lawless = any(f"{name}_bias" in estimates for name in names)
-    # Without an error law, the width of contacts does not bound the error.
+    bounded = lawless or _on_maps(tasks)
     biases["resolution_status"] = resolution_status(
-        samples, biases["bias_bound"] if lawless else 0.0
+        samples, biases["bias_bound"] if bounded else 0.0, _max_bias(tasks)
     )
     return biases
+
+
+def _on_maps(tasks: list[Task]) -> bool:
+    """Return whether tasks, which share their body, are those of a half-space."""
+    return bool(tasks) and tasks[0].problem.surface.body == HALF_SPACE
+
+
+def _max_bias(tasks: list[Task]) -> float:
+    return MAP_BIAS if _on_maps(tasks) else BIAS
 
 
 def trace_resolution(
@@ -104,8 +121,8 @@ def trace_resolution(
     for row, task in enumerate(tasks):
         problem, steps = task.problem, task.steps_per_spacing
         equivalent = steps / FIRST_ORDER if numerics.scheme == "implicit-euler" else steps
-        half_space = problem.surface.body == HALF_SPACE
-        bias[row] = map_error("mu_1", equivalent, np.nan) if half_space else shape_error(equivalent)
+        on_map = problem.surface.body == HALF_SPACE
+        bias[row] = map_error("mu_1", equivalent, np.nan) if on_map else shape_error(equivalent)
         steady = problem.start == "steady" and origin == ZERO_ORIGIN and "mu_1" in estimates
         if steady and speed_at_start(problem.programme) == problem.ends[0]:
             start[row] = abs(first[row] / estimates["mu_1"][row] - 1.0)
@@ -114,5 +131,5 @@ def trace_resolution(
     bias = np.where(np.isnan(measured), bias, measured)
     total = np.minimum(np.hypot(bias, start), MAX_RELATIVE_BIAS)
     smallest = np.where(np.isinf(fewest), 0.0, fewest)
-    status = resolution_status(smallest, np.fmax(total, bias))
+    status = resolution_status(smallest, np.fmax(total, bias), _max_bias(tasks))
     return {"trace_mu_bias": total, "trace_resolution_status": status}

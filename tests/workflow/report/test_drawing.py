@@ -103,11 +103,14 @@ def test_a_legend_says_what_hollow_markers_are_and_how_many(points):
 def test_a_caption_does_not_call_wide_contacts_narrow(points):
     samples = xr.full_like(points.rms_slope, 400.0)
     assert why_hollow(points.assign(samples_per_contact=samples)) == (
-        "a discretisation error above 2 %"
+        "a discretisation error above 2 % (5 % on a half-space)"
     )
     samples.values.flat[0] = 2.0
     both = why_hollow(points.assign(samples_per_contact=samples))
-    assert both == "contacts of fewer than 4 samples or a discretisation error above 2 %"
+    assert (
+        both
+        == "contacts of fewer than 4 samples or a discretisation error above 2 % (5 % on a half-space)"
+    )
 
 
 def test_a_bias_is_added_to_the_bars(points):
