@@ -8,7 +8,16 @@ from typing import Any
 import numpy as np
 
 from ..ground import UserError, counted
-from ..plan import COST_FACTOR, Plan, Variant, model_ratio, predicted_errors
+from ..plan import (
+    COST_FACTOR,
+    MAX_REMEMBERED,
+    Plan,
+    Variant,
+    model_ratio,
+    predicted_errors,
+    range_of,
+    remembered_share,
+)
 from ..study import HALF_SPACE, QUANTITIES, Measured, Study, unavailable_reason
 from ..system import COMPILING_MIB, core_time
 from .run_options import announced_plan
@@ -58,6 +67,7 @@ def outline_grid(study: Study, result: Path, sample_seconds: float | None = None
         f"to compile; longest line {plan.longest_line()} samples",
         *_errors(plan),
         *_model_error(plan),
+        *_repeated_contact(plan),
         f"material    {study.material.rheology()}",
         *(f"read        {kind}: {description}" for kind, description in study.descriptions),
         f"not simulated {', '.join(absent)} (--json gives the reasons)",
@@ -159,6 +169,20 @@ def _model_error(plan: Plan) -> list[str]:
         ]
     some = "" if known.size == len(ratios) else f" at {known.size} of {len(ratios)} problems"
     return [f"model       mu_1 is {_range(known, 2)} of that on a half-space{some}"]
+
+
+def _repeated_contact(plan: Plan) -> list[str]:
+    """Return a line if traces meet their first contact again every period, else none."""
+    tasks = plan.variants[0].tasks if plan.variants[0].recording.requested else []
+    shares = [remembered_share(task.problem) for task in tasks]
+    if max(shares, default=0.0) <= MAX_REMEMBERED:
+        return []
+    problem = tasks[int(np.argmax(shares))].problem
+    length = range_of(problem.programme)[0] / problem.elements * plan.study.surface.length
+    return [
+        f"periodic    a slow branch holds {max(shares):.0%} of the first contact after one period; "
+        f'take a surface.length of {length:.3g} m, or scene.start = "steady"'
+    ]
 
 
 def _files_read(study: Study) -> list[dict[str, Any]]:

@@ -35,6 +35,7 @@ if TYPE_CHECKING:
     from .plan import Plan, make_plan
     from .problems import line_slope, speed_ratio
     from .ratio_of_bodies import KINDS, TABLE, InTable, model_ratio, nominal_pressure, place_of
+    from .repeated_contact import MAX_REMEMBERED, range_of, remembered_share
     from .variant import Variant
 
 __all__, __getattr__, __dir__ = public_names(__name__, __file__)

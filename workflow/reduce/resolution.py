@@ -12,6 +12,7 @@ from ..plan import (
     known,
     map_error,
     rate_error,
+    remembered_share,
     shape_error,
 )
 from ..simulate import Task
@@ -107,7 +108,7 @@ def _max_bias(tasks: list[Task]) -> float:
 def trace_resolution(
     tasks: list[Task], estimates: Estimates, numerics: Numerics, origin: Origin
 ) -> Estimates:
-    """Return the trace_resolution_status of tasks, and trace_mu_bias.
+    """Return the trace_resolution_status of tasks, trace_mu_bias and trace_remembered.
 
     The status follows from the smallest number of samples per contact during contact, and from the
     bias. The bias adds two errors in quadrature: the shape error (for lines without an error law,
@@ -132,4 +133,9 @@ def trace_resolution(
     total = np.minimum(np.hypot(bias, start), MAX_RELATIVE_BIAS)
     smallest = np.where(np.isinf(fewest), 0.0, fewest)
     status = resolution_status(smallest, np.fmax(total, bias), _max_bias(tasks))
-    return {"trace_mu_bias": total, "trace_resolution_status": status}
+    remembered = np.array([remembered_share(task.problem) for task in tasks])
+    return {
+        "trace_mu_bias": total,
+        "trace_resolution_status": status,
+        "trace_remembered": remembered,
+    }

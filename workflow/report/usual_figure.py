@@ -16,6 +16,7 @@ from matplotlib import pyplot as plt
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
+from ..plan import MAX_REMEMBERED
 from ..reduce import LARGE_BIAS, NARROW_CONTACTS
 from ..result import Groups
 from ..study import COMMON_AXES
@@ -79,6 +80,7 @@ def draw(groups: Groups) -> Figure:
         _limit_note(len(places), MAX_ROWS, "places on the other axes"),
         unresolved if dotted else "",
         f"{model}." if model else "",
+        _repeated_note(data),
         "" if shown else _single_point_text(data),
     ]
     foot_line(figure, data, " ".join(filter(None, notes)), "bars and bands" if curve else "bars")
@@ -108,6 +110,14 @@ def _spread(size: int, count: int) -> list[int]:
 def _limit_note(size: int, most: int, noun: str) -> str:
     """Return a note that only ``most`` items are drawn, or "" if there are no more."""
     return f"Of {size} {noun} {most} are drawn." if size > most else ""
+
+
+def _repeated_note(data: xr.Dataset) -> str:
+    """Return a note on traces that meet their first contact again every period, or ""."""
+    share = float(data.trace_remembered.max()) if "trace_remembered" in data else 0.0
+    if share <= MAX_REMEMBERED:
+        return ""
+    return f"Friction repeats {share:.0%} of the first contact after each period of the surface."
 
 
 def _estimates_to_draw(data: xr.Dataset) -> list[str]:

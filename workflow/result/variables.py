@@ -229,6 +229,11 @@ SCENES = {
         comment="9 in 10 traces keep it; no standard error shows it; NaN: not known, where the "
         "trace does not start with steady sliding or mu_1 was not asked for",
     ),
+    "trace_remembered": Variable(
+        "share of the first contact that the slowest branch still holds after one period",
+        comment="0: none, as the motion covers no period or starts with steady sliding; otherwise "
+        "the trace repeats its first contact every period: take a longer line, or start steady",
+    ),
     "drive_swing": Variable(
         "greatest less least force of the drive over F_N", SLOPE_SCALE, comment=SLIP_COMMENT
     ),

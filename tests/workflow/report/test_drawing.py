@@ -107,10 +107,8 @@ def test_a_caption_does_not_call_wide_contacts_narrow(points):
     )
     samples.values.flat[0] = 2.0
     both = why_hollow(points.assign(samples_per_contact=samples))
-    assert (
-        both
-        == "contacts of fewer than 4 samples or a discretisation error above 2 % (5 % on a half-space)"
-    )
+    large = "a discretisation error above 2 % (5 % on a half-space)"
+    assert both == f"contacts of fewer than 4 samples or {large}"
 
 
 def test_a_bias_is_added_to_the_bars(points):

@@ -1,0 +1,76 @@
+"""First contacts that a slow branch holds for longer than a period of the line."""
+
+import math
+
+import numpy as np
+import pytest
+
+import elastomer_friction as ef
+from elastomer_friction.kernels import Hold, Oscillation, Ramp, Sampled, Slide
+from elastomer_friction.workflow.plan import range_of
+
+LENGTH, SPEED, SLOW = 0.64e-3, 0.3, 1.0
+SCENE = {
+    "surface": {"length": LENGTH, "hurst": 0.7, "spacing": 1e-5, "roughness": 1e-6},
+    "material": {"shear_modulus": 1e6, "branches": [[1e7, SLOW], [1e7, 1e-5]]},
+    "normal_force": 1e-3,
+    "quantities": ["trace"],
+    "numerics": {"steps_per_spacing": 4, "trace": 8},
+}
+
+
+def trace(periods, **changes):
+    slide = {"slide": {"velocity": SPEED, "distance": periods * LENGTH}}
+    return ef.scene.run(**({"programme": [slide], "start": "relaxed"} | SCENE | changes)).squeeze()
+
+
+def test_share_is_that_of_the_slowest_branch_after_a_period():
+    data = trace(3.0)
+    assert float(data.trace_remembered) == pytest.approx(math.exp(-LENGTH / SPEED / SLOW), rel=1e-9)
+
+
+def test_friction_repeats_the_first_contact_where_it_is_flagged():
+    """Away from the first contact friction is steady; near whole periods it is not."""
+    data = trace(3.0)
+    place = data.trace_distance.values / LENGTH
+    later = place > 0.5
+    near = np.abs(place - np.round(place)) < 0.2
+    calm, met = (data.trace_mu.values[later & part] for part in (~near, near))
+    assert np.ptp(met) > 3.0 * np.ptp(calm)
+
+
+@pytest.mark.parametrize(
+    "changes",
+    [
+        {"periods": 0.9},
+        {"periods": 3.0, "start": "steady"},
+        {"periods": 3.0, "material": {"shear_modulus": 1e6, "relaxation_time": 1.0}},
+    ],
+    ids=["no period", "steady", "dashpot"],
+)
+def test_nothing_is_repeated(changes):
+    assert trace(**changes).trace_remembered == 0.0
+
+
+def test_branches_faster_than_a_period_forget():
+    branches = {"shear_modulus": 1e6, "branches": [[1e7, 1e-5]]}
+    assert trace(3.0, material=branches).trace_remembered < 1e-20
+
+
+@pytest.mark.parametrize(
+    ("programme", "covered", "fastest"),
+    [
+        ((Slide(2.0, 30.0), Slide(-2.0, 10.0)), 30.0, 2.0),
+        ((Slide(-2.0, 10.0), Hold(3.0), Slide(1.0, 30.0)), 30.0, 2.0),
+        ((Ramp(0.0, 4.0, 10.0),), 20.0, 4.0),
+        ((Sampled((0.0, 1.0, 3.0), (0.0, 2.0, 0.0)),), 3.0, 2.0),
+    ],
+)
+def test_range_of_a_programme(programme, covered, fastest):
+    assert range_of(programme) == pytest.approx((covered, fastest))
+
+
+def test_range_of_an_oscillation_about_rest_is_twice_its_amplitude():
+    covered, fastest = range_of((Oscillation(0.0, 3.0, 0.5, 7),))
+    assert covered == pytest.approx(6.0)
+    assert fastest == pytest.approx(3.0 * np.pi)
