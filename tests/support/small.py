@@ -151,7 +151,7 @@ def small_plan(*settings, **how):
 
 def cut_batches(plan, stored=(), target=1.0, blocks=None):
     """Yield batches of about ``target`` predicted seconds for all records not in ``stored``."""
-    return make_batches(plan, cut(plan, missing_work(plan, stored, blocks), target), target)
+    return make_batches(cut(missing_work(plan, stored, blocks), target), target)
 
 
 def keys(plan):

@@ -44,7 +44,7 @@ def missing_work(
     """
     counts = blocks or plan.expected
     return [
-        Missing(variant, tasks, first, count, block_seconds(plan, variant, tasks))
+        Missing(variant, tasks, first, count, block_seconds(variant, tasks))
         for variant in plan.variants
         for line in variant.by_line
         for tasks, first, count in _missing_runs(line, counts, stored)
@@ -61,24 +61,23 @@ def total_records(missing: list[Missing]) -> int:
     return sum(entry.blocks * len(entry.tasks) for entry in missing)
 
 
-def block_seconds(plan: Plan, variant: Variant, tasks: list[Task]) -> float:
+def block_seconds(variant: Variant, tasks: list[Task]) -> float:
     """Return the predicted time of one block of tasks that share their lines."""
-    return plan.study.realizations_per_block * variant.realization_seconds(tasks)
+    return variant.block_size * variant.realization_seconds(tasks)
 
 
-def cut(plan: Plan, missing: list[Missing], target: float) -> list[Missing]:
+def cut(missing: list[Missing], target: float) -> list[Missing]:
     """Return pieces of missing work whose single blocks take at most about ``target`` seconds.
 
     Tasks that share sweeps stay together up to MAX_SHARED_LENGTH times the target, and a single
     task is never divided. Pieces longer than the target come first, the longest first, so that no
     worker is left alone with a long piece at the end.
     """
-    pieces = [piece for entry in missing for piece in _pieces(plan, entry, target)]
+    pieces = [piece for entry in missing for piece in _pieces(entry, target)]
     return sorted(pieces, key=lambda piece: -max(piece.seconds, target))
 
 
 def make_batches(
-    plan: Plan,
     pieces: list[Missing],
     target: float,
     rate: Callable[[str], float] = lambda _: 1.0,
@@ -93,16 +92,16 @@ def make_batches(
     for piece in pieces:
         predicted = target / rate(piece.variant.label)  # ``target`` in predicted seconds
         long = piece.seconds > RECUT_FACTOR * predicted
-        for part in _pieces(plan, piece, predicted) if long else [piece]:
+        for part in _pieces(piece, predicted) if long else [piece]:
             blocks, end = max(1, round(predicted / part.seconds)), part.first_block + part.blocks
             for start in range(part.first_block, end, blocks):
-                yield batch_of(plan, part, start, min(blocks, end - start))
+                yield batch_of(part, start, min(blocks, end - start))
 
 
-def batch_of(plan: Plan, piece: Missing, first_block: int, blocks: int) -> Batch:
+def batch_of(piece: Missing, first_block: int, blocks: int) -> Batch:
     """Return the batch of some blocks of a piece."""
-    block_size = plan.study.realizations_per_block
-    lines = piece.variant.lines
+    variant = piece.variant
+    block_size, lines = variant.block_size, variant.lines
     heights, modes = None, lines.amplitudes  # in h; modes: of random lines like measured ones
     if lines.profile is not None:
         roughness = lines.profile.roughness
@@ -112,17 +111,17 @@ def batch_of(plan: Plan, piece: Missing, first_block: int, blocks: int) -> Batch
         else:
             modes = modes / roughness
     return Batch(
-        seed=plan.study.seed,
+        seed=variant.study.seed,
         normalisation=lines.normalisation,
-        quantities=plan.quantities,
-        scheme=piece.variant.numerics.scheme,
-        recording=piece.variant.recording,
+        quantities=variant.quantities,
+        scheme=variant.numerics.scheme,
+        recording=variant.recording,
         tasks=tuple(piece.tasks),
         first_block=first_block,
         blocks=blocks,
         realizations_per_block=block_size,
         seconds=blocks * piece.seconds,
-        refine=piece.variant.numerics.refines,
+        refine=variant.numerics.refines,
         heights=heights,
         modes=modes,
     )
@@ -147,14 +146,14 @@ def _missing_runs(
             yield tasks, first, 1 + len(others)
 
 
-def _pieces(plan: Plan, whole: Missing, target: float) -> Iterator[Missing]:
+def _pieces(whole: Missing, target: float) -> Iterator[Missing]:
     """Yield pieces of missing work, by tasks, whose single blocks take about ``target`` seconds."""
-    block_size = plan.study.realizations_per_block
+    block_size = whole.variant.block_size
     chosen: list[Task] = []
     lines: set[int] = set()
     total = 0.0
-    for tasks in _groups(plan, whole, target):
-        samples, seconds = samples_of(tasks[0]), _seconds_on_lines(plan, whole.variant, tasks)
+    for tasks in _groups(whole, target):
+        samples, seconds = samples_of(tasks[0]), _seconds_on_lines(whole.variant, tasks)
         drawing = block_size * drawing_seconds(samples)
         added = seconds if samples in lines else seconds + drawing
         if chosen and total + added > target:
@@ -166,17 +165,17 @@ def _pieces(plan: Plan, whole: Missing, target: float) -> Iterator[Missing]:
     yield whole._replace(tasks=chosen, seconds=total)
 
 
-def _groups(plan: Plan, whole: Missing, target: float) -> Iterator[list[Task]]:
+def _groups(whole: Missing, target: float) -> Iterator[list[Task]]:
     """Yield groups of tasks that share sweeps, or single tasks if a group takes too long."""
     for _, group in groupby(whole.tasks, sharing):
         tasks = list(group)
-        if _seconds_on_lines(plan, whole.variant, tasks) <= MAX_SHARED_LENGTH * target:
+        if _seconds_on_lines(whole.variant, tasks) <= MAX_SHARED_LENGTH * target:
             yield tasks
         else:
             yield from ([task] for task in tasks)
 
 
-def _seconds_on_lines(plan: Plan, variant: Variant, tasks: list[Task]) -> float:
+def _seconds_on_lines(variant: Variant, tasks: list[Task]) -> float:
     """Return the predicted time of one block of tasks, without drawing the lines."""
     seconds = sum(variant.seconds[variant.rows[task.key]] for task in tasks)
-    return plan.study.realizations_per_block * seconds
+    return variant.block_size * seconds

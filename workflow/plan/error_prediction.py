@@ -41,7 +41,7 @@ def predicted_errors(plan: Plan) -> dict[str, PredictedErrors]:
             continue
         chance, bound = np.empty(len(tasks)), np.full(len(tasks), np.nan)
         for row, task in enumerate(tasks):
-            lines = plan.expected[task.key] * plan.study.realizations_per_block
+            lines = plan.expected[task.key] * variant.block_size
             equivalent_steps = task.steps_per_spacing / (FIRST_ORDER if first_order else 1)
             chance[row] = laws[name].scatter(task.problem) / math.sqrt(lines)
             if not (first_order and name == "relaxation_rate"):

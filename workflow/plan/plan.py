@@ -5,13 +5,12 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ...kernels import ZERO_ORIGIN, Origin, Quantities
+from ...kernels import ZERO_ORIGIN, Origin
 from ..ground import UserError, garbage_collection_paused
 from ..simulate import REFINEMENT_FACTOR, Batch, Task, max_leg_counts, row_layout, row_width
 from ..study import HALF_SPACE, Study
 from .goal import FIRST_SHARE, whole_blocks
 from .half_space import BRANCH_BYTES, MAP_BYTES
-from .motion import kernel_quantities
 from .variant import Variant, problems_of, variant_of
 
 DRIVER_BYTES = 330e6  # interpreter and libraries of the process that plans and collects
@@ -30,7 +29,6 @@ class Plan(NamedTuple):
 
     study: Study
     variants: list[Variant]
-    quantities: Quantities  # of the kernels
     first: dict[str, int]  # blocks of the first round, by task key; all without a goal
     expected: dict[str, int]  # blocks that the goals are predicted to need, by task key
 
@@ -58,7 +56,8 @@ class Plan(NamedTuple):
         tasks = variant.tasks if variant.recording.requested else variant.tasks[:1]
         scheme, recording = variant.numerics.scheme, variant.recording
         return max(
-            1, *(row_width(row_layout(task, self.quantities, scheme, recording)) for task in tasks)
+            1,
+            *(row_width(row_layout(t, variant.quantities, scheme, recording)) for t in tasks),
         )
 
     def predicted_worker_bytes(self) -> float:
@@ -92,8 +91,7 @@ class Plan(NamedTuple):
 
     def predicted_seconds(self) -> float:
         """Return the predicted core-seconds of the whole study, right within COST_FACTOR."""
-        realizations = sum(variant.total_seconds(self.expected) for variant in self.variants)
-        return self.study.realizations_per_block * realizations
+        return sum(variant.total_seconds(self.expected) for variant in self.variants)
 
     def variant_of_batch(self, batch: Batch) -> Variant:
         """Return the variant that a batch belongs to."""
@@ -121,21 +119,16 @@ def make_plan(study: Study, origin: Origin = ZERO_ORIGIN) -> Plan:
 
     origin : start of a resumed programme.
     """
-    quantities = kernel_quantities(study)
     with garbage_collection_paused():  # saves a fifth of the time with 1e5 tasks
         problems = problems_of(study)
-        variants = [
-            variant_of(study, quantities, label, problems[label], origin)
-            for label in study.variants
-        ]
-    tasks = [task for variant in variants for task in variant.tasks]
-    first = {task.key: study.blocks for task in tasks}
+        variants = [variant_of(study, label, problems[label], origin) for label in study.variants]
+    first = {t.key: variant.study.blocks for variant in variants for t in variant.tasks}
     expected = dict(first)
     for variant in variants:
         most = variant.numerics.max_realizations
         needs = np.array([goal.realizations for goal in variant.goals.values()])
         for blocks, share in ((first, FIRST_SHARE), (expected, 1.0)):
-            counts = whole_blocks(study, share * needs, most).tolist()
+            counts = whole_blocks(variant.study, share * needs, most).tolist()
             blocks.update(zip(variant.goals, counts, strict=True))
     records = sum(expected.values())
     if records > MOST_RECORDS:  # more than a run can index
@@ -144,4 +137,4 @@ def make_plan(study: Study, origin: Origin = ZERO_ORIGIN) -> Plan:
             f"study.realizations_per_block = {study.realizations_per_block}: {records} records "
             f"(problem x block), more than {MOST_RECORDS}; set it to {least} or more"
         )
-    return Plan(study, variants, quantities, first, expected)
+    return Plan(study, variants, first, expected)

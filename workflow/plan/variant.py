@@ -22,7 +22,7 @@ from ..simulate import (
 from ..study import Material, Numerics, Study, Surface
 from .cost import HALVED_STEPS_COST, drawing_seconds, realization_seconds
 from .goal import Goal, fits_worker, goal_of, horizon_steps, steps_per_spacing
-from .motion import check_programme, recording_of
+from .motion import check_programme, kernel_quantities, recording_of
 from .problems import distinct_problems, stack_problems
 
 PROBLEM_BYTES = struct.Struct("<dqddd")  # H, N, load, speed, ratio, hashed in a task key
@@ -33,6 +33,8 @@ class Variant(NamedTuple):
     """All tasks of one discretisation of a study, grouped by random line."""
 
     label: str
+    study: Study
+    quantities: Quantities  # of the kernels
     numerics: Numerics
     material: Material
     lines: Surface
@@ -46,6 +48,11 @@ class Variant(NamedTuple):
     seconds: list[float]  # predicted, of one realization without the drawing of its line
     longest: int  # largest number of samples of a line
 
+    @property
+    def block_size(self) -> int:
+        """Realizations per block."""
+        return self.study.realizations_per_block
+
     def realization_seconds(self, tasks: Sequence[Task]) -> float:
         """Return the predicted time of one realization of tasks that share their lines."""
         lines = {samples_of(task) for task in tasks}
@@ -53,12 +60,12 @@ class Variant(NamedTuple):
         return drawing + sum(self.seconds[self.rows[task.key]] for task in tasks)
 
     def total_seconds(self, blocks: dict[str, int]) -> float:
-        """Return the predicted time at one realization per block. blocks : number by task key."""
+        """Return the predicted time. blocks : number by task key."""
         total = sum(blocks[task.key] * self.seconds[row] for row, task in enumerate(self.tasks))
         for line in self.by_line:
             for samples, tasks in groupby(line, samples_of):
                 total += drawing_seconds(samples) * max([blocks[task.key] for task in tasks])
-        return total
+        return self.block_size * total
 
     def leg_counts(self) -> np.ndarray:
         """Return the steps of each leg of the programme, shape (tasks, legs)."""
@@ -132,10 +139,9 @@ def _sizes_of(
     return Sizes(steps.tolist(), march_steps.tolist(), seconds.tolist(), in_order)
 
 
-def variant_of(
-    study: Study, quantities: Quantities, label: str, problems: Problems, origin: Origin
-) -> Variant:
+def variant_of(study: Study, label: str, problems: Problems, origin: Origin) -> Variant:
     """Return a variant of a study. problems : of the variant. origin : as for ``make_plan``."""
+    quantities = kernel_quantities(study)
     sizes = _sizes_of(study, quantities, label, problems, origin)
     recording = _recording(study, label, problems.problems, sizes.steps)._replace(origin=origin)
     tasks = _tasks(study, quantities, label, recording, problems, sizes)
@@ -145,6 +151,8 @@ def variant_of(
         events = max(trace_steps(t.problem, t.steps_per_spacing, recording).size for t in tasks)
     return Variant(
         label=label,
+        study=study,
+        quantities=quantities,
         numerics=study.variants[label],
         material=study.materials[label],
         lines=study.surfaces[label],

@@ -7,7 +7,7 @@ import numpy as np
 
 from ...kernels import ENERGIES, Programme, Quantities
 from ...kernels.drive import PULLED_TRACES
-from ..plan import Plan, Variant, line_slope
+from ..plan import Variant, line_slope
 from ..simulate import (
     Recording,
     Task,
@@ -54,17 +54,17 @@ class Reduction(NamedTuple):
     carried: tuple[str, ...] = ()  # scalars whose replicates the quantities of a point need
 
 
-def reduction_of(plan: Plan, variant: Variant) -> Reduction:
+def reduction_of(variant: Variant) -> Reduction:
     """Return the settings by which block means of a variant are reduced."""
     return Reduction(
-        plan.quantities,
-        plan.study.scene.quantities,
+        variant.quantities,
+        variant.study.scene.quantities,
         variant.numerics,
         variant.recording,
         variant.events,
         variant.lines.normalisation,
         variant.material.jumps,
-        carried_estimates(plan.study.scene.quantities, variant.lines.body),
+        carried_estimates(variant.study.scene.quantities, variant.lines.body),
     )
 
 

@@ -75,7 +75,7 @@ class Collector:
         expected = [variant.goals[task.key] for task in tasks]
         goals = reduce.with_measured_bias(expected, tasks, estimates, variant.numerics)
         ratios = np.array([task.problem.ratio for task in tasks])
-        per_block = self.plan.study.realizations_per_block
+        per_block = variant.block_size
         realizations = per_block * self.fitted[variant.label].blocks[rows]
         accuracy = variant.numerics.accuracy or 0.0
         return reduce.attained(estimates, goals, ratios, accuracy, realizations)
@@ -88,7 +88,7 @@ class Collector:
             accuracy = self.attained(variant, rows)
             estimates["accuracy_reached"] = accuracy.reached
             estimates["accuracy_status"] = accuracy.status
-        per_block = self.plan.study.realizations_per_block
+        per_block = variant.block_size
         counts = np.zeros(len(tasks), np.int32)
         counts[sound] = [blocks[tasks[row].key] * per_block for row in rows]
         return reduce.completed(self.plan, variant, estimates, sound, counts)
@@ -150,7 +150,7 @@ class Rounds:
         rows = [row for row in self.open[variant.label] if tasks[row].key not in failed]
         if not rows:
             return []
-        most = most_blocks(self.plan.study, variant.numerics.max_realizations)
+        most = most_blocks(variant.study, variant.numerics.max_realizations)
         continued = []
         for row, growth in zip(rows, collector.attained(variant, rows).growth, strict=True):
             key = tasks[row].key

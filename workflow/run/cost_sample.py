@@ -68,9 +68,9 @@ def sample_cost(plan: Plan, seconds: float) -> CostSample:
     length. No draw begins after ``seconds``, but a running draw is completed and at least one runs.
     """
     missing = missing_work(plan, ())
-    pieces = cut(plan, missing, batch_target(total_seconds(missing)))
+    pieces = cut(missing, batch_target(total_seconds(missing)))
     draw_seconds = min(DRAW_SECONDS, seconds / TYPICAL_DRAWS)
-    shares = [share_of(plan, piece, draw_seconds) for piece in pieces]
+    shares = [share_of(piece, draw_seconds) for piece in pieces]
     weights = draw_weights(pieces, shares, draw_seconds)
     generator = np.random.default_rng(plan.study.seed)
     _warm_up(plan, pieces, shares)
@@ -81,7 +81,7 @@ def sample_cost(plan: Plan, seconds: float) -> CostSample:
         # A low-discrepancy sequence spreads any number of draws evenly over the pieces.
         place = (start + GOLDEN_RATIO * len(estimates)) % 1.0
         row = int(np.searchsorted(ends, place * ends[-1], side="right"))
-        batch = drawn_batch(plan, pieces[row], shares[row], generator)
+        batch = drawn_batch(pieces[row], shares[row], generator)
         used = block_means(batch).seconds
         spent += used
         estimates.append(used / shares[row].share * ends[-1] / weights[row])
@@ -89,12 +89,12 @@ def sample_cost(plan: Plan, seconds: float) -> CostSample:
     return CostSample(mean(estimates), error, len(estimates))
 
 
-def share_of(plan: Plan, piece: Missing, seconds: float) -> Share:
+def share_of(piece: Missing, seconds: float) -> Share:
     """Return the share of a piece predicted to take ``seconds``, or the smallest possible share.
 
     Blocks are split, except those of measured lines and of lines also run with halved steps.
     """
-    size = plan.study.realizations_per_block
+    size = piece.variant.block_size
     units, single = piece.blocks, size
     if piece.variant.lines.profile is None and not piece.variant.recording.refined_blocks:
         on_map = piece.variant.lines.body == HALF_SPACE
@@ -117,11 +117,11 @@ def draw_weights(pieces: list[Missing], shares: list[Share], seconds: float) -> 
     return predicted / np.sqrt(np.maximum(drawn, seconds))
 
 
-def drawn_batch(plan: Plan, piece: Missing, share: Share, generator: np.random.Generator) -> Batch:
+def drawn_batch(piece: Missing, share: Share, generator: np.random.Generator) -> Batch:
     """Return a batch of randomly chosen lines of a piece."""
-    first = piece.first_block * plan.study.realizations_per_block // share.size
+    first = piece.first_block * piece.variant.block_size // share.size
     first += int(generator.integers(share.units - share.drawn + 1))
-    batch = batch_of(plan, piece, first, share.drawn)
+    batch = batch_of(piece, first, share.drawn)
     return replace(batch, realizations_per_block=share.lines)
 
 
@@ -130,7 +130,7 @@ def _warm_up(plan: Plan, pieces: list[Missing], shares: list[Share]) -> None:
     generator = np.random.default_rng(plan.study.seed)
     with report_compilation("the kernels needed", "10 to 60 s", cache.WAITING_EVENT):
         for variant in plan.variants:
-            load_kernels(variant.lines.body, variant.numerics.scheme, plan.quantities)
+            load_kernels(variant.lines.body, variant.numerics.scheme, variant.quantities)
             rows = [row for row, piece in enumerate(pieces) if piece.variant is variant]
             row = min(rows, key=lambda row: pieces[row].seconds * shares[row].share)
-            block_means(drawn_batch(plan, pieces[row], shares[row], generator))
+            block_means(drawn_batch(pieces[row], shares[row], generator))

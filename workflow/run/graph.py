@@ -98,7 +98,7 @@ class Graph:
 
         def marches(numbers: list[int]) -> Iterator[Node]:
             begun = [rest.pop(number) for number in numbers if number in rest]
-            for batch in make_batches(self.plan, begun, target, rate):
+            for batch in make_batches(begun, target, rate):
                 node = Node(MARCH, batch)
                 for fit in self._fits_of(batch.tasks):
                     fit.inputs.append(node)
@@ -126,7 +126,7 @@ class Graph:
                 if row >= 0 and count > 0:
                     places[-1].append(reduce.BlockPlace(row, number, batch.first_block, count))
                     lacking[row][batch.first_block : batch.first_block + count] = False
-        how, width = reduce.reduction_of(self.plan, fit.variant), self.widths[fit.variant.label]
+        how, width = reduce.reduction_of(fit.variant), self.widths[fit.variant.label]
         groups = min([*blocks, JACKKNIFE_GROUPS])  # equal for all tasks
         portion = reduce.Portion(how, tasks, blocks, groups, width, places, [])
         self._add_stored(portion, [np.flatnonzero(numbers) for numbers in lacking])

@@ -117,7 +117,7 @@ class _Run:
         """Load or compile the required kernels once for all processes of this machine."""
         if self.missing and self.how.cluster.where == LOCAL:  # remote workers compile their own
             for variant in self.plan.variants:
-                load_kernels(variant.lines.body, variant.numerics.scheme, self.plan.quantities)
+                load_kernels(variant.lines.body, variant.numerics.scheme, variant.quantities)
 
     def finish(self, pool: Any) -> None:
         """Compute and collect, then write the result; always record the outcome in the status."""
@@ -180,7 +180,7 @@ class _Run:
             missing = missing_work(self.plan, self.failures, blocks)
         target = self.how.batch_seconds or batch_target(total_seconds(missing))
         target = min(target, self.how.cluster.longest_batch)
-        pieces = cut(self.plan, missing, target)
+        pieces = cut(missing, target)
         with WriteBuffer(self.store, target) as buffer:
             graph = collector.graph(blocks, partial(self._read, buffer))
             nodes = graph.nodes(pieces, target, self.rates.rate)

@@ -68,7 +68,7 @@ def _blocks(plan: Plan, realizations: dict[str, np.ndarray]) -> dict[str, int] |
         if counts is None or counts.shape != variant.point_task.shape:
             return None
         task_blocks = np.zeros(len(variant.tasks), int)
-        task_blocks[variant.point_task] = counts // plan.study.realizations_per_block
+        task_blocks[variant.point_task] = counts // variant.block_size
         pairs = zip(variant.tasks, task_blocks.tolist(), strict=True)
         blocks |= {task.key: count for task, count in pairs if count}
     return blocks

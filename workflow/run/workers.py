@@ -50,7 +50,7 @@ class RunOptions(NamedTuple):
 
 def fit_seconds(plan: Plan, groups: int) -> float:
     """Return the predicted seconds of the fits of a task. groups : number of jackknife groups."""
-    return (groups + 1) * plan.quantities.relaxation * SECONDS_PER_FIT
+    return (groups + 1) * plan.variants[0].quantities.relaxation * SECONDS_PER_FIT
 
 
 @contextmanager

@@ -199,8 +199,8 @@ def _estimates(plan: Plan, variant: Variant, resumed: SavedState | None) -> Esti
     rows = {task.key: row for row, task in enumerate(tasks)}
     width = plan.widest_row(variant)
     scalars, values = None, np.full((len(tasks), study.blocks, width), np.nan)
-    whole = cut(plan, missing_work(plan, ()), np.inf)
-    for batch in make_batches(plan, whole, 1e9):
+    whole = cut(missing_work(plan, ()), np.inf)
+    for batch in make_batches(whole, 1e9):
         means = block_means(replace(batch, resumed=resumed))
         if scalars is None:
             scalars = np.full((*values.shape[:2], means.scalars.shape[2]), np.nan)
@@ -209,7 +209,7 @@ def _estimates(plan: Plan, variant: Variant, resumed: SavedState | None) -> Esti
         scalars[at, blocks] = means.scalars
         values[at, blocks, : means.curves.shape[2]] = means.curves
     assert scalars is not None
-    estimates = reduce_blocks(blocks_of(reduction_of(plan, variant), tasks, scalars, values))
+    estimates = reduce_blocks(blocks_of(reduction_of(variant), tasks, scalars, values))
     counts = np.full(len(tasks), study.realizations, np.int32)
     estimates.pop("rate_replicates", None)  # serve only fits over many points
     return completed(plan, variant, estimates, np.arange(len(tasks)), counts)

@@ -78,7 +78,7 @@ def test_loads_that_share_sweeps_stay_together_unless_they_take_too_long():
     plan = small_plan(*GRID, "grid.normal_force={geomspace=[0.01, 4.0, 6]}")
 
     def groups(target):
-        pieces = cut(plan, missing_work(plan, set()), target)
+        pieces = cut(missing_work(plan, set()), target)
         return [
             {(piece.variant.label, *task.problem[:2], *sharing(task)) for task in piece.tasks}
             for piece in pieces
@@ -117,8 +117,8 @@ def test_batches_grow_with_the_work_within_limits(work, target):
 @pytest.mark.parametrize("rate", [0.2, 1.0, 30.0])
 def test_batches_last_as_long_as_requested_at_the_measured_rate(rate):
     target = 1e-2
-    pieces = cut(PLAN, missing_work(PLAN, set()), target)
-    batches = list(make_batches(PLAN, pieces, target, lambda _: rate))
+    pieces = cut(missing_work(PLAN, set()), target)
+    batches = list(make_batches(pieces, target, lambda _: rate))
     covered = Counter(
         (task.key, batch.first_block + block)
         for batch in batches

@@ -30,7 +30,7 @@ def test_traces_of_tasks_are_filled_up_to_the_longest():
     tasks = VARIANT.tasks
     rows = np.ones((len(tasks), 4, PLAN.widest_row(VARIANT)))
     scalars = np.ones((len(tasks), 4, len(SCALARS)))
-    actual = blocks_of(reduction_of(PLAN, VARIANT), tasks, scalars, rows)
+    actual = blocks_of(reduction_of(VARIANT), tasks, scalars, rows)
     assert actual.values["trace_mu"].shape == (2, 4, VARIANT.events)
     for row in range(2):
         kept = np.isfinite(actual.legs[row])

@@ -43,7 +43,7 @@ def test_in_full_contact_it_is_mu_1():
     variant = plan.variants[0]
     batch = next(b for b in cut_batches(plan, set(), 1e9) if b.tasks[0] in variant.tasks)
     actual = block_means(batch)
-    tasks, how = list(batch.tasks), reduction_of(plan, variant)
+    tasks, how = list(batch.tasks), reduction_of(variant)
     estimates = reduce_blocks(blocks_of(how, tasks, actual.scalars, actual.curves))
     rows, counts = np.arange(len(variant.tasks)), np.full(len(variant.tasks), 2, np.int32)
     whole = completed(plan, variant, estimates, rows, counts)

@@ -41,7 +41,7 @@ def dataset_of(plan, groups, failed=0, label=""):
     rows = np.ones((sound.size, groups, plan.widest_row(variant)))
     tasks = [variant.tasks[row] for row in sound]
     means = means_of(variant, groups)[sound]
-    estimates = reduce_blocks(blocks_of(reduction_of(plan, variant), tasks, means, rows))
+    estimates = reduce_blocks(blocks_of(reduction_of(variant), tasks, means, rows))
     counts = np.full(len(variant.tasks), groups, np.int32)
     counts[:failed] = 0
     return build_dataset(plan, variant, completed(plan, variant, estimates, sound, counts), {})

@@ -79,11 +79,11 @@ def test_portions_do_not_show(collector, store, monkeypatch):
 @pytest.mark.parametrize("kept", [0, 12])
 def test_results_of_marches_and_stored_records_give_the_same_fit(tmp_path, kept):
     """Of marches in batches of one block, some of which are stored; a fit precedes the last."""
-    batches = [*make_batches(PLAN, cut(PLAN, missing_work(PLAN, ()), 1e-9), 1e-9)]
+    batches = [*make_batches(cut(missing_work(PLAN, ()), 1e-9), 1e-9)]
     store = Store(tmp_path)
     if kept:
         store.add([(batch, block_means(batch)) for batch in batches[:kept]])
-    collector, rest = Collector(PLAN, store), cut(PLAN, missing_work(PLAN, store), 1e-9)
+    collector, rest = Collector(PLAN, store), cut(missing_work(PLAN, store), 1e-9)
     done = fit_all(collector, rest)
     assert done.index("fit") < len(done) - 1 - done[::-1].index("march")
     left = [batch for batch in batches if (batch.tasks[0].key, batch.first_block) not in store]

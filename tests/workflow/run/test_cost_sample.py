@@ -19,7 +19,7 @@ from tests.support.documents import without
 from tests.support.small import random_result, small_plan
 
 PLAN = small_plan("study.realizations=64", "study.realizations_per_block=8")
-PIECES = cut(PLAN, missing_work(PLAN, ()), 1e-2)
+PIECES = cut(missing_work(PLAN, ()), 1e-2)
 SHORT, LONG = 1e-9, 1e9  # seconds of a draw
 
 
@@ -80,29 +80,29 @@ def test_a_sample_in_words_has_the_digits_of_its_error(sample, words):
 
 def test_a_draw_is_a_few_quartets_of_a_piece_or_one_line():
     piece = PIECES[0]._replace(first_block=1, blocks=3)
-    assert share_of(PLAN, piece, LONG) == Share(4, 6, 6, 4)
-    assert share_of(PLAN, piece, piece.seconds) == Share(4, 6, 2, 4)  # of a block of eight
-    short = share_of(PLAN, piece, SHORT)
+    assert share_of(piece, LONG) == Share(4, 6, 6, 4)
+    assert share_of(piece, piece.seconds) == Share(4, 6, 2, 4)  # of a block of eight
+    short = share_of(piece, SHORT)
     assert short == Share(4, 6, 1, 1)
     assert short.share == pytest.approx(1.0 / 24.0)
     generator = np.random.default_rng(2)
-    firsts = {drawn_batch(PLAN, piece, short, generator).first_block for _ in range(100)}
+    firsts = {drawn_batch(piece, short, generator).first_block for _ in range(100)}
     assert firsts == {2, 3, 4, 5, 6, 7}  # quartets, two to a block
 
 
 def test_draws_compute_lines_of_the_study():
     piece = PIECES[-1]
-    whole = batch_of(PLAN, piece, 1, 1)
+    whole = batch_of(piece, 1, 1)
     halves = Share(4, 2 * piece.blocks, 1, 4)
     generator = np.random.default_rng(3)
     batches = {}
     while {2, 3} - batches.keys():
-        batch = drawn_batch(PLAN, piece, halves, generator)
+        batch = drawn_batch(piece, halves, generator)
         batches[batch.first_block] = batch
     means = [block_means(batches[quartet]).scalars for quartet in (2, 3)]
     np.testing.assert_allclose(np.mean(means, axis=0), block_means(whole).scalars, rtol=1e-12)
-    single = drawn_batch(PLAN, piece, halves._replace(lines=1), generator)
-    quartet = batch_of(PLAN, piece, single.first_block // 2, 1)
+    single = drawn_batch(piece, halves._replace(lines=1), generator)
+    quartet = batch_of(piece, single.first_block // 2, 1)
     first, others = drawn_lines(single)[1](0)(4), drawn_lines(quartet)[1]
     (line,) = first
     np.testing.assert_array_equal(line.z, next(iter(others(4 * (single.first_block % 2))(4))).z)
@@ -128,10 +128,10 @@ def test_draws_compute_lines_of_the_study():
     ],
 )
 def test_maps_and_measured_lines_are_drawn_too(plan, unit):
-    for piece in cut(plan, missing_work(plan, ()), 1.0):
-        share = share_of(plan, piece, SHORT)
+    for piece in cut(missing_work(plan, ()), 1.0):
+        share = share_of(piece, SHORT)
         assert (share.size, share.lines) == (unit, unit)
-        batch = drawn_batch(plan, piece, share, np.random.default_rng(1))
+        batch = drawn_batch(piece, share, np.random.default_rng(1))
         assert np.isfinite(block_means(batch).seconds)
 
 

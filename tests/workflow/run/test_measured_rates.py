@@ -7,7 +7,7 @@ from elastomer_friction.workflow.run.measured_rates import MeasuredRates, Remain
 from tests.support.small import cut_batches, small_plan
 
 PLAN = small_plan("study.realizations=4000")
-WORK = cut(PLAN, missing_work(PLAN, ()), 1.0)
+WORK = cut(missing_work(PLAN, ()), 1.0)
 BATCHES = list(cut_batches(PLAN, set(), 1.0))
 
 
