@@ -13,11 +13,11 @@ from ..plan import (
     MAX_REMEMBERED,
     Plan,
     Variant,
-    model_ratio,
     predicted_errors,
     range_of,
     remembered_share,
 )
+from ..result import model_source
 from ..study import HALF_SPACE, QUANTITIES, Measured, Study, unavailable_reason
 from ..system import COMPILING_MIB, core_time
 from .run_options import announced_plan
@@ -157,18 +157,10 @@ def _percent(errors: np.ndarray) -> str:
 
 
 def _model_error(plan: Plan) -> list[str]:
-    """Return a line on the ratio of mu_1 to that on a half-space; none without steady friction."""
+    """Return a line on the source of model_ratio; none without steady friction."""
     if "steady" not in plan.study.scene.quantities:
         return []
-    first = plan.variants[0]
-    ratios = [model_ratio(task.problem, first.lines.normalisation)[0] for task in first.tasks]
-    known = np.array([ratio for ratio in ratios if not math.isnan(ratio)])
-    if not known.size:
-        return [
-            'model       error unknown for this surface; compare with scene.body = "half-space"'
-        ]
-    some = "" if known.size == len(ratios) else f" at {known.size} of {len(ratios)} problems"
-    return [f"model       mu_1 is {_range(known, 2)} of that on a half-space{some}"]
+    return [f"model       ratio of mu_1 to that of the other body: {model_source(plan)}"]
 
 
 def _repeated_contact(plan: Plan) -> list[str]:

@@ -32,9 +32,9 @@ if TYPE_CHECKING:
         steps_per_spacing,
     )
     from .half_space import map_error
+    from .other_body import MODEL_LABEL
     from .plan import Plan, make_plan
-    from .problems import line_slope, speed_ratio
-    from .ratio_of_bodies import KINDS, TABLE, InTable, model_ratio, nominal_pressure, place_of
+    from .problems import line_slope, nominal_pressure, speed_ratio
     from .repeated_contact import MAX_REMEMBERED, range_of, remembered_share
     from .variant import Variant
 

@@ -20,8 +20,7 @@ import numpy as np
 from ..simulate import Problem
 from ..study import HALF_SPACE
 from .error_laws import LAWS, Laws
-from .problems import Numbers, line_slope, speed_ratio
-from .ratio_of_bodies import nominal_pressure
+from .problems import Numbers, line_slope, nominal_pressure, speed_ratio
 
 LEAST_OF_MAPS, MOST_STEPS = 4, 16
 MOST_SAMPLES = 4096**2  # of a map; a worker then needs 4 GiB and more

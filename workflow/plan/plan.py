@@ -9,8 +9,11 @@ from ...kernels import ZERO_ORIGIN, Origin
 from ..ground import UserError, garbage_collection_paused
 from ..simulate import REFINEMENT_FACTOR, Batch, Task, max_leg_counts, row_layout, row_width
 from ..study import HALF_SPACE, Study
+from ..system import core_time
+from .cost import COST_FACTOR
 from .goal import FIRST_SHARE, whole_blocks
 from .half_space import BRANCH_BYTES, MAP_BYTES
+from .other_body import MAX_COST_SHARE, MODEL_LABEL, compared_label, study_of_other_body
 from .variant import Variant, problems_of, variant_of
 
 DRIVER_BYTES = 330e6  # interpreter and libraries of the process that plans and collects
@@ -31,6 +34,8 @@ class Plan(NamedTuple):
     variants: list[Variant]
     first: dict[str, int]  # blocks of the first round, by task key; all without a goal
     expected: dict[str, int]  # blocks that the goals are predicted to need, by task key
+    model: Variant | None = None  # steady friction on the other body (other_body.py)
+    no_model: str = ""  # reason why there is none
 
     @property
     def points(self) -> int:
@@ -122,6 +127,19 @@ def make_plan(study: Study, origin: Origin = ZERO_ORIGIN) -> Plan:
     with garbage_collection_paused():  # saves a fifth of the time with 1e5 tasks
         problems = problems_of(study)
         variants = [variant_of(study, label, problems[label], origin) for label in study.variants]
+    plan = _with_other_body(Plan(study, variants, *_blocks_of(variants)))
+    records = sum(plan.expected.values())
+    if records > MOST_RECORDS:  # more than a run can index
+        least = study.realizations_per_block * math.ceil(records / MOST_RECORDS)
+        raise UserError(
+            f"study.realizations_per_block = {study.realizations_per_block}: {records} records "
+            f"(problem x block), more than {MOST_RECORDS}; set it to {least} or more"
+        )
+    return plan
+
+
+def _blocks_of(variants: list[Variant]) -> tuple[dict[str, int], dict[str, int]]:
+    """Return the blocks of the first round, and those expected, by task key."""
     first = {t.key: variant.study.blocks for variant in variants for t in variant.tasks}
     expected = dict(first)
     for variant in variants:
@@ -130,11 +148,32 @@ def make_plan(study: Study, origin: Origin = ZERO_ORIGIN) -> Plan:
         for blocks, share in ((first, FIRST_SHARE), (expected, 1.0)):
             counts = whole_blocks(variant.study, share * needs, most).tolist()
             blocks.update(zip(variant.goals, counts, strict=True))
-    records = sum(expected.values())
-    if records > MOST_RECORDS:  # more than a run can index
-        least = study.realizations_per_block * math.ceil(records / MOST_RECORDS)
-        raise UserError(
-            f"study.realizations_per_block = {study.realizations_per_block}: {records} records "
-            f"(problem x block), more than {MOST_RECORDS}; set it to {least} or more"
-        )
-    return Plan(study, variants, first, expected)
+    return first, expected
+
+
+def _with_other_body(plan: Plan) -> Plan:
+    """Return the plan with a variant for the other body, or the reason why it has none.
+
+    The variant is added if it is requested, or costs at most MAX_COST_SHARE of the study.
+    """
+    study = plan.study
+    if label := compared_label(study):
+        return plan._replace(model=next(v for v in plan.variants if v.label == label))
+    try:
+        other = study_of_other_body(study)
+        if isinstance(other, str):
+            return plan._replace(no_model=other)
+        problems = problems_of(other)[MODEL_LABEL]
+        variant = variant_of(other, MODEL_LABEL, problems, ZERO_ORIGIN)
+    except UserError as error:  # a map or line that the other body cannot have
+        return plan._replace(no_model=str(error))
+    blocks = _blocks_of([variant])
+    seconds = variant.total_seconds(blocks[1])
+    costly = seconds > MAX_COST_SHARE * plan.predicted_seconds()
+    if costly and "model_ratio" not in study.scene.quantities:
+        cost = core_time(seconds / COST_FACTOR, seconds * COST_FACTOR)
+        return plan._replace(no_model=f'the quantity "model_ratio" measures it in {cost}')
+    first, expected = ({**ours, **more} for ours, more in zip(plan[2:4], blocks, strict=True))
+    return plan._replace(
+        variants=[*plan.variants, variant], first=first, expected=expected, model=variant
+    )

@@ -159,6 +159,13 @@ def expected_rate(problem: Problem) -> Numbers:
     return relaxation_rate(speed_ratio(problem), problem.hurst, time_below_one=True)
 
 
+def nominal_pressure(problem: Problem) -> float:
+    """Return the nominal pressure, in E* h/dx; on a foundation F_N = sigma_0 lambda_r L."""
+    longest = max(problem.surface.rolloff, 1.0)  # wave number of lambda_r, in 2 pi/L
+    shared = 1.0 if problem.surface.body == HALF_SPACE else longest
+    return problem.load * shared / problem.elements
+
+
 def viscous_pressure(problem: Problem) -> Numbers:
     """Return vbar grad z, the viscous pressure at the rms slope, in units of G h."""
     return abs(problem.speed) * line_slope(problem)

@@ -1,46 +1,40 @@
 """Completion of the estimates of a variant: resolution, model ratios, exponents of eq. 13."""
 
-from functools import lru_cache, partial
 from typing import NamedTuple
 
 import numpy as np
 
-from ...kernels import MOTION_TRACES, equivalent_of_cut
-from ...kernels.half_space.persson import (
-    Waves,
-    persson_theory,
-    waves_of_line,
-    waves_of_map,
-    waves_of_self_affine,
-)
+from ...kernels import MOTION_TRACES
 from ..plan import (
     Plan,
     Variant,
     line_slope,
-    model_ratio,
-    nominal_pressure,
     speed_ratio,
 )
-from ..simulate import LineShape, Task
-from ..study import HALF_SPACE, Surface, accuracy_estimates
+from ..study import accuracy_estimates
 from .blocks import Estimates, columns, enter
 from .fits import FITTED
+from .model_ratio import model_ratios
+from .persson_estimates import persson_estimates
 from .resolution import UNRESOLVED, resolution, trace_resolution
-
-CUT_KINDS = ("measured", "random-phase")  # lines that are cuts through the rough surface
 
 
 def completed(
-    plan: Plan, variant: Variant, estimates: Estimates, sound: np.ndarray, counts: np.ndarray
+    plan: Plan,
+    variant: Variant,
+    estimates: Estimates,
+    sound: np.ndarray,
+    counts: np.ndarray,
+    other: Estimates | None = None,
 ) -> Estimates:
     """Return name -> array over all tasks of a variant.
 
     estimates : of the tasks at the rows ``sound``; other rows become NaN or -1. counts :
-    realizations of each task, shape (tasks,). Errors of the times and positions of trace samples
-    are omitted if all are zero.
+    realizations of each task, shape (tasks,). other : completed estimates of the other body,
+    ``plan.model``. Errors of the times and positions of trace samples are omitted if all are zero.
     """
     tasks = variant.tasks
-    names = accuracy_estimates(plan.study.scene.quantities)
+    names = accuracy_estimates(variant.study.scene.quantities)
     done = [tasks[row] for row in sound]
     estimates = estimates | resolution(done, estimates, names, variant.numerics)
     if "trace_samples_per_contact" in estimates:
@@ -50,9 +44,10 @@ def completed(
     spread = {
         n: _spread(v, sound, len(tasks)) for n, v in estimates.items() if n not in without_error
     }
-    spread |= _model_ratios(tasks, variant.lines.normalisation) if "mu_1" in names else {}
     if "persson" in plan.study.scene.quantities:
-        spread |= _persson_estimates(tasks, variant.lines)
+        spread |= persson_estimates(tasks, variant.lines)
+    if variant is plan.variants[0] and "mu_1" in names:
+        spread |= model_ratios(plan, spread, other)
     slopes = [line_slope(task.problem, variant.lines.normalisation) for task in tasks]
     return spread | {
         "realizations": counts,
@@ -60,40 +55,6 @@ def completed(
         "speed_ratio": np.array([speed_ratio(task.problem) for task in tasks]),
         "steps_per_spacing": np.array([t.steps_per_spacing for t in tasks], np.int32),
     }
-
-
-def _model_ratios(tasks: list[Task], normalisation: str) -> Estimates:
-    """Return mu_1 on a foundation over mu_1 on a half-space, if known for any task."""
-    ratios = np.array([model_ratio(task.problem, normalisation) for task in tasks])
-    if np.isnan(ratios).all():
-        return {}
-    return {"model_ratio": ratios[:, 0], "model_ratio_error": ratios[:, 1]}
-
-
-def _persson_estimates(tasks: list[Task], lines: Surface) -> Estimates:
-    """Return friction and contact area at v1 by Persson's theory, for the study's spectrum."""
-    theory = np.empty((len(tasks), 2))
-    waves_of = lru_cache(maxsize=100)(partial(_waves, lines))
-    for row, task in enumerate(tasks):
-        problem = task.problem
-        waves = waves_of(*problem[:2], problem.surface)
-        theory[row] = persson_theory(
-            waves, problem.spectrum, nominal_pressure(problem), problem.ends[0]
-        )
-    return {"mu_persson": theory[:, 0], "area_persson": theory[:, 1]}
-
-
-def _waves(lines: Surface, hurst: float, elements: int, shape: LineShape) -> Waves:
-    """Return the waves of the rough surface, which are the same for both bodies."""
-    if lines.profile is None or lines.spectrum is None:
-        modes = shape.rolloff, shape.cutoff
-        return waves_of_self_affine(hurst, elements, *modes, lines.normalisation)
-    spectrum = lines.spectrum / lines.profile.roughness
-    if lines.body == HALF_SPACE:
-        return waves_of_map(spectrum, elements)
-    if lines.lines in CUT_KINDS:
-        spectrum = equivalent_of_cut(spectrum)
-    return waves_of_line(spectrum, elements)
 
 
 def exponents_of(plan: Plan, variant: Variant, estimates: Estimates) -> Estimates:

@@ -76,12 +76,18 @@ def body_in_words(data: xr.Dataset) -> str:
 
 
 def model_in_words(data: xr.Dataset) -> str:
-    """Return a sentence on the ratio of mu_1 to that on a half-space, or "" if it is unknown."""
-    if "model_ratio" not in data:
-        return ""
-    known = data.model_ratio.values[np.isfinite(data.model_ratio.values)]
-    if not known.size:
-        return ""
-    ends = dict.fromkeys(f"{value:.2g}" for value in (known.min(), known.max()))
-    some = "" if known.size == data.model_ratio.size else f", as far as known: {known.size} points"
-    return f"mu_1 of the foundation is {' to '.join(ends)} of that of a half-space{some}"
+    """Return a sentence on the error of the model, or its reason to be unknown; "" without both."""
+    source = data.attrs.get("model_ratio_source", "")
+    ratio = data.model_ratio.values if "model_ratio" in data else np.empty(0)
+    known = np.isfinite(ratio)
+    if not known.any():
+        return f"Error of the model: {source}" if source else ""
+    ends = dict.fromkeys(f"{value:.2g}" for value in (ratio[known].min(), ratio[known].max()))
+    with np.errstate(all="ignore"):
+        errors = data.model_ratio_error.values[known] / ratio[known]
+    error = f" ± {np.median(errors):.0%}" if np.isfinite(errors).all() else ", error unknown"
+    some = "" if known.all() else f" at {known.sum()} points"
+    return (
+        f"mu_1 of the foundation is {' to '.join(ends)}{error} of that of a half-space{some} "
+        f"({source})"
+    )

@@ -11,7 +11,7 @@ from matplotlib.lines import Line2D
 from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
 
 from ..study import ALL_AXES
-from .in_words import body_in_words, unit_in_words, value_label, with_unit
+from .in_words import body_in_words, model_in_words, unit_in_words, value_label, with_unit
 from .unresolved import not_resolved, why_hollow
 
 STYLE: dict[str, Any] = {
@@ -67,7 +67,9 @@ def foot_line(figure: Figure, dataset: xr.Dataset, note: str = "", bars: str = "
         ring = Line2D([], [], ls="", marker="o", color="0.3", **RING)
         style: dict[str, Any] = {"loc": "outside upper right", "fontsize": 6, "handletextpad": 0.2}
         figure.legend([ring], ["hollow: not resolved"], **style)
-    write_below(figure, size, body_in_words(dataset), note, hollow)
+    model = model_in_words(dataset).replace("mu_1", "µ₁")
+    model = f"{model}." if model else ""
+    write_below(figure, size, body_in_words(dataset), model, note, hollow)
 
 
 def write_below(figure: Figure, *notes: str) -> None:

@@ -20,7 +20,7 @@ from ..plan import MAX_REMEMBERED
 from ..reduce import LARGE_BIAS, NARROW_CONTACTS
 from ..result import Groups
 from ..study import COMMON_AXES
-from .in_words import axes_in, mathematical, model_in_words, unit_in_words, value_label, with_unit
+from .in_words import axes_in, mathematical, unit_in_words, value_label, with_unit
 from .panels import COLOURS, band, error_bars, foot_line, legend_in_room
 from .unresolved import TRACE_STATUS, not_resolved
 
@@ -74,12 +74,10 @@ def draw(groups: Groups) -> Figure:
     if shown and estimates[0, 0].get_legend_handles_labels()[0]:
         estimates[0, 0].legend(fontsize=6)  # one legend serves all panels of estimates
     unresolved = f"Dotted curves ({dotted}) are not resolved: {NARROW_CONTACTS} or {LARGE_BIAS}."
-    model = model_in_words(data).replace("mu_1", "µ₁")
     notes = [
         _limit_note(len(varied) > 1 and data.sizes[varied[1]], MAX_COLOURS, "values of the second"),
         _limit_note(len(places), MAX_ROWS, "places on the other axes"),
         unresolved if dotted else "",
-        f"{model}." if model else "",
         _repeated_note(data),
         "" if shown else _single_point_text(data),
     ]

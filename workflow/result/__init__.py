@@ -8,10 +8,11 @@ from typing import TYPE_CHECKING
 from ..ground import public_names
 
 if TYPE_CHECKING:
-    from .dataset import Groups, build_dataset
+    from .dataset import Groups, build_dataset, model_source
     from .netcdf import (
         BROKEN,
         ROOT,
+        Peek,
         broken,
         change_note,
         check_result,

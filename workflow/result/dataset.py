@@ -99,6 +99,8 @@ def _facts(plan: Plan, variant: Variant) -> dict[str, str | int | float]:
     facts = provenance(plan.study, variant.numerics) | {"body": lines.body}
     if lines.body == plan.study.surface.body:
         facts["body_reason"] = plan.study.body_reason
+    if variant is plan.variants[0] and "steady" in plan.study.scene.quantities:
+        facts["model_ratio_source"] = model_source(plan)
     share = plan.study.force_share(variant.label)
     if share != 1.0:  # the force coordinate is that of the study
         facts["normal_force_share"] = share
@@ -110,6 +112,15 @@ def _facts(plan: Plan, variant: Variant) -> dict[str, str | int | float]:
         "programme": "; ".join(plan.study.scene.sampled),
     }
     return facts | {name: description for name, description in files.items() if description}
+
+
+def model_source(plan: Plan) -> str:
+    """Return the source of model_ratio in words."""
+    if plan.model is not None:
+        return "measured on both bodies"
+    if plan.variants[0].lines.body == HALF_SPACE:
+        return f"unknown: {plan.no_model}"
+    return f"order of magnitude by Persson's theory; {plan.no_model}"
 
 
 def _coordinates(plan: Plan, variant: Variant, dims: set[str]) -> dict[str, object]:

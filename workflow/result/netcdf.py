@@ -157,6 +157,7 @@ class Peek(NamedTuple):
 
     attributes: dict[str, Any]
     realizations: dict[str, np.ndarray]  # at all points, by label of the variant
+    model_realizations: np.ndarray | None  # of the other body
 
 
 def peek(path: Path) -> Peek | None:
@@ -170,9 +171,11 @@ def peek(path: Path) -> Peek | None:
             attributes = {name: file.getncattr(name) for name in file.ncattrs()}
             for label, group in {ROOT: file, **file.groups}.items():
                 realizations[label] = group["realizations"][:]
+            name = "model_realizations"
+            other = file[name][:] if name in file.variables else None
     except (AttributeError, LookupError, OSError, RuntimeError):
         return None
-    return Peek(attributes, realizations)
+    return Peek(attributes, realizations, other)
 
 
 def check_result(study: AnyStudy, path: Path, *, strict: bool) -> None:

@@ -76,8 +76,11 @@ VARIABLES = {
     "area_persson": Variable("real contact area at v1 by Persson's theory, over the nominal one"),
     "model_ratio": Variable(
         "mu_1 of the foundation over that of a half-space",
-        comment="at one nominal pressure, from a table that the study bodies makes; the error of "
-        "the model. NaN outside the table",
+        comment="at one nominal pressure; the error of the model. The attribute "
+        "model_ratio_source tells a measurement on both bodies from an order of magnitude",
+    ),
+    "model_realizations": Variable(
+        "number of realizations of the other body in model_ratio", dtype=COUNT_DTYPE
     ),
     "jump": Variable("instantaneous jump of the coefficient of friction", SLOPE_SCALE),
     "relaxation_rate": Variable(

@@ -53,9 +53,13 @@ class Collector:
         Failed tasks have estimates NaN, flags -1 and realizations 0. Raises UserError if all tasks
         of a variant failed.
         """
-        datasets = {}
+        datasets, model, other = {}, self.plan.model, None
+        if model is not None:
+            other = self._complete(model, np.array(self._sound(model)), blocks)
         for variant in self.plan.variants:
-            estimates = self._complete(variant, np.array(self._sound(variant)), blocks)
+            if variant.study is not self.plan.study:  # serves only model_ratio
+                continue
+            estimates = self._complete(variant, np.array(self._sound(variant)), blocks, other)
             exponents = reduce.exponents_of(self.plan, variant, estimates)
             datasets[variant.label] = result.build_dataset(self.plan, variant, estimates, exponents)
         return datasets
@@ -80,8 +84,17 @@ class Collector:
         accuracy = variant.numerics.accuracy or 0.0
         return reduce.attained(estimates, goals, ratios, accuracy, realizations)
 
-    def _complete(self, variant: Variant, sound: np.ndarray, blocks: dict[str, int]) -> "Estimates":
-        """Return the estimates of all tasks, with failed tasks marked. sound : the other rows."""
+    def _complete(
+        self,
+        variant: Variant,
+        sound: np.ndarray,
+        blocks: dict[str, int],
+        other: "Estimates | None" = None,
+    ) -> "Estimates":
+        """Return the estimates of all tasks, with failed tasks marked.
+
+        sound : rows of the others. other : as for ``completed``.
+        """
         rows, tasks = sound.tolist(), variant.tasks
         estimates = self.fitted[variant.label].at(rows)
         if variant.goals:
@@ -91,7 +104,7 @@ class Collector:
         per_block = variant.block_size
         counts = np.zeros(len(tasks), np.int32)
         counts[sound] = [blocks[tasks[row].key] * per_block for row in rows]
-        return reduce.completed(self.plan, variant, estimates, sound, counts)
+        return reduce.completed(self.plan, variant, estimates, sound, counts, other)
 
 
 class Fitted:

@@ -7,7 +7,7 @@ from pathlib import Path
 import numpy as np
 
 from ..plan import Missing, Plan, missing_work
-from ..result import peek
+from ..result import Peek, peek
 from ..simulate import Record
 from ..store import Store
 from ..system import our_sources, package_versions
@@ -49,7 +49,7 @@ def is_unchanged(
     if missing and not rounds:
         return False
     present = peek(result) if store.wrote(result) else None
-    blocks = present and _blocks(plan, present.realizations)
+    blocks = present and _blocks(plan, present)
     if not (present and blocks) or present.attributes.get(KEY_ATTRIBUTE) != result_key(
         plan, store, blocks
     ):
@@ -57,14 +57,16 @@ def is_unchanged(
     return not (missing_work(plan, settled, blocks) if rounds else missing)
 
 
-def _blocks(plan: Plan, realizations: dict[str, np.ndarray]) -> dict[str, int] | None:
-    """Return the number of blocks by key of the task, given the realizations at each grid point.
+def _blocks(plan: Plan, present: Peek) -> dict[str, int] | None:
+    """Return the number of blocks in a result by key of the task.
 
     Returns None if the result has another grid. Failed tasks keep the planned number.
     """
     blocks = dict(plan.first)
     for variant in plan.variants:
-        counts = realizations.get(variant.label)
+        counts = present.realizations.get(variant.label)
+        if variant.study is not plan.study:
+            counts = present.model_realizations
         if counts is None or counts.shape != variant.point_task.shape:
             return None
         task_blocks = np.zeros(len(variant.tasks), int)

@@ -185,34 +185,38 @@ def compute(study: Study, resumed: SavedState | None = None) -> xr.Dataset:
     Raises UserError for a refused plan, and ValueError as the kernels do.
     """
     plan = make_plan(study, origin=resumed.origin if resumed else ZERO_ORIGIN)
-    (variant,) = plan.variants
+    variant, model = plan.variants[0], plan.model
     with report_compilation("the kernels of this scene", "5 to 60 s", cache.WAITING_EVENT):
-        estimates = _estimates(plan, variant, resumed)
+        other = _estimates(plan, model, None) if model else None
+        estimates = _estimates(plan, variant, resumed, other)
     dataset = build_dataset(plan, variant, estimates, {})
     single = {axis: 0 for axis in study.axes if axis not in PROGRAMME_AXES}
     return _in_seconds(dataset.isel(single), study)
 
 
-def _estimates(plan: Plan, variant: Variant, resumed: SavedState | None) -> Estimates:
-    """Return the estimates of all tasks."""
-    tasks, study = variant.tasks, plan.study
+def _estimates(
+    plan: Plan, variant: Variant, resumed: SavedState | None, other: Estimates | None = None
+) -> Estimates:
+    """Return the estimates of all tasks of a variant. other : as for ``completed``."""
+    tasks, blocks = variant.tasks, max(plan.expected[task.key] for task in variant.tasks)
     rows = {task.key: row for row, task in enumerate(tasks)}
     width = plan.widest_row(variant)
-    scalars, values = None, np.full((len(tasks), study.blocks, width), np.nan)
-    whole = cut(missing_work(plan, ()), np.inf)
+    scalars, values = None, np.full((len(tasks), blocks, width), np.nan)
+    missing = [entry for entry in missing_work(plan, ()) if entry.variant is variant]
+    whole = cut(missing, np.inf)
     for batch in make_batches(whole, 1e9):
         means = block_means(replace(batch, resumed=resumed))
         if scalars is None:
             scalars = np.full((*values.shape[:2], means.scalars.shape[2]), np.nan)
         at = [rows[task.key] for task in batch.tasks]
-        blocks = slice(batch.first_block, batch.first_block + batch.blocks)
-        scalars[at, blocks] = means.scalars
-        values[at, blocks, : means.curves.shape[2]] = means.curves
+        ran = slice(batch.first_block, batch.first_block + batch.blocks)
+        scalars[at, ran] = means.scalars
+        values[at, ran, : means.curves.shape[2]] = means.curves
     assert scalars is not None
     estimates = reduce_blocks(blocks_of(reduction_of(variant), tasks, scalars, values))
-    counts = np.full(len(tasks), study.realizations, np.int32)
+    counts = np.full(len(tasks), blocks * variant.block_size, np.int32)
     estimates.pop("rate_replicates", None)  # serve only fits over many points
-    return completed(plan, variant, estimates, np.arange(len(tasks)), counts)
+    return completed(plan, variant, estimates, np.arange(len(tasks)), counts, other)
 
 
 def _in_seconds(dataset: xr.Dataset, study: Study) -> xr.Dataset:

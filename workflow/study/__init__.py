@@ -47,7 +47,14 @@ if TYPE_CHECKING:
     from .scripts import load_script
     from .settings import Key, default_of, integer, positive, values_of
     from .study import MAX_BLOCKS, AnyStudy, Study, read_grid_study
-    from .surfaces import Profile, Surface, check_load, map_of_array, profile_of_array
+    from .surfaces import (
+        Profile,
+        Surface,
+        check_load,
+        map_of_array,
+        profile_of_array,
+        rows_of_map,
+    )
     from .tables import ALL_TABLES
     from .variants import COMPARE, changed_material
 

@@ -74,6 +74,11 @@ QUANTITIES = {
         "friction and contact area by Persson's theory (closed form)",
         requirements=(CONSTANT_FORCE,),
     ),
+    "model_ratio": Quantity(
+        "steady friction on the other body too, which shows the error of the model",
+        needs=("steady",),
+        requirements=(CONSTANT_FORCE,),
+    ),
     "jump": Quantity(
         "jump at t0+ (no relaxation is marched)",
         ("jump",),
@@ -137,6 +142,7 @@ QUANTITIES = {
 DRIVE_QUANTITIES = (
     "steady",
     "persson",
+    "model_ratio",
     "trace",
     "healing",
     "rate_state",

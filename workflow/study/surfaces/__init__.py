@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 from ...ground import public_names
 
 if TYPE_CHECKING:
-    from .profile import Profile, check_load, map_of_array, profile_of_array
+    from .profile import Profile, check_load, map_of_array, profile_of_array, rows_of_map
     from .surface import Surface
     from .table import LINE_KIND_KEYS, SURFACE, check_cutoff, lines_like, read_surface
 

@@ -186,6 +186,14 @@ def _given_profile(heights: object, values: np.ndarray, length: float, notes: st
     return profile
 
 
+def rows_of_map(profile: Profile) -> Profile:
+    """Return the rows of a map as lines of the same period."""
+    rows = profile.heights.reshape(-1, profile.heights.shape[-1])
+    lines = _read_only_profile(rows, profile.length, 1, f"rows of {profile.notes}")
+    correlation = line_correlation(level(rows, "mean"))
+    return lines._replace(measured_length=profile.measured_length, correlation=correlation)
+
+
 def heights_of_array(heights: object) -> np.ndarray:
     """Return heights given from Python as an array of two or more dimensions, NaN if masked.
 
