@@ -20,7 +20,13 @@ from elastomer_friction.workflow.study import ALL_AXES, COMMON_AXES
 
 # tests/workflow/reduce/test_model_ratio.py, tests/workflow/reduce/test_persson.py
 # and test_point_quantities.py
-OF_BODIES = {"model_realizations", "mu_persson", "area_persson", "mean_contact_pressure"}
+OF_BODIES = {
+    "model_ratio",
+    "model_realizations",
+    "mu_persson",
+    "area_persson",
+    "mean_contact_pressure",
+}
 ACCURACY = {"accuracy_reached", "accuracy_status"}  # run/test_rounds.py
 
 
