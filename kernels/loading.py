@@ -1,12 +1,10 @@
 """Compilation of all kernels that a case can need, by two processes in parallel.
 
-    python -m elastomer_friction.kernels.loading SCHEME
-
-compiles the marches. Meanwhile its parent process compiles steady sliding, which takes as long.
+``python -m elastomer_friction.kernels.loading SCHEME`` compiles the marches. Meanwhile its parent
+process compiles steady sliding, which takes as long.
 """
 
 import contextlib
-import gc
 import subprocess
 import sys
 from collections.abc import Iterator
@@ -66,11 +64,8 @@ def _line() -> Line:
 
 @contextlib.contextmanager
 def _helper(scheme: str, requested: Quantities) -> Iterator[None]:
-    """Compile the marches in a child process, once per cache folder; pause garbage collection."""
+    """Compile the marches in a child process, once per cache folder."""
     with contextlib.ExitStack() as stack:
-        if gc.isenabled():  # collection takes a sixth of the compile time
-            gc.disable()
-            stack.callback(gc.enable)
         if requested.relaxation and requested.indentation_rate:  # not eq. 3 as printed
             with contextlib.suppress(OSError):  # already started, or a read-only folder
                 Path(CACHE_FOLDER, f"helper-{COMPILER}").touch(exist_ok=False)
@@ -82,5 +77,4 @@ def _helper(scheme: str, requested: Quantities) -> Iterator[None]:
 
 
 if __name__ == "__main__":
-    gc.disable()
     load_marches(sys.argv[1])

@@ -104,9 +104,8 @@ def _solve_grids(form, z, speed, load, d, max_turns):
             if not np.isnan(load):
                 relaxed[0], _ = solve_indentation(line, line_load, line_load / line.size)
             x[-1], relaxed[0] = relaxed[0], max(relaxed[0], 0.0)
-            x[:-1] = lookahead_memory(
-                law, np.ascontiguousarray(rest_memory(form, relaxed)[:, 0]), relaxed[0]
-            )
+            memory = np.ascontiguousarray(rest_memory(form, relaxed)[:, 0])
+            _copy(lookahead_memory(law, memory, relaxed[0]), x)
         forces = np.empty(line.size)
         target = TARGET_RESIDUAL if stride == 1 else COARSE_RESIDUAL
         turns, residual = _solve_line(law, line, line_load, target, max_turns, x, forces)
@@ -118,6 +117,13 @@ def _solve_grids(form, z, speed, load, d, max_turns):
     else:
         p = np.concatenate((forces[cut:], forces[:cut]))
     return p, x[-1] + z[deepest], updates, residual, deepest, x[:-1].copy()
+
+
+@refcount_free_kernel
+def _copy(values, target):
+    """Copy values to the beginning of an array; assignment to a slice compiles for a second."""
+    for i in range(values.size):
+        target[i] = values[i]
 
 
 @kernel
@@ -160,7 +166,7 @@ def _solve_line(law, line, load, target, max_turns, x, forces):
     trial, step, trial_forces = x.copy(), np.zeros(size), np.empty(line.size)
     while turns < max_turns:
         y = np.zeros(powers.product.shape[0])
-        y[:size] = trial
+        _copy(trial, y)
         turn_element(law, line, y, powers, trial_forces)
         y = y[: size + 1]
         turns += 1
@@ -169,13 +175,15 @@ def _solve_line(law, line, load, target, max_turns, x, forces):
             trial -= step
             previous = 0.0
             continue
-        y[:-1] -= trial
+        for k in range(size):
+            y[k] -= trial[k]
         y[-1] -= load
         residual = _residual(y, trial, load)
         stalled = exact and best < accepted and not residual < 0.5 * best
         if residual < best:
             best = residual
-            x[:], forces[:] = trial, trial_forces
+            _copy(trial, x)
+            _copy(trial_forces, forces)
         if stalled or residual < target:
             break
         exact = not residual < 0.1 * previous or cheap
@@ -184,7 +192,10 @@ def _solve_line(law, line, load, target, max_turns, x, forces):
             tangents, stretches = tangents_of(powers, trial_forces)
             cheap = stretches * powers.product.size < CHEAP_PRODUCTS * line.size
         else:
-            tangents += np.outer(step / (step**2).sum(), y)
+            change = step / (step**2).sum()
+            for k in range(size):
+                for column in range(size + 1):
+                    tangents[k, column] += change[k] * y[column]
         step = _newton_step(tangents, y)
         trial += step
     return turns, best

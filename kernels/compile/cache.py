@@ -144,8 +144,7 @@ class KernelCache(NullCache, CompileResultCacheImpl):
 
     def _load(self, path: Path, target_context: Any) -> Any:
         with contextlib.suppress(OSError):
-            stored = path.read_bytes()
-            digest, content = stored[:32], stored[32:]  # SHA-256
+            digest, content = (stored := path.read_bytes())[:32], stored[32:]  # SHA-256
             if hashlib.sha256(content).digest() == digest:
                 return self.rebuild(target_context, pickle.loads(content))
         return None

@@ -9,8 +9,7 @@ from numba.core import event
 class _CompilerClock(event.Listener, threading.local):
     """CPU seconds that each thread spends on loading and compiling kernels."""
 
-    depth = 0  # of nested compilations
-    seconds = 0.0
+    depth, seconds = 0, 0.0  # depth: of nested compilations
 
     def on_start(self, event: event.Event) -> None:
         if self.depth == 0:

@@ -1,10 +1,11 @@
 """Decorators of kernels: compilation, linking into callers, and dispatch on an argument's type.
 
-A kernel called by another kernel has no machine code of its own: it is translated, optimised and
-linked into its caller. If numba lacks the private names below, it compiles in a slower way.
+A kernel called by another kernel has no machine code of its own: it is linked into its caller and
+optimised there. If numba lacks the private names below, it compiles in a slower way.
 """
 
 import functools
+import gc
 from collections.abc import Callable
 from pathlib import Path
 from types import SimpleNamespace
@@ -21,9 +22,11 @@ from . import cache
 
 
 class _LinkedLibrary(JITCodeLibrary):
-    """Code without an entry point, to be linked into that of its callers."""
+    """Code without an entry point, to be optimised and compiled in that of its callers."""
 
     codegen = SimpleNamespace(set_env=lambda name, environment: None)  # for machine code only
+
+    def _optimize_final_module(self) -> None: ...
 
     def _finalize_final_module(self) -> None:
         if hasattr(self, "_finalized"):
@@ -35,12 +38,20 @@ class _LinkedLibrary(JITCodeLibrary):
         return 0  # Python never calls this code
 
 
-class _LinkedCompiler(Compiler):
-    """Compiler of kernels that are linked into their callers."""
+class _EntryCompiler(Compiler):
+    """Compiler of a kernel for Python, and without entry points of all that it calls."""
 
     def compile_extra(self, func: Any) -> Any:
-        self.state.library = _LinkedLibrary(self.state.targetctx.codegen(), func.__qualname__)
-        return super().compile_extra(func)
+        codegen, collects = self.state.targetctx.codegen(), gc.isenabled()
+        self.state.library = codegen.create_library(func.__qualname__)
+        self.state.library.enable_object_caching()
+        codegen._library_class = _LinkedLibrary  # of all that is compiled meanwhile
+        gc.disable()  # collection takes a sixth of the compile time
+        try:
+            return super().compile_extra(func)
+        finally:
+            del codegen._library_class
+            (gc.enable if collects else gc.disable)()
 
 
 NUMBA_OPTIONS = {
@@ -50,14 +61,14 @@ NUMBA_OPTIONS = {
 }
 UNCOUNTED = {}  # no reference counts: they can take as long as stepping hundreds of elements
 if hasattr(DefaultOptions, "_nrt"):
-    NUMBA_OPTIONS["_nrt"] = True  # whichever caller is compiled first
-    UNCOUNTED["_nrt"] = False
-LINKED = NUMBA_OPTIONS | {"no_cpython_wrapper": True, "pipeline_class": _LinkedCompiler}
+    NUMBA_OPTIONS["_nrt"], UNCOUNTED["_nrt"] = True, False  # whichever caller is compiled first
+LINKED = NUMBA_OPTIONS | {"no_cpython_wrapper": True}
+ENTRY = NUMBA_OPTIONS | {"pipeline_class": _EntryCompiler}
 
 
 def kernel(function: Callable, **options: bool) -> Callable:
     """Compile a function. With NUMBA_DISABLE_JIT=1 this decorator and those below do nothing."""
-    compiled = numba.njit(**NUMBA_OPTIONS | UNCOUNTED if options else NUMBA_OPTIONS)(function)
+    compiled = numba.njit(**ENTRY | UNCOUNTED if options else ENTRY)(function)
     if compiled is not function:
         linked = numba.njit(**LINKED | options)(function)
 
@@ -93,9 +104,8 @@ def jitable(function: Callable) -> Callable:
 class dispatch_on_type:
     """Function with a separate body for each NamedTuple type of its first argument.
 
-    It decorates a declaration, and ``.register(type)`` decorates a body, as in
-    functools.singledispatch. Machine code contains only the bodies for the types of the call.
-    Bodies must be in this package, because its files determine the name of the cache folder.
+    It decorates a declaration and ``.register(type)`` a body, as in functools.singledispatch. Only
+    bodies for the types of a call are compiled. They must be in this package (cache.source_hash).
     """
 
     def __init__(self, declaration: Callable, **options: bool) -> None:

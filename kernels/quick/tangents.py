@@ -53,7 +53,9 @@ def powers_of_steps(law, size, max_steps):
         step = of[kind, 0]
         step[:] = 0.0
         for r in range(size):
-            step[r, : size - 2], step[r, size - 2], step[r, size - 1] = memory[:, r], d[r], new[r]
+            for c in range(size - 2):
+                step[r, c] = memory[c, r]
+            step[r, size - 2], step[r, size - 1] = d[r], new[r]
         step[size - 1, size - 1] += 1.0
         diagonal[kind] = _spread_diagonal(step)
     return Powers(of, diagonal, known, np.empty((width, width)), size)

@@ -25,8 +25,7 @@ def report_compilation(subject: str, duration: str, waiting_event: str) -> Itera
                 if "numba:compile" not in lines:  # compiling: report no wait after this
                     lines.clear()
 
-        def on_end(self, event: Any) -> None:
-            pass
+        def on_end(self, event: Any) -> None: ...
 
     reporter, listen = Reporter(), event.install_listener
     with listen("numba:compile", reporter), listen(waiting_event, reporter):

@@ -73,7 +73,9 @@ def scaled_units(memory):
     scaled, steps = np.zeros((blocks, units, BLOCK_ELEMENTS)), np.zeros((2, units), np.int64)
     for b in range(blocks):
         first, size = b * BLOCK_ELEMENTS, min(BLOCK_ELEMENTS, n - b * BLOCK_ELEMENTS)
-        scaled[b, :, :size] = memory[:, first : first + size]
+        for k in range(units):
+            for i in range(size):
+                scaled[b, k, i] = memory[k, first + i]
     scales, known_steps = Scales(np.ones(units), steps[0], steps[1]), np.zeros(blocks, np.int64)
     zeros, workspace = np.zeros((3, units)), (np.empty(units), np.empty(2 * BLOCK_ELEMENTS))
     return ScaledUnits(scaled, known_steps, scales, zeros[0], zeros[1], zeros[2], *workspace)

@@ -178,14 +178,19 @@ def test_machine_code_of_a_wheel_is_used_where_it_lies(folder, tmp_path, monkeyp
     assert list(tmp_path.iterdir()) == []
 
 
+LIBRARY_NAMES = ["_finalized", "_finalize_final_module", "_library_class", "_optimize_final_module"]
+
 # Removes a private name of numba, as a later version may do, and calls kernels.
 FALLBACK = """
 import builtins, sys
 missing, usual = sys.argv[1], builtins.hasattr
 builtins.hasattr = lambda owner, name: name != missing and usual(owner, name)
 from elastomer_friction.kernels.compile import jit
-if missing == "_finalize_final_module":
-    del jit._LinkedLibrary._finalize_final_module
+if missing in vars(jit._LinkedLibrary):
+    delattr(jit._LinkedLibrary, missing)
+if missing == "_library_class":
+    from numba.core.codegen import JITCodeLibrary, JITCPUCodegen
+    JITCPUCodegen.create_library = lambda codegen, name: JITCodeLibrary(codegen, name)
 from tests.kernels.compile.test_jit import PAIR, both, first_of, twice
 assert both(PAIR) == (213.0, 1)
 assert twice(PAIR) == 426.0
@@ -195,7 +200,7 @@ print(sum(sum(k.stats.cache_hits.values()) for k in (both, twice, first_of)))
 
 
 @pytest.mark.skipif(PLAIN_PYTHON, reason="NUMBA_DISABLE_JIT=1: nothing compiled")
-@pytest.mark.parametrize("name", ["", "_cache", "_finalized", "_finalize_final_module", "_nrt"])
+@pytest.mark.parametrize("name", ["", "_cache", "_nrt", *LIBRARY_NAMES])
 def test_without_a_private_name_of_numba_kernels_are_compiled_and_cached(tmp_path, name):
     environment = {"NUMBA_CACHE_DIR": str(tmp_path)}
     assert [printed("-c", FALLBACK, name, **environment) for _ in range(2)] == ["0\n", "3\n"]
