@@ -222,6 +222,7 @@ def _validity(law: Law, motions: Sequence[Transient], masks: Masks, speeds: np.n
         normal_force=motions[0].normal_force,
         temperature=motions[0].temperature,
         shift=motions[0].shift,
+        body=motions[0].body,
         rms=root_mean_square(residuals),
         largest=float(np.max(np.abs(np.concatenate(residuals)))),
         model_error=root_mean_square([errors[np.isfinite(errors)]]),

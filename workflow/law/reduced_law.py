@@ -21,8 +21,8 @@ from ..study import shift_of
 from .transients import MAX_VELOCITY_CHANGE, motions_of
 
 FORMAT = 1  # version of the JSON format
-TEXT_FIELDS = ("motions", "held_out", "window", "source", "shift")  # of Validity, as text
-OPTIONAL_FIELDS = ("temperature", "shift")  # of Validity, missing in older files
+TEXT_FIELDS = ("motions", "held_out", "window", "source", "shift", "body")  # of Validity, as text
+OPTIONAL_FIELDS = ("temperature", "shift", "body")  # of Validity, missing in older files
 SPEED_MARGIN = 1.0 + 1e-9  # factor on the fastest speed, for rounding
 
 
@@ -41,7 +41,7 @@ class Validity:
     velocity alone does not explain. motions : names of the fitted segments, with the rms error on
     each. held_out, window : descriptions of the held-out and of the fitted motions. source : name
     of the result. temperature : degrees Celsius. shift : time-temperature shift of the material, as
-    JSON.
+    JSON. body : elastic body of the motions, and the error of the model, in words.
     """
 
     slowest: float = float("nan")
@@ -61,6 +61,7 @@ class Validity:
     source: str = ""
     temperature: float = float("nan")
     shift: str = ""
+    body: str = ""
 
 
 class Compared(NamedTuple):
@@ -111,6 +112,7 @@ class FittedLaw(ABC):
             f"error on the fitted motions, {validity.window}: {validity.rms:.3g} rms "
             f"({percent * validity.rms:.3g} %), {validity.largest:.3g} at most; standard error of "
             f"the model {validity.model_error:.3g}",
+            *filter(None, [validity.body]),
         ]
 
     def outside(self) -> str:

@@ -10,6 +10,7 @@ import numpy as np
 
 from ..ground import UserError
 from ..reduce import RESOLVED, UNRESOLVED
+from ..result import body_in_words, model_in_words
 from ..study import PROGRAMME_AXES, SHIFT_KEYS
 
 MAX_VELOCITY_CHANGE = 0.1  # relative change of the velocity within one step of a law
@@ -39,6 +40,7 @@ class Transient(NamedTuple):
     normal_force: float  # N
     temperature: float = math.nan  # degrees Celsius, NaN if unknown
     shift: str = ""  # time-temperature shift: keys of [material] as JSON
+    body: str = ""  # elastic body and error of the model, in words
 
     def parts(self) -> Iterator[tuple[str, np.ndarray]]:
         """Yield the name and the rows with known friction of every segment that has any."""
@@ -143,7 +145,9 @@ def _transient(dataset: Any, name: str, material: tuple[float, str]) -> Transien
         ]
         rows = np.insert(rows, k + 1, ends, axis=0)
     time, velocity, mu, error, segments = rows.T
-    return Transient(name, time, velocity, mu, error, segments.astype(int), force, *material)
+    segments = segments.astype(int)
+    body = f"{body_in_words(dataset)} {model_in_words(dataset)}".strip()
+    return Transient(name, time, velocity, mu, error, segments, force, *material, body)
 
 
 def _check_distance(

@@ -14,7 +14,7 @@ import xarray as xr
 from markupsafe import Markup
 
 from ..ground import UserError
-from ..result import open_tree
+from ..result import body_in_words, model_in_words, open_tree
 from ..study import ALL_AXES
 from ..system import make_folder, write_durably
 from .in_words import SYMBOLS, unit_in_words
@@ -65,7 +65,8 @@ def explorer_page(tree: xr.DataTree, name: str) -> str:
         "explore.html.j2",
         title=str(data.attrs["title"]),
         file=name,
-        origin=f"{data.attrs['source']}, seed {data.attrs['seed']}, commit {data.attrs['commit']}",
+        origin=f"{data.attrs['source']}, seed {data.attrs['seed']}, commit {data.attrs['commit']}. "
+        f"{body_in_words(data)} {model_in_words(data)}",
         rubber=content["rubber"],
         data=Markup(text),
     )

@@ -17,14 +17,23 @@ from markupsafe import Markup, escape
 
 from ..ground import UserError
 from ..reduce import STATUS_MEANINGS
-from ..result import ROOT, Groups, change_note, differing_settings, listed, open_result, result_file
+from ..result import (
+    ROOT,
+    Groups,
+    change_note,
+    differing_settings,
+    listed,
+    model_in_words,
+    open_result,
+    result_file,
+)
 from ..study import AnyStudy, known_scales, known_studies, read_study
 from ..system import program, write_durably
 from .claims import evaluate, known_claims
 from .csv_tables import write_tables
 from .explore import write_explorer
 from .figure import Picture, draw_groups
-from .in_words import model_in_words, unit_in_words
+from .in_words import unit_in_words
 from .panels import STYLE
 from .template import filled_template
 

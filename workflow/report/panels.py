@@ -10,8 +10,9 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
 
+from ..result import body_in_words, model_in_words
 from ..study import ALL_AXES
-from .in_words import body_in_words, model_in_words, unit_in_words, value_label, with_unit
+from .in_words import unit_in_words, value_label, with_unit
 from .unresolved import not_resolved, why_hollow
 
 STYLE: dict[str, Any] = {

@@ -48,6 +48,14 @@ def test_a_law_holds_its_range_and_errors(fitted):
     assert "the tables clamp the speed to 0.1 m/s" in text
 
 
+def test_a_law_states_the_body_and_the_error_of_the_model(known):
+    source = {"body": "half-space", "body_reason": "a map", "model_ratio_source": "unknown: none"}
+    stated = ef.law.fit(result(known, **source), states=1)
+    line = "Body: half-space, a map. Error of the model: unknown: none"
+    assert line in stated.told()
+    assert read(stated.to_json()).validity.body == line
+
+
 def test_the_model_is_compared_with_the_law(known, fitted):
     mu = known.run(TIME, SWING)
     distance = np.concatenate([[0.0], np.cumsum(0.5 * (SWING[1:] + SWING[:-1]) * np.diff(TIME))])
