@@ -20,9 +20,7 @@ def model_in_words(data: xr.Dataset) -> str:
     ends = dict.fromkeys(f"{value:.2g}" for value in (ratio[known].min(), ratio[known].max()))
     with np.errstate(all="ignore"):
         errors = data.model_ratio_error.values[known] / ratio[known]
-    error = f" ± {np.median(errors):.0%}" if np.isfinite(errors).all() else ", error unknown"
+    error = f"± {np.median(errors):.0%}" if np.isfinite(errors).all() else "error unknown"
     some = "" if known.all() else f" at {known.sum()} points"
-    return (
-        f"mu_1 of the foundation is {' to '.join(ends)}{error} of that of a half-space{some} "
-        f"({source})"
-    )
+    notes = ", ".join(filter(None, [error, source]))
+    return f"mu_1 of the foundation is {' to '.join(ends)} of that of a half-space{some} ({notes})"

@@ -84,12 +84,16 @@ class Summary:
             f"reused; {duration(self.used)} of core time used, {duration(self.predicted_done)} "
             f"predicted for them{factor}{whole}"
         ]
-        rows.append(f"body: {plan.study.body_choice}")
         rows += [f"{title}: {description}" for title, description in plan.study.descriptions]
         if self.unchanged:
             rows.append("the result is there already, of the same study, program and records")
         if self.batches:
-            rows += [self._where(), self._memory(plan), *self._costliest(plan)]
+            rows += [
+                f"body: {plan.study.body_choice}",
+                self._where(),
+                self._memory(plan),
+                *self._costliest(plan),
+            ]
         return rows + self.accuracy
 
     def _where(self) -> str:
