@@ -23,11 +23,21 @@ class BodyChoice(NamedTuple):
 def choose_body(tables: Mapping[str, Mapping[str, Any]], measured: bool) -> BodyChoice:
     """Return the body for the checked values of a study as written.
 
-    measured : whether heights are given, by surface.file or from Python.
+    measured : whether heights are given, by surface.file or from Python. A body that is given in
+    place of the default is stated with the default.
     """
+    default = _default_body(tables, measured)
+    body = tables["scene"].get("body")
+    if body is None:
+        return default
+    reason = "given by scene.body"
+    if default.body not in (None, body):
+        reason += f", in place of the {default.body} (default: {default.reason})"
+    return BodyChoice(body, reason)
+
+
+def _default_body(tables: Mapping[str, Mapping[str, Any]], measured: bool) -> BodyChoice:
     surface = tables.get("surface", {})
-    if "body" in tables["scene"]:
-        return BodyChoice(tables["scene"]["body"], "given by scene.body")
     if tables["scene"].get("control") == "indentation":
         return BodyChoice(FOUNDATION, "a prescribed indentation is that of lines")
     if "lines" in surface:

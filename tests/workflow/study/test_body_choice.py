@@ -44,6 +44,12 @@ def test_random_surfaces(settings, text, body):
     assert ("scene.body" in study.body_reason) == bool(settings)
 
 
+def test_body_in_place_of_the_default_is_stated_with_the_default():
+    forced = small_study("scene.body=foundation", text=PRESSED).body_reason
+    assert forced.startswith("given by scene.body, in place of the half-space (default: a nominal")
+    assert small_study("scene.body=half-space", text=PRESSED).body_reason == "given by scene.body"
+
+
 def test_measured_map_under_a_pressure_is_a_map_of_a_half_space(tmp_path):
     study = study_of(tmp_path, ON_MAP)
     assert study.surface.body == "half-space"
