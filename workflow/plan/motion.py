@@ -126,7 +126,9 @@ def line_modes(surface: Surface, elements: int) -> LineShape:
     of_modes = rms_slope_of if surface.body == HALF_SPACE else rms_slope
     slope = of_modes(base / profile.roughness, elements)
     flat = surface.body == HALF_SPACE and profile.heights.shape[1] == 1
-    return LineShape(measured=surface.identity, slope=slope, body=surface.body, flat=flat)
+    periods = 0.0 if surface.body == HALF_SPACE else profile.length / surface.pressed_width
+    waves = periods if periods > 1.0 else 0.0  # mirrored lines have a period of 2 L
+    return LineShape(waves, 0, surface.identity, slope, surface.body, flat)
 
 
 def _leg(segment: Segment, scale: Scale) -> kernels.Leg:

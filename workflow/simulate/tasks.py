@@ -26,7 +26,7 @@ ScaledHistory = tuple[tuple[float, ...], tuple[float, ...]]  # times in tau, ind
 class LineShape(NamedTuple):
     """Properties of lines or maps other than H and N: band limits, or a measured surface."""
 
-    rolloff: float = 0.0  # wave number below which the spectrum is flat, in 2 pi/L; 0: none
+    rolloff: float = 0.0  # wave number of lambda_r in 2 pi/period, below it random ones are flat
     cutoff: int = 0  # number of the last mode; 0: N/2
     measured: str = ""  # identity of measured lines, or of random ones with their spectrum
     slope: float = 0.0  # rms slope of measured lines, in h/dx

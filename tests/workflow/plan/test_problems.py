@@ -12,12 +12,14 @@ from elastomer_friction.kernels import Hold, Slide
 from elastomer_friction.workflow.plan.motion import canonical, rounded
 from elastomer_friction.workflow.plan.problems import (
     distinct_problems,
+    nominal_pressure,
     speed_ratio,
     stack_problems,
     viscous_pressure,
 )
 from elastomer_friction.workflow.simulate.tasks import Problem
 from elastomer_friction.workflow.study.axes import COMMON_AXES, axes_of
+from tests.support.documents import without
 from tests.support.small import (
     HOLDING,
     PROGRAMME,
@@ -180,6 +182,23 @@ def test_a_pressure_acts_on_the_longest_wave_times_the_length(surface, longest):
 def test_on_a_half_space_a_pressure_acts_on_the_square_whatever_the_rolloff():
     study = small_study("surface.rolloff=1e-3", "scene.body=half-space", text=PRESSED)
     assert study.grid["normal_force"] == pytest.approx([2.0, 4.0], rel=1e-15)
+
+
+@pytest.mark.parametrize("periodic", ["mirror", "none"])
+@pytest.mark.parametrize("lines", ["measured", "random-phase", "equivalent"])
+@pytest.mark.parametrize(("rolloff", "longest"), [([], 1e-5), (["surface.rolloff=4e-6"], 4e-6)])
+def test_a_pressure_on_a_measured_line_is_that_of_its_longest_wave(
+    rolloff, longest, lines, periodic
+):
+    left_out = ("surface.length", "grid.hurst", "grid.spacing", "grid.roughness", "grid.normal_force")
+    settings = *rolloff, 'surface.file="two.csv"', "surface.columns=[0,1,2]"
+    settings += f"surface.lines={lines}", f"surface.periodic={periodic}", "study.realizations=2"
+    study = small_study(*settings, "grid.normal_pressure=1e5", text=without(*left_out))
+    (force,) = study.grid["normal_force"]
+    assert force == pytest.approx(1e5 * longest * 1e-5, rel=1e-12)
+    ((problem, *_), _), surface = distinct_problems(study), study.surface.profile
+    unit = study.material.contact_modulus * surface.roughness / surface.spacing
+    assert nominal_pressure(problem) * unit == pytest.approx(1e5, rel=1e-12)
 
 
 def test_bodies_that_are_compared_are_pressed_alike():

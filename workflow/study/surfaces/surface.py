@@ -19,7 +19,7 @@ class Surface(NamedTuple):
     length: float  # m; of a measured line before mirroring
     normalisation: str = "modal"
     snap_spacing: bool = False
-    rolloff: float = 0.0  # m, the wavelength above which the spectrum is flat; 0: none
+    rolloff: float = 0.0  # m, lambda_r, above which the spectrum of random lines is flat; 0: none
     cutoff: float = 0.0  # m, the shortest wavelength; 0: twice the spacing
     profile: Profile | None = None  # measured lines
     lines: str = "measured"  # with a profile: one of LINE_KINDS
@@ -38,14 +38,18 @@ class Surface(NamedTuple):
         return self.profile.length / self.profile.measured_length
 
     @property
-    def pressed_area(self) -> float:
-        """Return the ratio (m^2) of normal force to nominal pressure.
+    def pressed_width(self) -> float:
+        """Return the width (m) of the strip that carries the force of a nominal pressure.
 
         A half-space is a square of side L. On a line of elements, each length lambda_r, the longest
-        wave of the roughness, represents a square of that side, so that F_N = sigma_0 lambda_r L.
+        wave of the roughness, represents a square of that side.
         """
-        longest = self.length if self.body == HALF_SPACE else self.rolloff or self.length
-        return longest * self.length
+        return self.length if self.body == HALF_SPACE else self.rolloff or self.length
+
+    @property
+    def pressed_area(self) -> float:
+        """Return the ratio (m^2) of normal force to nominal pressure: F_N = sigma_0 lambda_r L."""
+        return self.pressed_width * self.length
 
     def modes(self, elements: int) -> tuple[float, int]:
         """Return the wave numbers of roll-off and cut-off, in 2 pi/L; 0 if absent.

@@ -76,7 +76,8 @@ RANDOM_KEYS = {
     ),
     "rolloff": Key(
         positive,
-        "The wavelength above which the power spectrum is flat.",
+        "The wavelength λ_r above which the power spectrum is flat. With `file` it only turns "
+        "`grid.normal_pressure` into the force of a line.",
         "Doubled, more of the roughness lies in long waves: at the same h the rms slope falls by "
         "about 2^H.",
         "m",
@@ -177,7 +178,7 @@ def read_surface(given: Mapping[str, Any], folder: Path, body: str | None = None
     """
     if "file" in given:
         settings = filled("surface", given, FILE_KEYS)
-        for key in filter(RANDOM_KEYS.__contains__, given):
+        for key in filter((RANDOM_KEYS.keys() - {"rolloff"}).__contains__, given):
             raise UserError(
                 f"surface.{key} = {given[key]!r:.40}: leave it out with surface.file, "
                 "measured lines"
@@ -198,7 +199,14 @@ def read_surface(given: Mapping[str, Any], folder: Path, body: str | None = None
         prepare = map_of_lines if body == HALF_SPACE else profile_of_lines
         profile = prepare(file, lines, settings["detrend"], settings["periodic"])
         line_kind = {key: value for key, value in given.items() if key in LINE_KIND_KEYS}
-        surface = Surface(profile.measured_length, profile=profile, body=body)
+        rolloff = given.get("rolloff", 0.0)
+        if rolloff > profile.measured_length * (1.0 + 1e-9):
+            raise UserError(
+                f"surface.rolloff = {rolloff!r}: must not be longer than the lines of "
+                f"surface.file, {profile.measured_length:.6g} m"
+            )
+        surface = Surface(profile.measured_length, rolloff=rolloff, profile=profile, body=body)
+        check_cutoff(surface, (profile.spacing,))
         return lines_like("surface", surface, line_kind)
     for key in filter(MEASURED_KEYS.__contains__, given):
         value = list(given[key]) if isinstance(given[key], tuple) else given[key]  # as in TOML
