@@ -194,6 +194,18 @@ def _prony_options(command: argparse.ArgumentParser) -> None:
     add("--out", help="CSV file for the branches, for material.branches_file")
 
 
+def _spectrum_options(command: argparse.ArgumentParser) -> None:
+    add = command.add_argument
+    add("file", help="measured lines or a map, as for surface.file")
+    add("--columns", help="of positions and heights, from 0 or by name, as 0,1 (from the file)")
+    add("--units", help="of positions and heights, as mm,um (from the file)")
+    add("--step", type=float, help="distance of samples in m, of a file without positions")
+    for key in ("gaps", "detrend", "periodic"):
+        add(f"--{key}", help=f"as surface.{key}")
+    text = "figure, as PNG and PDF (%(default)s)"
+    add("--figure", default="results/spectrum.png", help=text)
+
+
 def _fit_options(command: argparse.ArgumentParser) -> None:
     add = command.add_argument
     add("files", nargs="+", metavar="FILE", help="text file with time, velocity and friction")
@@ -264,6 +276,11 @@ COMMANDS: dict[str, tuple[str, Callable[[argparse.ArgumentParser], None]]] = {
     "fit": (
         "fit the kinetic law to measured velocity steps",
         _fit_options,
+    ),
+    "spectrum": (
+        "fit roll-off, cut-off and H to the spectrum of a measured surface, draw it, and print "
+        "the keys of random surfaces like it",
+        _spectrum_options,
     ),
     "law": (
         "fit a reduced law to the motions of a finished run, or of FILE.nc, and export it; "

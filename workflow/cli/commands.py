@@ -26,7 +26,7 @@ from ..study import (
 )
 from ..system import make_folder, program, write_durably
 from .exit_status import DONE, FAILED
-from .experiments import run_fit, run_prony
+from .experiments import run_fit, run_prony, run_spectrum
 from .law_command import run_law
 from .outline import outline_grid, outline_measured
 from .run_options import run_grid, run_measured_study
@@ -208,6 +208,7 @@ ACTIONS: dict[str, Callable[[argparse.Namespace], int]] = {
     "prony": run_prony,
     "fit": run_fit,
     "law": run_law,
+    "spectrum": run_spectrum,
     "verify": _verify,
     "merge": _merge,
 }

@@ -1,4 +1,4 @@
-"""The commands ``prony`` and ``fit``: fits of a material and of the kinetic law to measurements."""
+"""The commands ``prony``, ``fit`` and ``spectrum``: fits to measurements."""
 
 import argparse
 import math
@@ -6,7 +6,7 @@ from pathlib import Path
 
 from .. import laboratory, report  # slow to import, which other commands avoid
 from ..ground import UserError
-from ..study import INCOMPRESSIBLE, Moduli, read_moduli
+from ..study import INCOMPRESSIBLE, Moduli, read_measured_surface, read_moduli
 from ..system import make_folder, write_durably
 from .exit_status import DONE
 
@@ -95,4 +95,24 @@ def run_fit(options: argparse.Namespace) -> int:
     path = Path(options.out)
     make_folder(path.parent)
     report.print_pictures(laboratory.draw_fit(fit, path))
+    return DONE
+
+
+def run_spectrum(options: argparse.Namespace) -> int:
+    """Print and draw the parameters of a measured spectrum; return the exit status."""
+    words = options.columns.split(",") if options.columns else None
+    given = {
+        "file": options.file,
+        "columns": words and [int(word) if word.strip().isdecimal() else word for word in words],
+        "units": options.units and options.units.split(","),
+        **{key: getattr(options, key) for key in ("step", "gaps", "detrend", "periodic")},
+    }
+    profile = read_measured_surface({key: value for key, value in given.items() if value})
+    spectrum = laboratory.spectrum_of(profile)
+    longest = profile.measured_length / (1.5 if options.detrend == "parabola" else 1.0)
+    fit = laboratory.fit_rolloff(spectrum, 2.0 * math.pi / longest)
+    print(*laboratory.describe_spectrum(profile, spectrum, fit), "# figure", sep="\n")
+    path = Path(options.figure)
+    make_folder(path.parent)
+    report.print_pictures(laboratory.draw_spectrum(spectrum, fit, path))
     return DONE

@@ -1,6 +1,6 @@
-"""Fits to measurements: the kinetic law from velocity steps, master curves from sweeps.
+"""Fits to measurements: velocity steps, master curves of sweeps, spectra of surfaces.
 
-They determine jumps, rates, tau, H, q_max, rate-and-state constants and shifts from text files.
+They determine jumps, rates, tau, H, q_max, rate-and-state constants, shifts and roll-offs.
 """
 
 from typing import TYPE_CHECKING
@@ -11,8 +11,12 @@ if TYPE_CHECKING:
     from .figure import draw_fit
     from .fitted_material import FORMS, describe_material, fit_material
     from .master import Shifting, master_curve
+    from .measured_spectrum import spectrum_of
     from .record import read_record
+    from .rolloff_fit import fit_rolloff
     from .sentences import describe
+    from .spectrum_figure import draw_spectrum
+    from .spectrum_table import describe_spectrum
     from .together import Known, fit_records
 
 __all__, __getattr__, __dir__ = public_names(__name__, __file__)

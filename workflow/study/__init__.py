@@ -53,6 +53,7 @@ if TYPE_CHECKING:
         check_load,
         map_of_array,
         profile_of_array,
+        read_measured_surface,
         rows_of_map,
     )
     from .tables import ALL_TABLES

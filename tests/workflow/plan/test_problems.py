@@ -190,7 +190,13 @@ def test_on_a_half_space_a_pressure_acts_on_the_square_whatever_the_rolloff():
 def test_a_pressure_on_a_measured_line_is_that_of_its_longest_wave(
     rolloff, longest, lines, periodic
 ):
-    left_out = ("surface.length", "grid.hurst", "grid.spacing", "grid.roughness", "grid.normal_force")
+    left_out = (
+        "surface.length",
+        "grid.hurst",
+        "grid.spacing",
+        "grid.roughness",
+        "grid.normal_force",
+    )
     settings = *rolloff, 'surface.file="two.csv"', "surface.columns=[0,1,2]"
     settings += f"surface.lines={lines}", f"surface.periodic={periodic}", "study.realizations=2"
     study = small_study(*settings, "grid.normal_pressure=1e5", text=without(*left_out))

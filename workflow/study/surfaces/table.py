@@ -12,6 +12,7 @@ from ..settings import (
     TEXT,
     Key,
     as_text,
+    checked,
     choice,
     filled,
     flag,
@@ -21,7 +22,7 @@ from ..settings import (
 )
 from .files import read_lines
 from .gaps import GAPS
-from .profile import DETRENDS, PERIODICS, is_map, map_of_lines, profile_of_lines
+from .profile import DETRENDS, PERIODICS, Profile, is_map, map_of_lines, profile_of_lines
 from .raw_lines import LineFile, metres
 from .surface import LINE_KINDS, MAP_KINDS, Surface
 
@@ -224,6 +225,21 @@ def read_surface(given: Mapping[str, Any], folder: Path, body: str | None = None
             f"{surface.cutoff!r}"
         )
     return surface
+
+
+def read_measured_surface(given: Mapping[str, Any]) -> Profile:
+    """Return the prepared lines, or the map, of the file that the keys of [surface] name.
+
+    The path of the file is relative to the current folder. The rows of a map that a half-space does
+    not support are lines. Raises UserError as read_surface does.
+    """
+    values = checked("surface", given, FILE_KEYS)
+    try:
+        surface = read_surface(values, Path())
+    except UserError:  # also if the cells of a map are not square
+        surface = read_surface(values, Path(), FOUNDATION)
+    assert surface.profile is not None
+    return surface.profile
 
 
 def _check_map_kind(where: str, table: Mapping[str, Any]) -> None:
