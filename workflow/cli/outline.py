@@ -11,8 +11,10 @@ from ..ground import UserError, counted
 from ..plan import (
     COST_FACTOR,
     MAX_REMEMBERED,
+    MapChoice,
     Plan,
     Variant,
+    map_choices,
     predicted_errors,
     range_of,
     remembered_share,
@@ -32,7 +34,7 @@ def outline_grid(study: Study, result: Path, sample_seconds: float | None = None
     """
     plan = announced_plan(study)
     predicted, cost = _predicted(plan.predicted_seconds())
-    absent = absent_effects(study)
+    absent, choices = absent_effects(study), map_choices(plan)
     facts = {
         "axes": {  # None replaces NaN, which marks an axis without a value and which JSON lacks
             axis: [None if math.isnan(v) else v for v in values]
@@ -49,6 +51,7 @@ def outline_grid(study: Study, result: Path, sample_seconds: float | None = None
         "predicted_worker_bytes": round(plan.predicted_worker_bytes()),
         "predicted_driver_bytes": round(plan.predicted_driver_bytes()),
         "longest_line_samples": plan.longest_line(),
+        "choices": [choice._asdict() for choice in choices],
         "not_simulated": absent,
     }
     lines = [
@@ -64,7 +67,8 @@ def outline_grid(study: Study, result: Path, sample_seconds: float | None = None
         *_sampled(plan, sample_seconds, facts),
         f"memory      {plan.predicted_worker_bytes() / 2**20:.0f} MiB per worker, "
         f"{plan.predicted_driver_bytes() / 2**20:.0f} MiB in the driver, {COMPILING_MIB} MiB more "
-        f"to compile; longest line {plan.longest_line()} samples",
+        f"to compile; {_largest_surface(plan)} samples",
+        *map(_choice, choices),
         *_errors(plan),
         *_model_error(plan),
         *_repeated_contact(plan),
@@ -89,6 +93,24 @@ def _predicted(seconds: float) -> tuple[str, dict[str, Any]]:
     low, high = seconds / COST_FACTOR, seconds * COST_FACTOR
     facts = {"predicted_core_seconds": seconds, "predicted_core_seconds_interval": [low, high]}
     return f"predicted   {core_time(low, high)}", facts
+
+
+def _largest_surface(plan: Plan) -> str:
+    """Return the size of the longest line, or of the largest map."""
+    largest = max(plan.variants, key=lambda variant: variant.longest)
+    samples = largest.longest
+    if largest.lines.body != HALF_SPACE or largest.tasks[0].problem.surface.flat:
+        return f"longest line {samples}"
+    return f"largest map {math.isqrt(samples)} x {math.isqrt(samples)}"
+
+
+def _choice(choice: MapChoice) -> str:
+    """Return the line on the time, memory and error of a number of steps per spacing."""
+    steps, seconds, worker_bytes, bias, chosen = choice
+    return (
+        f"{'choice' if chosen else 'or':12s}m = {steps}: {seconds / 60.0:.2g} core-minutes, "
+        f"{worker_bytes / 2**20:.0f} MiB per worker, bias below {100.0 * bias:.2g} %"
+    )
 
 
 def _sampled(plan: Plan, seconds: float | None, facts: dict[str, Any]) -> list[str]:

@@ -18,6 +18,7 @@ if TYPE_CHECKING:
         total_records,
         total_seconds,
     )
+    from .choices import MapChoice, map_choices
     from .cost import COST_FACTOR
     from .error_laws import LAWS, first_order_rate_error, known, rate_error, shape_error
     from .error_prediction import PredictedErrors, predicted_errors
@@ -31,7 +32,7 @@ if TYPE_CHECKING:
         most_blocks,
         steps_per_spacing,
     )
-    from .half_space import map_error
+    from .half_space import equivalent_steps, map_error
     from .other_body import MODEL_LABEL
     from .plan import Plan, make_plan
     from .problems import line_slope, nominal_pressure, speed_ratio

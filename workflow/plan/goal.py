@@ -176,7 +176,7 @@ def steps_per_spacing(problem: Problem, scene: Scene, numerics: Numerics) -> Num
     """
     steps: Numbers = numerics.steps_per_spacing
     if steps is None and problem.surface.body == HALF_SPACE:
-        steps = steps_for(problem, BIAS)
+        steps = steps_for(problem, scene.quantities, BIAS)
     elif steps is None and problem.surface.measured:
         steps = MIN_SMOOTH_STEPS  # no law covers measured spectra
     elif steps is None and (problem.programme or problem.spectrum != KELVIN):
@@ -217,7 +217,7 @@ def check_resolution(problem: Problem, steps: Numbers, numerics: Numerics) -> No
     """
     elements, _, speed, ratio, steps = np.broadcast_arrays(*problem[1:5], steps)
     if problem.surface.body == HALF_SPACE:
-        _check_map(elements, steps, problem.samples(steps))
+        _check_map(problem, steps, numerics)
     long = elements * steps > MAX_SAMPLES_PER_LINE
     if long.any():
         raise UserError(
@@ -250,15 +250,18 @@ def _shorter(problem: Problem, elements: int) -> str:
     )
 
 
-def _check_map(elements: np.ndarray, steps: np.ndarray, samples: Numbers) -> None:
-    """Raise UserError for a map that does not fit into a worker."""
-    side = elements * steps
-    if np.any(samples > MOST_SAMPLES):
-        most = int(MOST_SAMPLES**0.5)
+def _check_map(problem: Problem, steps: np.ndarray, numerics: Numerics) -> None:
+    """Raise UserError for a map that does not fit into a worker, with the m that does."""
+    if np.any(problem.samples(steps) > MOST_SAMPLES):
+        side, most = int(np.max(problem.elements)), int(MOST_SAMPLES**0.5)
+        smaller = "a larger grid.spacing or a shorter surface.length"
+        if problem.surface.measured:
+            smaller = "a map that is cropped, or thinned"
+        fits = f"set it to {most // side}, or " if side <= most else ""
         raise UserError(
-            f"grid.spacing: a half-space of {elements.max()} x {elements.max()} elements needs "
-            f"{side.max()} x {side.max()} samples, more than {most} x {most}; take a larger "
-            "spacing, a shorter surface.length or fewer numerics.steps_per_spacing"
+            f"numerics.steps_per_spacing = {numerics.steps_per_spacing or 'auto'}: on a half-space "
+            f"of {side} x {side} elements it needs a map of more than {most} x {most} samples; "
+            f"{fits}take {smaller}"
         )
 
 

@@ -35,6 +35,7 @@ from ..study import (
     Velocity,
     accuracy_estimates,
 )
+from .shortest_wave import ROUGHEST_WAVE, shortest_wave
 
 MANTISSA_BITS = 40  # to 1e-12: values that differ by input rounding become equal
 MIN_ROUNDING = 0.02  # largest rounding error of a force over the tolerance; at 1, no step converges
@@ -120,15 +121,15 @@ def _speeds(scene: Scene, scale: Scale) -> tuple[float, float]:
 
 def line_modes(surface: Surface, elements: int) -> LineShape:
     """Return the dimensionless description of lines with this number of elements."""
-    profile, base = surface.profile, surface.spectrum
+    profile, base, on_map = surface.profile, surface.spectrum, surface.body == HALF_SPACE
+    shortest = shortest_wave(surface, elements) if on_map else ROUGHEST_WAVE
     if profile is None or base is None:
-        return LineShape(*surface.modes(elements), body=surface.body)
-    of_modes = rms_slope_of if surface.body == HALF_SPACE else rms_slope
-    slope = of_modes(base / profile.roughness, elements)
-    flat = surface.body == HALF_SPACE and profile.heights.shape[1] == 1
-    periods = 0.0 if surface.body == HALF_SPACE else profile.length / surface.pressed_width
+        return LineShape(*surface.modes(elements), body=surface.body, shortest=shortest)
+    slope = (rms_slope_of if on_map else rms_slope)(base / profile.roughness, elements)
+    flat = on_map and profile.heights.shape[1] == 1
+    periods = 0.0 if on_map else profile.length / surface.pressed_width
     waves = periods if periods > 1.0 else 0.0  # mirrored lines have a period of 2 L
-    return LineShape(waves, 0, surface.identity, slope, surface.body, flat)
+    return LineShape(waves, 0, surface.identity, slope, surface.body, flat, shortest)
 
 
 def _leg(segment: Segment, scale: Scale) -> kernels.Leg:

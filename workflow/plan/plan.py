@@ -12,12 +12,11 @@ from ..study import HALF_SPACE, Study
 from ..system import core_time
 from .cost import COST_FACTOR
 from .goal import FIRST_SHARE, whole_blocks
-from .half_space import BRANCH_BYTES, MAP_BYTES
+from .half_space import WORKER_BYTES, map_bytes
 from .other_body import MAX_COST_SHARE, MODEL_LABEL, compared_label, study_of_other_body
 from .variant import Variant, problems_of, variant_of
 
 DRIVER_BYTES = 330e6  # interpreter and libraries of the process that plans and collects
-WORKER_BYTES = 235e6  # interpreter, libraries, machine code
 BYTES_PER_STEP = 65  # per step of the longest programme
 BYTES_PER_SAMPLE = 130  # line, state and temporaries at the peak
 BYTES_PER_TASK = 2000  # memory of the plan
@@ -67,14 +66,8 @@ class Plan(NamedTuple):
 
     def predicted_worker_bytes(self) -> float:
         """Return the predicted peak memory of a worker."""
-        finer = (
-            REFINEMENT_FACTOR
-            if any(variant.recording.refined_blocks for variant in self.variants)
-            else 1
-        )
-        sizes = [_bytes_per_sample(variant) * variant.longest for variant in self.variants]
         steps = BYTES_PER_STEP * self.longest_programme()
-        return WORKER_BYTES + finer * max(sizes) + steps
+        return WORKER_BYTES + max(map(_surface_bytes, self.variants)) + steps
 
     def longest_programme(self) -> float:
         """Return an upper bound of the steps of any programme; 0 without one."""
@@ -112,11 +105,12 @@ class Plan(NamedTuple):
         }
 
 
-def _bytes_per_sample(variant: Variant) -> float:
-    """Return the peak memory of a worker per sample of a line, or of a map."""
+def _surface_bytes(variant: Variant) -> float:
+    """Return the peak memory of the longest line, or of the largest map, of a variant."""
     if variant.lines.body == HALF_SPACE:
-        return MAP_BYTES + BRANCH_BYTES * len(variant.tasks[0].problem.spectrum.moduli)
-    return BYTES_PER_SAMPLE
+        return max(map_bytes(t.problem, t.steps_per_spacing) for t in variant.tasks)
+    finer = REFINEMENT_FACTOR if variant.recording.refined_blocks else 1
+    return finer * BYTES_PER_SAMPLE * variant.longest
 
 
 def make_plan(study: Study, origin: Origin = ZERO_ORIGIN) -> Plan:

@@ -173,7 +173,7 @@ def viscous_pressure(problem: Problem) -> Numbers:
 
 def line_slope(problem: Problem, normalisation: str = "modal") -> Numbers:
     """Return the spectral rms slope of the lines of a problem, in h/dx."""
-    rolloff, cutoff, measured, slope, body, _ = problem.surface
+    rolloff, cutoff, measured, slope, body, *_ = problem.surface
     if measured or np.ndim(slope):  # arrays belong to a stack of problems
         return slope
     return _slope(body, problem.hurst, problem.elements, normalisation, rolloff, cutoff)

@@ -8,7 +8,7 @@ import math
 
 import numpy as np
 
-from ..plan import Plan, Variant, map_error
+from ..plan import Plan, Variant, equivalent_steps, map_error
 from ..study import FOUNDATION, HALF_SPACE
 from .blocks import Estimates
 from .persson_estimates import persson_estimates
@@ -49,8 +49,8 @@ def _measured(plan: Plan, estimates: Estimates, other: Estimates) -> Estimates:
             ratio *= (values["mu_1"] * height) ** power
             squares += (values["mu_1_error"] / values["mu_1"]) ** 2
         if variant.lines.body == HALF_SPACE:
-            steps = np.array([task.steps_per_spacing for task in variant.tasks])
-            bias = map_error("mu_1", steps, np.nan)
+            steps = [equivalent_steps(t.problem, t.steps_per_spacing) for t in variant.tasks]
+            bias = map_error("mu_1", np.array(steps), np.nan)
             squares += (bias if variant is ours else bias[rows]) ** 2
     return {
         "model_ratio": ratio,

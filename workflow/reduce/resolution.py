@@ -8,6 +8,7 @@ from ..plan import (
     BIAS,
     FIRST_ORDER,
     LAWS,
+    equivalent_steps,
     first_order_rate_error,
     known,
     map_error,
@@ -73,7 +74,8 @@ def resolution(
         for row, task in enumerate(tasks):
             problem, steps = task.problem, task.steps_per_spacing
             if problem.surface.body == HALF_SPACE:
-                bias[row] = np.nan if problem.programme else map_error(name, steps, samples[row])
+                same = equivalent_steps(problem, steps)
+                bias[row] = np.nan if problem.programme else map_error(name, same, samples[row])
                 continue
             if not known(problem):
                 bias[row] = np.nan
@@ -123,7 +125,11 @@ def trace_resolution(
         problem, steps = task.problem, task.steps_per_spacing
         equivalent = steps / FIRST_ORDER if numerics.scheme == "implicit-euler" else steps
         on_map = problem.surface.body == HALF_SPACE
-        bias[row] = map_error("mu_1", equivalent, np.nan) if on_map else shape_error(equivalent)
+        bias[row] = (
+            map_error("mu_1", equivalent_steps(problem, equivalent), np.nan)
+            if on_map
+            else shape_error(equivalent)
+        )
         steady = problem.start == "steady" and origin == ZERO_ORIGIN and "mu_1" in estimates
         if steady and speed_at_start(problem.programme) == problem.ends[0]:
             start[row] = abs(first[row] / estimates["mu_1"][row] - 1.0)

@@ -32,6 +32,7 @@ class LineShape(NamedTuple):
     slope: float = 0.0  # rms slope of measured lines, in h/dx
     body: str = "foundation"  # or "half-space", which has maps (bodies.py)
     flat: bool = False  # maps of one row: uniform across, as in a line contact
+    shortest: float = 2.0  # wave that matters for contacts of a map, in dx; for predictions alone
 
 
 class Problem(NamedTuple):

@@ -58,10 +58,11 @@ NUMERICS = {
         _steps,
         "The number m of time steps, and of samples of the line with one element each, per spacing "
         'Δx. With `"auto"` each point takes the smallest m that keeps the discretisation error of '
-        "the requested quantities below 2 %, if possible, and contact edges are located between "
-        "the samples, which resolves steady friction and jump to 10⁻⁵. It is 4 for measured lines "
-        "and 8 for branches and programmes, whose errors follow no known law. A number is used at "
-        "every point; `resolution_status` marks contacts that it does not resolve.",
+        "the requested quantities below 2 %, if possible (maps: in 2 GB), and contact edges are "
+        "located between samples, which resolves steady friction and jump to 10⁻⁵. It is 4 for "
+        "measured lines and 8 for branches and programmes, whose errors follow no known law. A "
+        "number is used at every point; `resolution_status` marks contacts that it does not "
+        "resolve.",
         "Doubled, the error of µ₁ falls to about a third, those of Δµ₀ and b to about half; "
         "steady states take twice the time, relaxation up to four times.",
         default=None,
