@@ -13,6 +13,7 @@ from .instant import friction_jumps, initial_rates
 from .patches import real_contact, samples_per_patch
 from .sliding_body import SlidingBody, slide_steadily
 from .surface import Surface
+from .tiles import TILE_SUMS, quadratic_density, tile_sums
 
 
 def run_case(
@@ -34,8 +35,12 @@ def run_case(
     clock.lap_phase(STEADY)
     count = len(case.ratios)
     jumps, rates, mu_2 = np.full((3, count), np.nan)
+    sums = np.full((count, len(TILE_SUMS), case.tiles, case.tiles), np.nan)
+    if case.tiles:
+        sums[:, 0] = tile_sums(one.body.p > 0.0, case.tiles)
+        sums[:, 1:3] = _steady_sums(space, one, case.tiles)
     if requested.jump and case.ratios:
-        jumps, used = friction_jumps(space, one, case.speed, case.ratios)
+        jumps, used, sums[:, 5] = friction_jumps(space, one, case.speed, case.ratios, case.tiles)
         passes += used
     if requested.initial_rate and case.ratios:
         rates, used = initial_rates(space, case.spectrum, one, case.speed, case.ratios)
@@ -47,6 +52,8 @@ def run_case(
             continue
         two = slide_steadily(space, case.spectrum, ratio * case.speed, one.body)
         passes, mu_2[k] = passes + two.passes, two.mu
+        if case.tiles:
+            sums[k, 3:5] = _steady_sums(space, two, case.tiles)
         clock.lap_phase(STEADY)
         if requested.relaxation:
             curve, used = _relaxation(space, case, one.body, two, case.kept_steps[k])
@@ -64,7 +71,15 @@ def run_case(
         passes * surface.z.size,
         clock.seconds(),
         rates,
+        sums if case.tiles else None,
     )
+
+
+def _steady_sums(space: HalfSpace, sliding: SlidingBody, tiles: int) -> list[np.ndarray]:
+    """Return the normal force and the dissipated power of tiles (tiles.py)."""
+    p = sliding.body.p
+    power = quadratic_density(p, space.operator.compliance * sliding.loss)
+    return [tile_sums(density, tiles) for density in (p, power)]
 
 
 def _relaxation(

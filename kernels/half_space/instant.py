@@ -17,22 +17,25 @@ from ..rheology.spectrum import Spectrum
 from .body import CONTACT_TOLERANCE, HalfSpace, at_samples, lasting_depth
 from .contact import MAX_PASSES, ElasticContact, press
 from .sliding_body import SlidingBody
+from .tiles import quadratic_density, tile_sums
 
 
 def friction_jumps(
-    space: HalfSpace, one: SlidingBody, speed: float, ratios: tuple[float, ...]
-) -> tuple[np.ndarray, int]:
-    """Return (jumps of mu in h/dx, passes) for jumps from ``speed`` to each ratio times ``speed``.
+    space: HalfSpace, one: SlidingBody, speed: float, ratios: tuple[float, ...], tiles: int = 0
+) -> tuple[np.ndarray, int, np.ndarray]:
+    """Return (jumps of mu in h/dx, passes, sums over tiles), from ``speed`` to each ratio of it.
 
-    one : steady sliding at ``speed`` (vbar, signed).
+    one : steady sliding at ``speed`` (vbar, signed). tiles : per side. With constant contacts
+    A dp = -eta dv dz/dx + const, so that the jump is a quadratic form of dp (tiles.py). The sums
+    have the shape (ratios, tiles, tiles).
     """
     body, slope = one.body, space.surface.slope
     viscosity, lasting = lasting_depth(space.form, body.memory)
     if viscosity == 0.0:
-        return np.zeros(len(ratios)), 0
+        return np.zeros(len(ratios)), 0, np.zeros((len(ratios), tiles, tiles))
     lasting = at_samples(lasting, body.offset, slope.shape)
     touching = body.p > 0.0
-    mu, passes = [], 0
+    mu, passes, pressures = [], 0, []
     contact = ElasticContact(body.p, at_samples(body.depth, body.offset, slope.shape), 0.0, 0)
     for ratio in (1.0, *ratios):
         gap = -(lasting + viscosity * ratio * speed * slope)
@@ -40,7 +43,12 @@ def friction_jumps(
         contact = press(gap, space.pressure, space.operator, start, CONTACT_TOLERANCE, touching)
         passes += contact.passes
         mu.append(mean_slope(contact.p, slope))
-    return np.array(mu[1:]) - mu[0], passes
+        pressures += [contact.p.copy()] if tiles else []
+    sums = np.empty((len(ratios), tiles, tiles))
+    for k, after in enumerate(pressures[1:]):
+        change = quadratic_density(after - pressures[0], space.operator.compliance)
+        sums[k] = tile_sums(change, tiles)
+    return np.array(mu[1:]) - mu[0], passes, sums
 
 
 def initial_rates(

@@ -49,6 +49,7 @@ class SlidingBody(NamedTuple):
     step_mu: float  # mu as summed over the samples of a step, in h/dx
     viscous: float  # weight of pressure jumps at leading edges, from 0 to 1
     passes: int  # of the operator
+    loss: np.ndarray  # weights of |p_q|^2 / A in the dissipated power, for every q_x
 
 
 def slide_steadily(
@@ -74,13 +75,15 @@ def slide_steadily(
     step_mu = mean_slope(body.p, step.weight)
     exact = 1.0 if full or spectrum.viscosity > 0.0 else 0.5
     modulus = complex_modulus(spectrum, q * speed)
-    dissipative_mu = _mu_by_dissipation(space, modulus, response, exact, body.p)
+    squares = exact * np.abs(response) ** 2 + (1.0 - exact) / np.abs(modulus) ** 2
+    dissipative_mu = _mu_by_dissipation(space, modulus, squares, body.p)
     viscous = _jump_weight(spectrum, surface.steps_per_spacing * speed)
     mu = dissipative_mu + viscous * (step_mu - dissipative_mu)
     # The sum may have the wrong sign if contacts consist of single samples.
     if full or mu * dissipative_mu <= 0.0:
         mu = dissipative_mu
-    return SlidingBody(body, step, mu, step_mu, viscous, passes)
+    loss = np.abs(q * modulus.imag * squares)
+    return SlidingBody(body, step, mu, step_mu, viscous, passes, loss)
 
 
 def _jump_weight(spectrum: Spectrum, steps: float) -> float:
@@ -92,14 +95,13 @@ def _jump_weight(spectrum: Spectrum, steps: float) -> float:
 
 
 def _mu_by_dissipation(
-    space: HalfSpace, modulus: np.ndarray, response: np.ndarray, exact: float, p: np.ndarray
+    space: HalfSpace, modulus: np.ndarray, squares: np.ndarray, p: np.ndarray
 ) -> float:
     """Return mu (h/dx) from the dissipated power.
 
-    modulus : E*(q_x v) for every q_x. exact : weight of |J|^2, from 0 to 1.
+    modulus, squares : E*(q_x v) and mean |J|^2 for every q_x.
     """
     q = wave_numbers(p.shape, space.surface.steps_per_spacing)[1][0]
-    squares = exact * np.abs(response) ** 2 + (1.0 - exact) / np.abs(modulus) ** 2
     power = (np.abs(np.fft.rfft2(p) / p.size) ** 2 * space.operator.compliance).sum(axis=0)
     lost = (power * two_sided(p.shape) * q * modulus.imag * squares).sum()
     return float(lost) / space.pressure

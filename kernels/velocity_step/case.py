@@ -33,6 +33,7 @@ class Case(NamedTuple):
     scheme: str
     spectrum: Spectrum = KELVIN
     refine: bool = True  # whether contacts of steady sliding are followed between the samples
+    tiles: int = 0  # per side of a map, whose sums are returned; 0: none
 
     @property
     def plain(self) -> bool:
@@ -65,6 +66,7 @@ class Outcome(NamedTuple):
     work: int  # element updates, the measure of cost
     seconds: Seconds
     initial_rate: np.ndarray  # shape (ratios,): d mu/dt at t0+, per tau; NaN unless requested
+    tiles: np.ndarray | None = None  # shape (ratios, sums, tiles, tiles), see half_space/tiles.py
 
 
 class PhaseClocks:

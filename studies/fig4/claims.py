@@ -17,14 +17,16 @@ def example_rate(results: report.Results) -> report.Claim:
         with suppress(report.NotGiven):
             spacing, rate, error = _over_spacing(results, f"fig4{group}")
             typical = int(np.abs(np.log(spacing / TYPICAL_SPACING)).argmin())
+            off = report.plus_minus(error[typical], f"{error[typical]:.2f}")
             texts.append(
-                f"{label}: b = {rate[typical]:.2f} ± {error[typical]:.2f} at Δx = "
-                f"{1e6 * spacing[typical]:.3g} µm, {rate.min():.2f} … {rate.max():.2f} over "
-                f"{rate.size} spacings"
+                f"{label}: b = {rate[typical]:.2f}{off} at Δx = {1e6 * spacing[typical]:.3g} µm, "
+                f"{rate.min():.2f} … {rate.max():.2f} over {rate.size} spacings"
             )
             at, at_error = _crossing(np.log(spacing), np.log(rate / RATE), error / rate)
             micrometres = 1e6 * np.exp(at)
-            spacings[group] = f"Δx = {micrometres:.2g} ± {micrometres * at_error:.1g} µm"
+            at_error *= micrometres
+            off = report.plus_minus(at_error, f"{at_error:.1g}")
+            spacings[group] = f"Δx = {micrometres:.2g}{off} µm"
     report.needed(texts)
     verdict = f"{report.HOLDS} if {spacings['']}" if "" in spacings else report.NOT_FOUND
     if verdict == report.NOT_FOUND and spacings:

@@ -21,15 +21,16 @@ def plateau(results: report.Results) -> report.Claim:
     plateaus = flat.jump_bar.mean(line)
     errors = [report.mean_error(flat.jump_bar_error.isel(hurst=[k])) for k in range(plateaus.size)]
     parts = [
-        f"{value:.3f} ± {e:.3f} at H = {hurst:g}"
+        f"{value:.3f}{report.plus_minus(e, f'{e:.3f}')} at H = {hurst:g}"
         for hurst, value, e in zip(chosen.hurst.values, plateaus.values, errors, strict=True)
     ]
+    error = float(np.sqrt(np.sum(np.square(errors)))) / plateaus.size
     return report.Claim(
         "Plateau (Δµ₀/∇z)/(Δv/v₁) = 0.4 at high speed (eq. 11)",
         f"{PLATEAU:g}",
         f"mean {float(plateaus.mean()):.3f}: {', '.join(parts)}; {int(flat.jump_bar.count())} "
         f"points with µ₁ within {report.percent(1 - PLATEAU_SHARE)} of its largest value",
-        f"± {np.sqrt(np.sum(np.square(errors))) / plateaus.size:.3f}",
+        report.plus_minus(error, f"{error:.3f}").strip(),
         report.judge(float(np.abs(plateaus / PLATEAU - 1.0).max()), max(errors) / PLATEAU),
     )
 

@@ -28,7 +28,8 @@ def exponent_on_half_space(results: report.Results) -> report.Claim:
     slope = np.polyfit(hurst, alpha, 1)[0]
     off = np.abs(alpha - (1.0 - hurst)) / np.maximum(1.0 - hurst, 0.1)
     exponents = ", ".join(
-        f"{a:.2f} ± {e:.2f} at H = {h:g}" for h, a, e in zip(hurst, alpha, error, strict=True)
+        f"{a:.2f}{report.plus_minus(e, f'{e:.2f}')} at H = {h:g}"
+        for h, a, e in zip(hurst, alpha, error, strict=True)
     )
     return report.Claim(
         "On a half-space too: b = x^α with α = 1 − H for x > 1 (eq. 13)",

@@ -36,7 +36,7 @@ def _exponent(results: report.Results, group: str, label: str) -> report.Claim:
         f"α − (1 − H) = {off.min():+.3f} … {off.max():+.3f}, largest at "
         f"H = {float(dataset.hurst[worst]):g}; with a free prefactor within {free:.2f}; "
         f"{dataset.hurst.size} H, {int(dataset.alpha_points.sum())} points of {name}",
-        f"± {error:.3f}",
+        report.plus_minus(error, f"{error:.3f}").strip(),
         report.reworded(verdict, f"{report.HOLDS} within {at_most:.2f}"),
     )
 

@@ -251,4 +251,5 @@ def recording_of(study: Study, label: str) -> Recording:
         refined_blocks=FINER
         if lawless and numerics.refines and accuracy_estimates(requested)
         else 0,
+        tiles=round(surface.copies) * surface.tiles if study.realizations == 1 else 0,
     )

@@ -52,6 +52,7 @@ class Reduction(NamedTuple):
     normalisation: str  # of the lines
     jumps: bool  # friction jumps with the velocity
     carried: tuple[str, ...] = ()  # scalars whose replicates the quantities of a point need
+    copies: int = 1  # of the measured map along a side of its period: 2 if mirrored
 
 
 def reduction_of(variant: Variant) -> Reduction:
@@ -65,6 +66,7 @@ def reduction_of(variant: Variant) -> Reduction:
         variant.lines.normalisation,
         variant.material.jumps,
         carried_estimates(variant.study.scene.quantities, variant.lines.body),
+        round(variant.lines.copies),
     )
 
 
@@ -92,6 +94,8 @@ def blocks_of(how: Reduction, tasks: list[Task], scalars: np.ndarray, rows: np.n
         name: np.stack([_filled(p[name], how.events if name in traces else 0) for p in parts])
         for name in parts[0]
     }
+    if "tiles" in values and how.copies > 1:
+        values["tiles"] = _folded(values["tiles"])
     speeds = [(t.problem.speed, t.problem.speed * t.problem.ratio) for t in tasks]
     slopes = [line_slope(t.problem, how.normalisation) for t in tasks]
     return Blocks(
@@ -107,6 +111,13 @@ def blocks_of(how: Reduction, tasks: list[Task], scalars: np.ndarray, rows: np.n
         how.numerics.negligible,
         how.carried,
     )
+
+
+def _folded(sums: np.ndarray) -> np.ndarray:
+    """Return sums (..., tiles, tiles) with mirrored tiles added, which are not independent."""
+    for axis in (-2, -1):
+        sums = np.split(sums + np.flip(sums, axis), 2, axis)[0]
+    return sums
 
 
 def _filled(values: np.ndarray, length: int) -> np.ndarray:

@@ -9,6 +9,7 @@ from .blocks import Blocks, Estimates, columns, enter
 from .fits import FITTED, NEGLIGIBLE, RelaxationFit, fit_exponential, fit_relaxation
 from .jackknife import errors_needed, padded, replicates
 from .models import COEFFICIENTS, GAINS, Comparison, compare_models
+from .tiles import enter_tile_errors
 from .traces import reduce_programmes, reduce_steps
 
 HALVING_ERROR = 2.0  # bound of the error, relative to the change by halved steps
@@ -32,6 +33,8 @@ def reduce_blocks(blocks: Blocks) -> Estimates:
             enter(estimates, name, values[name])
     for name in blocks.carried:
         estimates[f"{name}_replicates"] = padded(values[name], JACKKNIFE_GROUPS)
+    if "tiles" in blocks.values:
+        enter_tile_errors(estimates, blocks)
     if "curve" in blocks.values:
         start = values["mu_1"] + values["jump"]
         curves = np.concatenate([start[..., None], replicates(blocks.values["curve"], 1)], axis=2)

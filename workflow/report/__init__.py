@@ -32,7 +32,7 @@ if TYPE_CHECKING:
     from .csv_tables import write_table
     from .explore import write_explorer
     from .figure import Picture, draw_figure, print_pictures, write_figure
-    from .in_words import value_label, with_unit
+    from .in_words import plus_minus, value_label, with_unit
     from .page import write_report
     from .panels import (
         COLOURS,

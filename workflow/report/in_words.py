@@ -59,6 +59,11 @@ def value_label(name: str, value: float, unit: str = "", digits: int = 3) -> str
     return f"{SYMBOLS.get(name, name)} = {with_unit(value, unit, digits)}"
 
 
+def plus_minus(error: float, text: str) -> str:
+    """Return a standard error as a suffix to its estimate; text : the error in words if known."""
+    return f" ± {text}" if np.isfinite(error) else " (error unknown)"
+
+
 def mathematical(text: str) -> str:
     """Return a text with indexed symbols, such as F_N, typeset for matplotlib."""
     return re.sub(r"\b(\w)_(\w)\b", r"$\1_\2$", text)

@@ -12,7 +12,7 @@ from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
 
 from ..result import body_in_words, model_in_words
 from ..study import ALL_AXES
-from .in_words import unit_in_words, value_label, with_unit
+from .in_words import plus_minus, unit_in_words, value_label, with_unit
 from .unresolved import not_resolved, why_hollow
 
 STYLE: dict[str, Any] = {
@@ -55,7 +55,8 @@ def foot_line(figure: Figure, dataset: xr.Dataset, note: str = "", bars: str = "
     points, lines = int(dataset.realizations.size), int(dataset.realizations.max())
     meaning = f"{bars.capitalize()} show one jackknife standard error"
     if lines < 2:
-        meaning = "One line gives no standard error"
+        how = dataset.attrs.get("standard_errors", "one line has no standard error")
+        meaning = f"{how[0].upper()}{how[1:]}"
     size = (
         f"{meaning}; {points} grid point{'s' * (points != 1)}, {lines} "
         f"realization{'s' * (lines != 1)} each, seed {dataset.attrs['seed']}."
@@ -183,12 +184,12 @@ def record_hover_points(
     across, up, errors = values[over], values[name], np.ravel(error)
     for i in np.flatnonzero(np.isfinite(across) & np.isfinite(up)):
         unit = unit_in_words(estimate)
-        spread = with_unit(errors[i], unit, 2)
         at = [
             value_label(n, values[n][i], unit_in_words(points[n]), 4)
             for n in dict.fromkeys((over, *places))
         ]
-        text = f"{value_label(name, values[name][i], unit, 4)} ± {spread}\n{', '.join(at)}"
+        spread = plus_minus(errors[i], with_unit(errors[i], unit, 2))
+        text = f"{value_label(name, values[name][i], unit, 4)}{spread}\n{', '.join(at)}"
         _hover_texts.setdefault(ax, []).append((across[i], up[i], text))
 
 

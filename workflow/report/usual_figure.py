@@ -20,7 +20,7 @@ from ..plan import MAX_REMEMBERED
 from ..reduce import LARGE_BIAS, NARROW_CONTACTS
 from ..result import Groups
 from ..study import COMMON_AXES
-from .in_words import axes_in, mathematical, unit_in_words, value_label, with_unit
+from .in_words import axes_in, mathematical, plus_minus, unit_in_words, value_label, with_unit
 from .panels import COLOURS, band, error_bars, foot_line, legend_in_room
 from .unresolved import TRACE_STATUS, not_resolved
 
@@ -156,8 +156,8 @@ def _single_point_text(data: xr.Dataset) -> str:
     words = []
     for name in _estimates_to_draw(data):
         value = value_label(name, float(data[name].squeeze()), unit_in_words(data[name]))
-        error = with_unit(float(data[f"{name}_error"].squeeze()), digits=2)
-        words.append(f"{value} ± {error}")
+        error = float(data[f"{name}_error"].squeeze())
+        words.append(f"{value}{plus_minus(error, with_unit(error, digits=2))}")
     return f"Estimates: {'; '.join(words)}." if words else ""
 
 

@@ -101,6 +101,8 @@ def _facts(plan: Plan, variant: Variant) -> dict[str, str | int | float]:
         facts["body_reason"] = plan.study.body_reason
     if variant is plan.variants[0] and "steady" in plan.study.scene.quantities:
         facts["model_ratio_source"] = model_source(plan)
+    if plan.study.realizations == 1:
+        facts["standard_errors"] = lines.single_error
     share = plan.study.force_share(variant.label)
     if share != 1.0:  # the force coordinate is that of the study
         facts["normal_force_share"] = share

@@ -10,6 +10,7 @@ import numpy as np
 
 from ...kernels import ENERGIES, TRACES, Quantities, SavedState, form_of, memory_size
 from ...kernels.drive import MAX_SLIP_EVENTS, PULLED_TRACES, SLIP_EVENTS, SLIPS
+from ...kernels.half_space.tiles import TILE_SUMS
 from .recorded_steps import trace_steps
 from .tasks import Recording, Task
 
@@ -28,6 +29,8 @@ def row_layout(task: Task, quantities: Quantities, scheme: str, recording: Recor
         shapes["curve"] = (recording.samples - 1,)
     if quantities.initial_rate:
         shapes["initial_rate"] = ()
+    if recording.tiles and quantities.anything:
+        shapes["tiles"] = len(TILE_SUMS), recording.tiles, recording.tiles
     if recording.refined_blocks:
         shapes["halved_steps"] = (1 + len(HALVED_STEP_SCALARS),)
         if quantities.relaxation:

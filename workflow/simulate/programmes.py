@@ -56,8 +56,10 @@ def scene_of(task: Task, scheme: str, recording: Recording) -> SceneCase:
     )
 
 
-def steady_ends(batch: Batch, line: Any, task: Task) -> dict[str, float]:
+def steady_ends(batch: Batch, line: Any, task: Task) -> dict[str, Any]:
     """Return the steady values at the first and the last slide of a programme, by scalar name.
+
+    A single map also has "tiles", the sums over its tiles.
 
     Empty if these are the speeds before and after the velocity step, which the case computes.
     """
@@ -67,8 +69,18 @@ def steady_ends(batch: Batch, line: Any, task: Task) -> dict[str, float]:
     first, last = problem.ends
     if (first, last) == (problem.speed, problem.ratio * problem.speed):
         return {}
-    case = Case(problem.load, first, (last / first,), (), batch.scheme, problem.spectrum)
+    case = Case(
+        problem.load,
+        first,
+        (last / first,),
+        (),
+        batch.scheme,
+        problem.spectrum,
+        tiles=batch.recording.tiles,
+    )
     body = body_of(batch)
     ((outcome,),) = body.run([line], body.prepare([case], task.steps_per_spacing, STEADY_ONLY))
     values = {name: getattr(outcome, name) for name in SCALARS if name not in ("mu_2", "jump")}
+    if outcome.tiles is not None:
+        values["tiles"] = outcome.tiles[0]
     return values | {"mu_2": float(outcome.mu_2[0])}

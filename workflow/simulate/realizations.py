@@ -177,11 +177,12 @@ def _case(batch: Batch, rows: list[int], refinement: int) -> Case:
         scheme=batch.scheme,
         spectrum=tasks[0].problem.spectrum,
         refine=batch.refine,
+        tiles=batch.recording.tiles,
     )
 
 
 def _add_outcome(
-    outcome: Outcome, k: int, ends: dict[str, float], places: Layout, sums: BlockSums
+    outcome: Outcome, k: int, ends: dict[str, Any], places: Layout, sums: BlockSums
 ) -> None:
     """Add velocity jump k of a case to the sums of one record, scalars and row.
 
@@ -189,6 +190,12 @@ def _add_outcome(
     """
     scalars, values, _ = sums
     numbers = scalars_of(outcome)
+    if outcome.tiles is not None:
+        first, shape = places["tiles"]
+        tiles = outcome.tiles[k].copy()
+        if ends:
+            tiles[:-1] = ends.pop("tiles")[:-1]  # all but the jump
+        values[first : first + math.prod(shape)] += tiles.ravel()
     if ends:
         numbers = tuple((dict(zip(SCALARS, numbers, strict=True)) | ends).values())
     # Arrays have one entry for each velocity jump.

@@ -73,7 +73,7 @@ class Problem(NamedTuple):
 Record = tuple[str, int]  # (key of a task, block of realizations)
 
 # SCALARS : fields of an outcome with a column each; layout.py lays out the rest of a record.
-OTHER_FIELDS = ("curves", "work", "seconds", "initial_rate")
+OTHER_FIELDS = ("curves", "work", "seconds", "initial_rate", "tiles")
 SCALARS = tuple(name for name in Outcome._fields if name not in OTHER_FIELDS)
 
 PHASES = ("surfaces", *Seconds._fields)  # of the work on a line, without the cost of calls
@@ -89,6 +89,7 @@ class Recording(NamedTuple):
     dense: tuple[str, ...] = ()  # "healing", "loop": results with additional samples
     origin: Origin = ZERO_ORIGIN  # start of a resumed programme
     refined_blocks: int = 0  # blocks whose first line is also run with halved steps
+    tiles: int = 0  # per side of a single map, whose sums are stored; 0: none
 
 
 class Task(NamedTuple):

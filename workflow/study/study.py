@@ -241,8 +241,7 @@ def _with_block_note(surface: Surface, head: Mapping[str, Any]) -> Surface:
         return surface
     block, lines = head["realizations_per_block"], head["realizations"]
     if lines == 1:
-        noun = "line" if surface.body == FOUNDATION else "map"
-        note = f"a single {noun} has no standard error: errors are NaN"
+        note = surface.single_error
     elif profile.correlation is None:
         return surface
     else:

@@ -11,6 +11,7 @@ from .profile import Profile
 
 LINE_KINDS = ("measured", "random-phase", "equivalent", "self-affine")
 MAP_KINDS = ("measured", "random-phase")  # available for maps
+MIN_TILES, MAX_TILES = 3, 8  # per side of a map
 
 
 class Surface(NamedTuple):
@@ -51,6 +52,22 @@ class Surface(NamedTuple):
         """Return the ratio (m^2) of normal force to nominal pressure: F_N = sigma_0 lambda_r L."""
         return self.pressed_width * self.length
 
+    @property
+    def tiles(self) -> int:
+        """Tiles per side whose scatter gives the error of a single map; 0 for lines.
+
+        A tile is as wide as the mean wave of the heights. There are at least MIN_TILES per side.
+        """
+        if self.body == FOUNDATION or (self.profile and self.profile.heights.shape[-2] == 1):
+            return 0
+        waves = self.length / self.rolloff if self.rolloff else 1.0
+        if self.profile is not None:
+            power = np.abs(np.fft.fft2(self.profile.heights[0])) ** 2
+            power[0, 0] = 0.0
+            k = np.fft.fftfreq(len(power), 1.0 / len(power))
+            waves = float((power * np.hypot(k[:, None], k)).sum() / power.sum()) / self.copies
+        return min(max(round(waves), MIN_TILES), MAX_TILES)
+
     def modes(self, elements: int) -> tuple[float, int]:
         """Return the wave numbers of roll-off and cut-off, in 2 pi/L; 0 if absent.
 
@@ -87,16 +104,35 @@ class Surface(NamedTuple):
 
     @property
     def description(self) -> str:
-        """Description of measured lines in words; empty without a file."""
+        """Description of measured lines in words; empty without a file.
+
+        Random lines are Gaussian, so the skewness of the measured ones is stated beside them.
+        """
         if self.profile is None:
             return ""
+        gaussian = ""
+        if self.lines != "measured":
+            heights = self.profile.heights - self.profile.heights.mean()
+            skewness = np.mean(heights**3) / np.mean(heights**2) ** 1.5
+            gaussian = f"; heights are Gaussian, those measured have a skewness of {skewness:.2g}"
         prefixes = {
             "measured": "",
             "random-phase": "random lines of the power spectrum of ",
             "equivalent": "random lines equivalent to the isotropic surface that was cut, of ",
             "self-affine": f"self-affine lines, H = {self.hurst:g}, of rms height and slope of ",
         }
-        return prefixes[self.lines] + self.profile.notes
+        return prefixes[self.lines] + self.profile.notes + gaussian
+
+    @property
+    def single_error(self) -> str:
+        """Source of the standard errors of a single line or map, in words."""
+        if not self.tiles:
+            return "a single line has no standard error: errors are unknown"
+        return (
+            "a single map: mu_1, mu_2, jump and contact_fraction have standard errors by a "
+            f"jackknife over {self.tiles} x {self.tiles} tiles, unless few contacts carry the "
+            "load; other errors are unknown"
+        )
 
     @property
     def identity(self) -> str:
