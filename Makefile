@@ -129,6 +129,7 @@ mutation: $(TOOLS) ## Change code, see whether tests notice [ARGS="workflow/stor
 
 intervals: $(TOOLS) ## Check that stated errors are true, over many small studies (minutes)
 	$(BIN)/python -m tests.tools.intervals
+	$(BIN)/python -m tests.tools.map_intervals
 
 clean: ## Remove .venv and caches, keep results
 	rm -rf $(VENV) $(VENV)-* .pytest_cache .ruff_cache .mypy_cache .hypothesis .import_linter_cache *.egg-info

@@ -99,7 +99,8 @@ class FittedLaw(ABC):
         validity = self.validity
         numbers = [f"{name} {_array_text(getattr(self, name))}" for name in self._number_names()]
         percent = 100.0 / validity.usual if validity.usual else float("nan")
-        temperature = validity.temperature
+        error, temperature = validity.model_error, validity.temperature
+        known_error = f"{error:.3g}" if math.isfinite(error) else "unknown"
         at = "" if math.isnan(temperature) else f", {temperature:.4g} °C"
         return [
             f"kind: {self.kind}; {'; '.join(numbers)}",
@@ -111,7 +112,7 @@ class FittedLaw(ABC):
             f"{validity.held_largest:.3g} at most; held out: {validity.held_out}",
             f"error on the fitted motions, {validity.window}: {validity.rms:.3g} rms "
             f"({percent * validity.rms:.3g} %), {validity.largest:.3g} at most; standard error of "
-            f"the model {validity.model_error:.3g}",
+            f"the model {known_error}",
             *filter(None, [validity.body]),
         ]
 

@@ -1,7 +1,7 @@
 """Standard errors of a single map, by a jackknife over its tiles.
 
 Each estimate is the ratio of a sum over the map to the normal force, and a replicate leaves out one
-tile, which is about as wide as the mean wave of the heights. As tiles carry the load unequally, the
+tile, which is wider than the mean wave of the heights. As tiles carry the load unequally, the
 error is widened by Student's t for their effective number: one error then covers 68 %.
 Source: B. Efron, The Jackknife, the Bootstrap and Other Resampling Plans (SIAM 1982), ch. 3.
 """
@@ -22,7 +22,7 @@ TILE_RATIOS = {  # estimate: sums of its ratio
     "contact_fraction": ("touching", "load"),
 }
 MIN_LOADED_TILES = 2.0  # effective number
-MIN_PATCHES = 8.0  # of contact: fewer are no sample of a rough surface, such as a single sphere
+MIN_PATCHES = 3.0  # of contact: fewer are no sample of a rough surface, such as a single sphere
 MAX_PARTIAL_CONTACT = 0.5  # contact fraction up to which the number of patches counts
 
 

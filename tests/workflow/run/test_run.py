@@ -69,7 +69,7 @@ def test_one_measured_line_runs_and_its_errors_are_nan(tmp_path):
         assert np.isfinite(dataset.mu_1).all()
         assert np.isnan(dataset.mu_1_error).all()
         assert (dataset.mu_1_bias < 1.0).all()
-        assert dataset.attrs["lines"].endswith("errors are NaN")
+        assert dataset.attrs["lines"].endswith(dataset.attrs["standard_errors"])
 
 
 def test_a_run_says_how_far_it_is(tmp_path, capsys):

@@ -84,7 +84,7 @@ def test_there_are_as_many_realizations_as_measured_lines(tmp_path):
 def test_one_measured_line_is_a_study_without_standard_errors(tmp_path):
     study = measured_study(tmp_path, 1)
     assert (study.realizations, study.blocks) == (1, 1)
-    assert study.surface.description.endswith("has no standard error: errors are NaN")
+    assert study.surface.description.endswith("has no standard error: errors are unknown")
     with pytest.raises(UserError, match=r"only 1 line was measured; .* \"random-phase\""):
         measured_study(tmp_path, 1, "study.realizations = 4")
 

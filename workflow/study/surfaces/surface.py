@@ -12,6 +12,7 @@ from .profile import Profile
 LINE_KINDS = ("measured", "random-phase", "equivalent", "self-affine")
 MAP_KINDS = ("measured", "random-phase")  # available for maps
 MIN_TILES, MAX_TILES = 3, 8  # per side of a map
+TILE_WAVES = 1.5  # width in mean waves of the heights, at which tiles are nearly independent
 
 
 class Surface(NamedTuple):
@@ -56,7 +57,7 @@ class Surface(NamedTuple):
     def tiles(self) -> int:
         """Tiles per side whose scatter gives the error of a single map; 0 for lines.
 
-        A tile is as wide as the mean wave of the heights. There are at least MIN_TILES per side.
+        A tile is TILE_WAVES wide, or MIN_TILES fill the side.
         """
         if self.body == FOUNDATION or (self.profile and self.profile.heights.shape[-2] == 1):
             return 0
@@ -66,7 +67,7 @@ class Surface(NamedTuple):
             power[0, 0] = 0.0
             k = np.fft.fftfreq(len(power), 1.0 / len(power))
             waves = float((power * np.hypot(k[:, None], k)).sum() / power.sum()) / self.copies
-        return min(max(round(waves), MIN_TILES), MAX_TILES)
+        return min(max(round(waves / TILE_WAVES), MIN_TILES), MAX_TILES)
 
     def modes(self, elements: int) -> tuple[float, int]:
         """Return the wave numbers of roll-off and cut-off, in 2 pi/L; 0 if absent.
