@@ -122,7 +122,7 @@ VARIABLES = {
     ),
     "degrees_of_freedom": Variable(
         "degrees of freedom of the standard errors",
-        comment="groups of blocks - 1",
+        comment="groups of blocks, or tiles of a single map, - 1",
         dtype=COUNT_DTYPE,
     ),
     "steps_per_spacing": Variable("steps, and elements, per spacing dx", dtype=COUNT_DTYPE),
