@@ -9,7 +9,7 @@ from .blocks import Blocks, Estimates, columns, enter
 from .fits import FITTED, NEGLIGIBLE, RelaxationFit, fit_exponential, fit_relaxation
 from .jackknife import errors_needed, padded, replicates
 from .models import COEFFICIENTS, GAINS, Comparison, compare_models
-from .tiles import enter_tile_errors
+from .tile_errors import enter_tile_errors
 from .traces import reduce_programmes, reduce_steps
 
 HALVING_ERROR = 2.0  # bound of the error, relative to the change by halved steps
