@@ -6,12 +6,16 @@ The gap g is zero where the body is pressed, and not negative elsewhere:
     g = gap + A p - d >= 0,    p >= 0,    p g = 0.
 
 The solution minimizes p A p/2 + p gap. It is found by conjugate gradients as in Polonsky and Keer,
-with two changes that halve the number of passes (applications of A) and make it nearly independent
-of the grid:
+with changes that reduce the number of passes (applications of A) and make it nearly independent of
+the grid:
 
 - A trial step is first clipped at p = 0, and the remaining change of p is the direction. The exact
   step along it costs one pass, even where contact begins or ends.
 - Residuals are preconditioned by a stencil of five samples on the contact, which approximates |q|.
+- Without a start, the search begins with the contact of every second sample.
+
+Few samples are in contact. They are listed with their values, so that a pass visits the whole map
+only in transforms and once to displace the body and to find overlaps.
 
 Source: I. A. Polonsky and L. M. Keer, Wear 231, 206 (1999), doi:10.1016/S0043-1648(99)00113-1,
 for a given mean pressure.
@@ -22,12 +26,18 @@ from typing import NamedTuple
 import numpy as np
 
 from ..compile.jit import kernel
+from .modal_operator import STENCIL_CENTRE, Operator
 
 MAX_PASSES = 20_000
-STENCIL_CENTRE = 5.0  # the neighbours are -1; found by trial, for any load
 ZERO_PRESSURE = 1e-14  # set to zero up to this share of the mean pressure
 MIN_TRIAL_RATIO, MAX_TRIAL_RATIO = 0.3, 3.0  # ratio of successive trial steps
 MIN_STEP_RATIO = 0.01  # of the best step to the trial step; below it directions restart
+COARSE_TOLERANCE, MIN_COARSE_COLUMNS = 0.03, 32  # of the contact of every second sample
+SCALE_PASSES = 4  # between measurements of the rms of A p
+BLOCK = 128  # samples that are searched for overlaps together
+# Rows of the values listed for free samples: p, g minus its mean, the last change of p, the
+# displacement by it, and the preconditioned residual.
+PRESSURE, RESIDUAL, CHANGE, PUSH, CONDITIONED = range(5)
 
 
 class ElasticContact(NamedTuple):
@@ -37,51 +47,6 @@ class ElasticContact(NamedTuple):
     depth: np.ndarray  # A p, shape (rows, n), with mean zero
     d: float  # approach
     passes: int  # applications of A
-
-
-class Operator(NamedTuple):
-    """The compliance A of every mode, and workspace for transforms and for a solution."""
-
-    compliance: np.ndarray  # shape (rows, n//2 + 1); 0 for the mean
-    stencil_scale: float  # makes the stencil nearly the inverse of A
-    modes: np.ndarray  # complex
-    fields: np.ndarray  # shape (3, rows, n)
-    preconditioned: np.ndarray  # shape (rows n,)
-    free: np.ndarray  # shape (rows n,), int64: indices of samples whose p may change
-
-    @classmethod
-    def of(cls, stiffness: np.ndarray, n: int) -> "Operator":
-        """Return the operator for the stiffness of every mode of maps (rows, n).
-
-        The stiffness of the mean is not used. Raises ValueError unless all others are positive.
-        """
-        inner = stiffness.ravel()[1:]
-        if not np.all(inner > 0.0):
-            raise ValueError("stiffness must be positive for every mode but the mean")
-        compliance = np.zeros_like(stiffness)
-        compliance.ravel()[1:] = 1.0 / inner
-        return cls.inverse(compliance, n)
-
-    @classmethod
-    def inverse(cls, compliance: np.ndarray, n: int) -> "Operator":
-        """Return the operator for the compliance of every mode; 0 for the mean."""
-        rows = compliance.shape[0]
-        quarter = max(1, n // 4)  # for a wave of four samples the stencil is STENCIL_CENTRE - 2
-        scale = 1.0 / ((STENCIL_CENTRE - 2.0) * compliance[0, quarter])
-        modes = np.empty(compliance.shape, complex)
-        fields, preconditioned = np.empty((3, rows, n)), np.empty(rows * n)
-        free = np.empty(rows * n, np.int64)
-        return cls(compliance, scale, modes, fields, preconditioned, free)
-
-    def displaced(self, p: np.ndarray, out: np.ndarray) -> np.ndarray:
-        """Fill out, shape (rows, n), with A p, and return it."""
-        np.fft.rfft(p, axis=1, out=self.modes)
-        if p.shape[0] > 1:
-            np.fft.fft(self.modes, axis=0, out=self.modes)
-        np.multiply(self.modes, self.compliance, out=self.modes)
-        if p.shape[0] > 1:
-            np.fft.ifft(self.modes, axis=0, out=self.modes)
-        return np.fft.irfft(self.modes, p.shape[1], axis=1, out=out)
 
 
 def press(
@@ -100,162 +65,232 @@ def press(
     the samples whose p may be positive, or None for all. Raises ValueError if the search does not
     converge.
     """
-    allowed = np.ones(gap.shape, np.bool_) if allowed is None else allowed
     if start is None:
-        p = np.where(allowed, mean_pressure * gap.size / np.count_nonzero(allowed), 0.0)
-        start = ElasticContact(p, operator.displaced(p, np.empty_like(p)), float(gap.mean()), 1)
-    p, depth, passes = start.p.copy(), start.depth.copy(), start.passes
+        start = _cold_start(gap, mean_pressure, operator, allowed)
+    allowed = np.ones(gap.shape, np.bool_) if allowed is None else allowed
+    p, height, passes = start.p.copy(), gap + start.depth, start.passes
+    operator.fields[:] = 0.0
     residual, change, pushed = operator.fields
-    preconditioned, free = operator.preconditioned, operator.free
-    change[:] = pushed[:] = 0.0
-    # Flat views of the same arrays: indices of free samples need no division.
-    residuals, changes, pushes, pressures = (a.ravel() for a in (residual, change, pushed, p))
-    d = start.d + _mean_gap(gap, depth, p, start.d)
-    trial, product = 1.0, 0.0
+    values, free = operator.listed, operator.free
+    touching, d = _list_contact(height, p, free, values)
+    trial, product, step, scale = 1.0, 0.0, 0.0, 0.0
     while True:
-        count, least, first, second, touching, scale = _find_free(
-            gap, depth, p, allowed, d, residual, change, free
-        )
+        count = _displace(height, d, step, pushed, change, p, allowed, free, values, touching)
+        least, first, second = _fill_residual(height, d, residual, free[:count], values, touching)
         shift = first / touching  # mean of g over the contact, due to rounding and clipping
-        square = max(second - first * shift, 0.0)
-        limit = tolerance * np.sqrt(scale)
-        if square <= limit**2 * touching and least >= shift - limit:
-            return ElasticContact(p, depth, d + shift, passes)
+        square, least = max(second / touching - shift**2, 0.0), least - shift
+        if passes % SCALE_PASSES == 0 or _is_solved(square, least, tolerance, scale):
+            scale = _mean_square(height, gap)
+            if _is_solved(square, least, tolerance, scale):
+                return ElasticContact(p, np.subtract(height, gap, out=height), d + shift, passes)
         if passes >= MAX_PASSES:
             raise ValueError(f"no contact was found in {MAX_PASSES} passes")
-        _precondition(residual, p, free[:count], operator.stencil_scale, preconditioned)
-        _conjugate(residuals, preconditioned, free[:count], changes, pushes, product)
-        _clip(pressures, free[:count], changes, trial, mean_pressure)
+        _condition(residual, free[:count], operator.stencil_scale, values)
+        _conjugate(values[:, :count], product)
+        _clip(values[:, :count], trial, mean_pressure * p.size, free, change)
         operator.displaced(change, pushed)
         passes += 1
-        along, product, largest = _products(residuals, changes, pushes, pressures, free[:count])
+        along, product, largest = _products(values[:, :count], free, pushed)
         best = -along / product if product > 0.0 else 0.0
         step = min(best, max(largest, 1.0)) if best > 0.0 else 1.0
         zero = ZERO_PRESSURE * mean_pressure
-        d += shift + _take_step(pressures, depth.ravel(), changes, pushes, free[:count], step, zero)
+        touching, moved = _take_step(p, residual, change, values, free[:count], step, zero)
+        d += shift + moved
         trial *= min(max(best, MIN_TRIAL_RATIO), MAX_TRIAL_RATIO)
         if best < MIN_STEP_RATIO:  # the directions have stalled: restart them
             trial, product = 1.0, 0.0
 
 
-@kernel
-def _mean_gap(gap, depth, p, d):
-    """Return the mean of g over the contact."""
-    total = count = 0.0
-    for y in range(p.shape[0]):
-        for x in range(p.shape[1]):
-            if p[y, x] > 0.0:
-                total += gap[y, x] + depth[y, x] - d
-                count += 1.0
-    return total / count
+def _cold_start(
+    gap: np.ndarray, mean_pressure: float, operator: Operator, allowed: np.ndarray | None
+) -> ElasticContact:
+    """Return pressures to start from: those of every second sample, or equal ones."""
+    rows, n = gap.shape
+    if allowed is not None or n < 2 * MIN_COARSE_COLUMNS or n % 2:
+        touching = np.ones(gap.shape, np.bool_) if allowed is None else allowed
+        p = np.where(touching, mean_pressure * gap.size / np.count_nonzero(touching), 0.0)
+        passes = 1
+    else:
+        coarse = np.ascontiguousarray(gap[::2, ::2])
+        contact = press(coarse, mean_pressure, operator.coarse(), None, COARSE_TOLERANCE)
+        p = np.repeat(np.repeat(contact.p, 2, axis=1), rows // coarse.shape[0], axis=0)
+        passes = 1 + contact.passes * coarse.size // gap.size
+    return ElasticContact(p, operator.displaced(p, np.empty_like(p)), 0.0, passes)
 
 
-@kernel
-def _find_free(gap, depth, p, allowed, d, residual, change, free):
-    """Find the free samples, whose p may change, and fill residual with g minus its mean there.
+def _is_solved(square: float, least: float, tolerance: float, scale: float) -> bool:
+    """Return whether residuals are within the tolerance.
 
-    residual and change are set to 0 elsewhere. Return (number of free samples, minimum of 0 and of
-    g outside the contact, sums of g and g^2 over it, number of samples in it, mean of depth^2).
+    square, scale : mean squares of g over the contact and of A p. least : of g outside the contact.
     """
-    rows, n = p.shape
-    count = touching = 0
-    least = first = second = scale = total = 0.0
-    for y in range(rows):
-        for x in range(n):
-            g = gap[y, x] + depth[y, x] - d
-            scale += depth[y, x] * depth[y, x]
-            residual[y, x] = 0.0
-            if p[y, x] > 0.0:
-                touching += 1
-                first += g
-                second += g * g
-            elif g < 0.0 and allowed[y, x]:
-                least = min(least, g)
-            else:
-                change[y, x] = 0.0
-                continue
-            residual[y, x] = g
-            total += g
-            free[count] = y * n + x
+    return square <= tolerance**2 * scale and least >= -tolerance * np.sqrt(scale)
+
+
+@kernel
+def _mean_square(height, gap):
+    """Return the mean square of the difference; four sums are faster than one."""
+    heights, gaps = height.ravel(), gap.ravel()
+    whole = gaps.size - gaps.size % 4
+    a = b = c = e = 0.0
+    for j in range(0, whole, 4):
+        a += (heights[j] - gaps[j]) ** 2
+        b += (heights[j + 1] - gaps[j + 1]) ** 2
+        c += (heights[j + 2] - gaps[j + 2]) ** 2
+        e += (heights[j + 3] - gaps[j + 3]) ** 2
+    for j in range(whole, gaps.size):
+        a += (heights[j] - gaps[j]) ** 2
+    return (a + b + c + e) / gaps.size
+
+
+@kernel
+def _list_contact(height, p, free, values):
+    """List the contact with its pressures; return (number of samples, mean of g + d there)."""
+    heights, pressures = height.ravel(), p.ravel()
+    total, count = 0.0, 0
+    for j in range(pressures.size):
+        if pressures[j] > 0.0:
+            free[count], values[PRESSURE, count] = j, pressures[j]
+            values[CHANGE, count] = values[PUSH, count] = 0.0
+            total += heights[j]
             count += 1
-    mean = total / count
-    for i in range(count):
-        residual[free[i] // n, free[i] % n] -= mean
-    return count, least, first, second, touching, scale / p.size
+    return count, total / count
 
 
 @kernel
-def _precondition(residual, p, free, stencil_scale, preconditioned):
-    """Apply the stencil to the residual and subtract the mean; p = 0 may only increase."""
-    rows, n = p.shape
-    total = 0.0
-    for i in range(free.size):
-        y, x = free[i] // n, free[i] % n
-        above, below = y - 1 if y > 0 else rows - 1, y + 1 if y + 1 < rows else 0
-        left, right = x - 1 if x > 0 else n - 1, x + 1 if x + 1 < n else 0
-        sides = residual[above, x] + residual[below, x] + residual[y, left] + residual[y, right]
-        preconditioned[i] = stencil_scale * (STENCIL_CENTRE * residual[y, x] - sides)
-        total += preconditioned[i]
-    for i in range(free.size):
-        preconditioned[i] -= total / free.size
-        if preconditioned[i] > 0.0 and p[free[i] // n, free[i] % n] == 0.0:
-            preconditioned[i] = 0.0
+def _displace(height, d, step, pushed, change, p, allowed, free, values, count):
+    """Displace the body by a step, and list the samples without pressure that it overlaps.
 
-
-@kernel
-def _conjugate(residual, preconditioned, free, change, pushed, product):
-    """Set change to the next search direction, conjugate to the last one.
-
-    product : last change times its displacement, or 0 at a restart.
+    height : gap + A p, in place. Return the number of listed samples; count : of the contact.
     """
+    heights, pushes, changes, pressures = height.ravel(), pushed.ravel(), change.ravel(), p.ravel()
+    open_to = allowed.ravel()
+    for start in range(0, heights.size, BLOCK):
+        stop, overlaps = min(start + BLOCK, heights.size), 0
+        for j in range(start, stop):
+            heights[j] += step * pushes[j]
+        for j in range(start, stop):
+            overlaps += 1 if heights[j] < d else 0
+        if overlaps == 0:
+            continue
+        for j in range(start, stop):
+            if heights[j] < d and pressures[j] == 0.0 and open_to[j]:
+                free[count], values[PRESSURE, count] = j, 0.0
+                values[CHANGE, count], values[PUSH, count] = changes[j], pushes[j]
+                count += 1
+    return count
+
+
+@kernel
+def _fill_residual(height, d, residual, free, values, touching):
+    """Fill residual with g minus its mean over the free samples, of which the first touch.
+
+    Return (minimum of g outside the contact, sums of g and g^2 over it).
+    """
+    heights, residuals = height.ravel(), residual.ravel()
+    least = first = second = outside = 0.0
+    for i in range(free.size):
+        g = values[RESIDUAL, i] = heights[free[i]] - d
+        if i < touching:
+            first += g
+            second += g * g
+        else:
+            outside += g
+            least = min(least, g)
+    mean = (first + outside) / free.size
+    for i in range(free.size):
+        values[RESIDUAL, i] -= mean
+        residuals[free[i]] = values[RESIDUAL, i]
+    return least, first, second
+
+
+@kernel
+def _condition(residual, free, stencil_scale, values):
+    """Apply the stencil to the residual and subtract its mean; p = 0 may only increase.
+
+    At the ends of a row the stencil continues in the next one: it need not be exact.
+    """
+    residuals, n = residual.ravel(), residual.shape[1]
+    size, total = residuals.size, 0.0
+    for i, j in enumerate(free):
+        above, below = j - n if j >= n else j - n + size, j + n if j + n < size else j + n - size
+        left, right = j - 1 if j > 0 else size - 1, j + 1 if j + 1 < size else 0
+        sides = residuals[above] + residuals[below] + residuals[left] + residuals[right]
+        values[CONDITIONED, i] = stencil_scale * (STENCIL_CENTRE * residuals[j] - sides)
+        total += values[CONDITIONED, i]
+    for i in range(free.size):
+        values[CONDITIONED, i] -= total / free.size
+        if values[CONDITIONED, i] > 0.0 and values[PRESSURE, i] == 0.0:
+            values[CONDITIONED, i] = 0.0
+
+
+@kernel
+def _conjugate(values, product):
+    """Make changes the next direction: down the preconditioned residual, conjugate to the last.
+
+    product : of the last change and its displacement, or 0 at a restart.
+    """
+    size = values.shape[1]
     share = total = along = 0.0
     if product > 0.0:
-        for i in range(free.size):
-            share += preconditioned[i] * pushed[free[i]]
+        for i in range(size):
+            share += values[CONDITIONED, i] * values[PUSH, i]
         share /= product
-    for i, j in enumerate(free):
-        change[j] = share * change[j] - preconditioned[i]
-        total += change[j]
-        along += change[j] * residual[j]
-    for i, j in enumerate(free):
-        change[j] = -preconditioned[i] if along >= 0.0 else change[j] - total / free.size
+    for i in range(size):
+        values[CHANGE, i] = share * values[CHANGE, i] - values[CONDITIONED, i]
+        total += values[CHANGE, i]
+        along += values[CHANGE, i] * values[RESIDUAL, i]
+    for i in range(size):
+        if along >= 0.0:
+            values[CHANGE, i] = -values[CONDITIONED, i]
+        else:
+            values[CHANGE, i] -= total / size
 
 
 @kernel
-def _clip(p, free, change, trial, mean_pressure):
-    """Replace change by a trial step that is clipped at p = 0 and keeps the mean of p."""
-    total = 0.0
-    for j in free:
-        change[j] = max(p[j] + trial * change[j], 0.0)
-        total += change[j]
-    factor = mean_pressure * p.size / total
-    for j in free:
-        change[j] = change[j] * factor - p[j]
+def _clip(values, trial, force, free, change):
+    """Fill change with a trial step that is clipped at p = 0 and keeps the sum of p, ``force``."""
+    changes, total = change.ravel(), 0.0
+    for i in range(values.shape[1]):
+        values[CHANGE, i] = max(values[PRESSURE, i] + trial * values[CHANGE, i], 0.0)
+        total += values[CHANGE, i]
+    factor = force / total
+    for i in range(values.shape[1]):
+        values[CHANGE, i] = values[CHANGE, i] * factor - values[PRESSURE, i]
+        changes[free[i]] = values[CHANGE, i]
 
 
 @kernel
-def _products(residual, change, pushed, p, free):
-    """Return (change times residual, change times its displacement, largest step with p >= 0)."""
+def _products(values, free, pushed):
+    """Return (change times g, change times its displacement, largest step with p >= 0)."""
+    pushes = pushed.ravel()
     along = product = 0.0
     largest = np.inf
-    for j in free:
-        along += residual[j] * change[j]
-        product += pushed[j] * change[j]
-        if change[j] < 0.0 and p[j] < -largest * change[j]:
-            largest = -p[j] / change[j]
+    for i in range(values.shape[1]):
+        change = values[CHANGE, i]
+        values[PUSH, i] = pushes[free[i]]
+        along += values[RESIDUAL, i] * change
+        product += values[PUSH, i] * change
+        if change < 0.0 and values[PRESSURE, i] < -largest * change:
+            largest = -values[PRESSURE, i] / change
     return along, product, largest
 
 
 @kernel
-def _take_step(p, depth, change, pushed, free, step, zero):
-    """Take a step in place; return the mean change of A p over the contact."""
-    moved = count = 0.0
-    for j in range(depth.size):
-        depth[j] += step * pushed[j]
-    for j in free:
-        pressure = p[j] + step * change[j]
-        p[j] = pressure if pressure > zero else 0.0
+def _take_step(p, residual, change, values, free, step, zero):
+    """Take a step in place, and move the samples with pressure to the head of the list.
+
+    Return (their number, change of the mean of A p over them).
+    """
+    pressures, residuals, changes = p.ravel(), residual.ravel(), change.ravel()
+    moved, count = 0.0, 0
+    for i, j in enumerate(free):
+        pressure = values[PRESSURE, i] + step * values[CHANGE, i]
         if pressure > zero:
-            moved += step * pushed[j]
-            count += 1.0
-    return moved / count
+            pressures[j] = values[PRESSURE, count] = pressure
+            free[count] = j
+            values[CHANGE, count], values[PUSH, count] = values[CHANGE, i], values[PUSH, i]
+            moved += step * values[PUSH, i]
+            count += 1
+        else:
+            pressures[j] = residuals[j] = changes[j] = 0.0
+    return count, moved / count

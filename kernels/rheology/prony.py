@@ -130,7 +130,7 @@ def _predict(law, memory, p, w):
     total = law.stale.sum()
     for i in range(w.size):
         w[i] = law.decay[0] * memory[0, i] - total * p[i]
-    for k in range(1, law.decay.size):
+    for k in range(1, memory.shape[0]):
         decay = law.decay[k]
         for i in range(w.size):
             w[i] += decay * memory[k, i]
@@ -138,7 +138,7 @@ def _predict(law, memory, p, w):
 
 @advance_memory.register(Prony)
 def _advance_memory(law, memory, w, p, new):
-    for k in range(law.decay.size):
+    for k in range(memory.shape[0]):
         decay, fresh, stale = law.decay[k], law.fresh[k], law.stale[k]
         for i in range(p.size):
             y = decay * memory[k, i] - fresh * new[i] - stale * p[i]
