@@ -115,9 +115,10 @@ def open_gap(law, memory, depth, z, offset, w, gap):
     predict(law, memory, depth, w)
     rows, n = z.shape
     for y in range(rows):
-        for i in range(n):
-            j = i - offset if i >= offset else i - offset + n
-            gap[y, j] = law.stiffness * (z[y, j] - w[y * n + i])
+        for j in range(n - offset):
+            gap[y, j] = law.stiffness * (z[y, j] - w[y * n + j + offset])
+        for j in range(n - offset, n):
+            gap[y, j] = law.stiffness * (z[y, j] - w[y * n + j + offset - n])
 
 
 def at_elements(values: np.ndarray, offset: int) -> np.ndarray:

@@ -44,7 +44,9 @@ def run_case(
         sums[:, 0] = tile_sums(one.body.p > 0.0, case.tiles)
         sums[:, 1:3] = _steady_sums(space, one, case.tiles)
     if requested.jump and case.ratios:
-        jumps, used, sums[:, 5] = friction_jumps(space, one, case.speed, case.ratios, case.tiles)
+        jumps, used, sums[:, 5] = friction_jumps(
+            space, case.spectrum, one, case.speed, case.ratios, case.tiles
+        )
         passes += used
     if requested.initial_rate and case.ratios:
         rates, used = initial_rates(space, case.spectrum, one, case.speed, case.ratios)

@@ -69,8 +69,8 @@ def press(
         start = _cold_start(gap, mean_pressure, operator, allowed)
     allowed = np.ones(gap.shape, np.bool_) if allowed is None else allowed
     p, height, passes = start.p.copy(), gap + start.depth, start.passes
-    operator.fields[:] = 0.0
     residual, change, pushed = operator.fields
+    residual[:] = change[:] = 0.0
     values, free = operator.listed, operator.free
     touching, d = _list_contact(height, p, free, values)
     trial, product, step, scale = 1.0, 0.0, 0.0, 0.0
@@ -79,10 +79,10 @@ def press(
         least, first, second = _fill_residual(height, d, residual, free[:count], values, touching)
         shift = first / touching  # mean of g over the contact, due to rounding and clipping
         square, least = max(second / touching - shift**2, 0.0), least - shift
-        if passes % SCALE_PASSES == 0 or _is_solved(square, least, tolerance, scale):
+        if (passes - start.passes) % SCALE_PASSES == 0:
             scale = _mean_square(height, gap)
-            if _is_solved(square, least, tolerance, scale):
-                return ElasticContact(p, np.subtract(height, gap, out=height), d + shift, passes)
+        if square <= tolerance**2 * scale and least >= -tolerance * np.sqrt(scale):
+            return ElasticContact(p, np.subtract(height, gap, out=height), d + shift, passes)
         if passes >= MAX_PASSES:
             raise ValueError(f"no contact was found in {MAX_PASSES} passes")
         _condition(residual, free[:count], operator.stencil_scale, values)
@@ -116,14 +116,6 @@ def _cold_start(
         p = np.repeat(np.repeat(contact.p, 2, axis=1), rows // coarse.shape[0], axis=0)
         passes = 1 + contact.passes * coarse.size // gap.size
     return ElasticContact(p, operator.displaced(p, np.empty_like(p)), 0.0, passes)
-
-
-def _is_solved(square: float, least: float, tolerance: float, scale: float) -> bool:
-    """Return whether residuals are within the tolerance.
-
-    square, scale : mean squares of g over the contact and of A p. least : of g outside the contact.
-    """
-    return square <= tolerance**2 * scale and least >= -tolerance * np.sqrt(scale)
 
 
 @kernel
@@ -166,8 +158,9 @@ def _displace(height, d, step, pushed, change, p, allowed, free, values, count):
     open_to = allowed.ravel()
     for start in range(0, heights.size, BLOCK):
         stop, overlaps = min(start + BLOCK, heights.size), 0
-        for j in range(start, stop):
-            heights[j] += step * pushes[j]
+        if step != 0.0:  # the first displacement is that of the start
+            for j in range(start, stop):
+                heights[j] += step * pushes[j]
         for j in range(start, stop):
             overlaps += 1 if heights[j] < d else 0
         if overlaps == 0:

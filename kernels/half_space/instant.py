@@ -21,18 +21,23 @@ from .tiles import quadratic_density, tile_sums
 
 
 def friction_jumps(
-    space: HalfSpace, one: SlidingBody, speed: float, ratios: tuple[float, ...], tiles: int = 0
+    space: HalfSpace,
+    spectrum: Spectrum,
+    one: SlidingBody,
+    speed: float,
+    ratios: tuple[float, ...],
+    tiles: int = 0,
 ) -> tuple[np.ndarray, int, np.ndarray]:
     """Return (jumps of mu in h/dx, passes, sums over tiles), from ``speed`` to each ratio of it.
 
-    one : steady sliding at ``speed`` (vbar, signed). tiles : per side. With constant contacts
-    A dp = -eta dv dz/dx + const, so that the jump is a quadratic form of dp (tiles.py). The sums
-    have the shape (ratios, tiles, tiles).
+    one : steady sliding at ``speed`` (vbar, signed); with a dashpot its memory must be complete.
+    tiles : per side. With constant contacts A dp = -eta dv dz/dx + const, so that the jump is a
+    quadratic form of dp (tiles.py). The sums have the shape (ratios, tiles, tiles).
     """
+    if spectrum.viscosity == 0.0:
+        return np.zeros(len(ratios)), 0, np.zeros((len(ratios), tiles, tiles))
     body, slope = one.body, space.surface.slope
     viscosity, lasting = lasting_depth(space.form, body.memory)
-    if viscosity == 0.0:
-        return np.zeros(len(ratios)), 0, np.zeros((len(ratios), tiles, tiles))
     lasting = at_samples(lasting, body.offset, slope.shape)
     touching = body.p > 0.0
     mu, passes, pressures = [], 0, []

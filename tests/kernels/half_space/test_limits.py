@@ -185,3 +185,32 @@ def test_a_contact_with_stalling_directions_is_solved() -> None:
     result = run_case(surface, case, Quantities(jump=False, relaxation=False))
     assert np.isfinite(result.mu_1)
     assert result.work < 6000 * surface.z.size
+
+
+def test_units_that_decay_within_a_step_need_no_memory() -> None:
+    """A case stores none for them; a march with the whole memory gives the same friction."""
+    surface, spectrum = rough(16, 4), Spectrum((2.0, 5.0, 3.0), (1e-4, 0.5, 4.0), 0.0)
+    case = Case(0.3, 0.7, (1.2,), (np.arange(1, 20),), "exponential", spectrum)
+    result = run_case(surface, case, Quantities())
+    space = HalfSpace.under(form_of(spectrum, "exponential"), surface, case.load)
+    body = slide_steadily(space, spectrum, 0.7).body
+    two = slide_steadily(space, spectrum, 1.2 * 0.7)
+    assert two.step.law.decay.min() < 1e-17 < 1e-3 < np.sort(two.step.law.decay)[1]
+    mu = []
+    for _ in case.kept_steps[0]:
+        body, _ = take_step(space, body, two.step)
+        mu.append(mean_slope(body.p, two.step.weight) - two.step_mu)
+    assert result.curves[0] - result.mu_2[0] == pytest.approx(np.array(mu), abs=1e-6)
+
+
+@pytest.mark.parametrize("modulus", [3.0, 30.0, 300.0])
+def test_a_direct_solution_stays_as_it_is_in_a_march(modulus: float) -> None:
+    """Loss tangents reach 0.75, 2.7 and 8.6: the search must not end because it is slow."""
+    surface, spectrum = rough(16, 4), Spectrum((modulus,), (1.0,), 0.0)
+    space = HalfSpace.under(form_of(spectrum, "exponential"), surface, 1.0)
+    result = slide_steadily(space, spectrum, 0.5 / np.sqrt(1.0 + modulus))
+    body = result.body
+    assert 0.0 < np.mean(body.p > 0.0) < 0.5
+    for _ in range(60):
+        body, _ = take_step(space, body, result.step, 1e-9)
+    assert mean_slope(body.p, result.step.weight) == pytest.approx(result.step_mu, rel=3e-6)
