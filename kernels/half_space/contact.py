@@ -106,7 +106,8 @@ def _cold_start(
 ) -> ElasticContact:
     """Return pressures to start from: those of every second sample, or equal ones."""
     rows, n = gap.shape
-    if allowed is not None or n < 2 * MIN_COARSE_COLUMNS or n % 2:
+    odd = n % 2 or (rows > 1 and rows % 2)
+    if allowed is not None or n < 2 * MIN_COARSE_COLUMNS or odd:
         touching = np.ones(gap.shape, np.bool_) if allowed is None else allowed
         p = np.where(touching, mean_pressure * gap.size / np.count_nonzero(touching), 0.0)
         passes = 1

@@ -33,7 +33,7 @@ ALL_ELEMENTS = 5.0  # factor on a step that also moves elements that cannot touc
 PULLED_STEPS = 2.0  # steps of a line pulled by a spring, per step of its programme
 # Maps on a half-space: passes of conjugate gradients.
 PASS_SECONDS = 1.5e-8  # per sample
-KELVIN_PASSES, BRANCH_PASSES = 800.0, 300.0  # for both steady states
+KELVIN_PASSES, BRANCH_PASSES = 800.0, 150.0  # for both steady states
 STEP_PASSES, JUMP_PASSES = 4.5, 18.0  # for a step, and for the jump
 HALVED_STEPS_COST = 4.0  # cost of a repeated run with halved steps, over the first run
 
