@@ -38,7 +38,7 @@ from .modal_operator import convolved
 from .response import steady_response
 from .waves import two_sided, wave_numbers
 
-MAX_DIRECT_ERROR = 1e-6  # rms on the contact, over the rms of A p and the smallest cos(phi)
+MAX_DIRECT_ERROR = 2e-7  # rms on the contact, over the rms of A p and the smallest cos(phi)
 COMBINED = 5  # displacements from the last contacts
 FIRST_TOLERANCE = 0.1  # of contacts in a direct solution, relative to the rms of A p
 TOLERANCE_PER_ERROR, MIN_TOLERANCE_RATIO = 0.5, 0.1  # over the last error and the last tolerance
