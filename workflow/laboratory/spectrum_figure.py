@@ -22,7 +22,7 @@ def _figure_of(spectrum: MeasuredSpectrum, fit: RolloffFit) -> Figure:
     error = bins.density * np.sqrt(fit.mode_variance / bins.modes)
     left.plot(spectrum.q, spectrum.density, ".", ms=0.6, color="0.6", label="modes or rings")
     left.errorbar(q, bins.density, np.minimum(error, 0.99 * bins.density), fmt="o", color="k", ms=2)
-    label = f"$H = {fit.hurst.value:.2f} \\pm {fit.hurst.error:.2f}$"
+    label = f"$H = {fit.hurst.value:.3f} \\pm {fit.hurst.error:.3f}$"
     left.plot(q[: fit.model.size], fit.model, "-", color=COLOURS[4], label=label)
     for ax, places in ((left, lambda wave: 2.0 * np.pi / wave), (right, lambda wave: wave)):
         if fit.rolloff is not None:
@@ -36,7 +36,7 @@ def _figure_of(spectrum: MeasuredSpectrum, fit: RolloffFit) -> Figure:
     shown = spectrum.q >= fit.first_q * (1.0 - 1e-9)
     left.set(xscale="log", yscale="log", xlabel="$q$ (1/m)", ylabel=f"${name}$ ({unit})")
     left.set_ylim(0.3 * max(bins.density.min(), 1e-4 * fit.model.min()))
-    left.legend(loc="lower left")
+    left.legend(loc="upper right", frameon=True, edgecolor="none")
     right.plot(2.0 * np.pi / spectrum.q[shown], spectrum.slopes()[shown], "-", color="k")
     right.set(xscale="log", yscale="log", xlabel="shortest wave (m)", ylabel="rms slope")
     write_below(figure, "Bars and the band of the roll-off show one standard error.")
