@@ -62,7 +62,7 @@ def settled(choice: BodyChoice, surface: Surface, grid: Mapping[str, Any]) -> Bo
     if "normal_force" in grid:
         force, area = grid["normal_force"][0], surface.pressed_area
         raise UserError(
-            f"grid.normal_force = {force:g}: is ambiguous on a map; give "
+            f"grid.normal_force = {force:g}: is ambiguous for a map, a matrix of heights; give "
             f"grid.normal_pressure = {force / area:.4g}, F_N/L^2, for a half-space, or set "
             f'scene.body = "{FOUNDATION}" and give the force on each line'
         )
