@@ -87,12 +87,15 @@ def test_a_distance_that_is_whole_but_for_rounding_ends_at_a_whole_sample():
     start=st.floats(-3.0, 3.0),
 )
 @example(speed=1.0, distance=0.328125, start=-1.125)
+@example(speed=1.0, distance=26.0, start=1.0312054124595153e-07)
 def test_a_slide_between_fractions_takes_its_time_in_steps_of_about_a_sample(
     speed, distance, start
 ):
     steps = steps_of((Slide(speed, distance),), M, start)
     moved = distances(steps, start)
-    assert steps.position[-1] == pytest.approx(start + math.copysign(distance * M, speed), abs=1e-8)
+    end = start + math.copysign(distance * M, speed)
+    # An end within the rounding of a whole sample is moved there (motion/path.py).
+    assert steps.position[-1] == pytest.approx(end, abs=1e-8 + 1e-9 * abs(end))
     assert steps.dt.sum() == pytest.approx(distance / abs(speed), rel=1e-6)
     np.testing.assert_allclose(moved, speed * M * steps.dt, rtol=1e-9)
     # Whole samples within a quarter of a sample of an end are skipped: at one end, or at both.
