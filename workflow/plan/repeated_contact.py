@@ -9,7 +9,8 @@ import math
 
 import numpy as np
 
-from ...kernels import Hold, Leg, Oscillation, Programme, Ramp, Sampled, Slide
+from ...kernels import Hold, Leg, Oscillation, Programme, Ramp, Slide
+from ...kernels.motion.legs import path_of
 from ..simulate import Problem
 
 MAX_REMEMBERED = 0.01  # share of the first contact that a trace may meet again
@@ -40,19 +41,20 @@ def range_of(programme: Programme) -> tuple[float, float]:
 
 
 def _motion(leg: Leg) -> tuple[np.ndarray, float]:
-    """Return the displacements in a leg, in dx, and its highest speed; of a drive: its own."""
+    """Return the displacements at the turns and the end of a leg, in dx, and its highest speed.
+
+    The motion of a drive stands for that of the line that it pulls.
+    """
     match leg:
         case Slide():
             return np.array([math.copysign(leg.distance, leg.speed)]), abs(leg.speed)
-        case Ramp():
-            moved = 0.5 * (leg.first + leg.last) * leg.duration
-            return np.array([moved]), max(abs(leg.first), abs(leg.last))
+        case Hold():
+            return np.zeros(1), 0.0
         case Oscillation():
             moved = leg.speed * leg.cycles / leg.frequency
             fastest = abs(leg.speed) + 2.0 * math.pi * leg.frequency * leg.amplitude
             return np.array([-leg.amplitude, moved + leg.amplitude, moved]), fastest
-        case Sampled():
-            speeds, steps = np.array(leg.speeds), np.diff(leg.times)
-            return np.cumsum(0.5 * (speeds[1:] + speeds[:-1]) * steps), np.abs(speeds).max()
-        case Hold():
-            return np.zeros(1), 0.0
+        case _:
+            path = path_of(leg, 1)
+            speeds = (leg.first, leg.last) if isinstance(leg, Ramp) else leg.speeds
+            return path.where(path.breaks), float(np.abs(speeds).max())

@@ -63,6 +63,7 @@ def test_branches_faster_than_a_period_forget():
         ((Slide(2.0, 30.0), Slide(-2.0, 10.0)), 30.0, 2.0),
         ((Slide(-2.0, 10.0), Hold(3.0), Slide(1.0, 30.0)), 30.0, 2.0),
         ((Ramp(0.0, 4.0, 10.0),), 20.0, 4.0),
+        ((Ramp(-2.0, 2.0, 10.0),), 5.0, 2.0),  # returns to its start
         ((Sampled((0.0, 1.0, 3.0), (0.0, 2.0, 0.0)),), 3.0, 2.0),
     ],
 )
