@@ -9,7 +9,7 @@ from .step import Forces
 
 @inlined_kernel
 def mean_forces(sums, n):
-    """Return the Forces of n elements; sums : as of model/friction.py:weighted_sums."""
+    """Return the Forces of n elements; sums : of weighted_sums (model/friction.py)."""
     normal, tangential, touching = sums
     mu = tangential / normal if normal > 0.0 else np.nan
     return Forces(mu, normal / n, tangential / n, touching / n)

@@ -16,7 +16,7 @@ from .sliding_body import SlidingBody, slide_steadily
 from .surface import Surface
 from .tiles import TILE_SUMS, quadratic_density, tile_sums
 
-MIN_DECAY = 1e-17  # factor of an internal variable in a step, below the rounding error
+MIN_KEPT_DECAY = 1e-17  # factor of an internal variable in a step, below the rounding error
 
 
 def run_case(
@@ -99,7 +99,7 @@ def _kept_variables(space: HalfSpace, case: Case, requested: Quantities) -> int 
         return 0
     fastest = max(case.ratios, key=abs) * case.speed
     decay = Step.of(space.form, space.surface, fastest).law.decay
-    return max(1, int(np.count_nonzero(decay > MIN_DECAY)))
+    return max(1, int(np.count_nonzero(decay > MIN_KEPT_DECAY)))
 
 
 def _relaxation(

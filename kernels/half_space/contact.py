@@ -176,9 +176,10 @@ def _displace(height, d, step, pushed, change, p, allowed, free, values, count):
 
 @kernel
 def _fill_residual(height, d, residual, free, values, touching):
-    """Fill residual with g minus its mean over the free samples, of which the first touch.
+    """Fill residual with g minus its mean over the free samples.
 
-    Return (minimum of g outside the contact, sums of g and g^2 over it).
+    touching : number of samples in contact, at the head of the list. Return (minimum of g outside
+    the contact, sums of g and g^2 over it).
     """
     heights, residuals = height.ravel(), residual.ravel()
     least = first = second = outside = 0.0

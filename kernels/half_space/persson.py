@@ -35,7 +35,7 @@ class Waves(NamedTuple):
 def waves_of_self_affine(
     hurst: float, elements: int, rolloff: float, cutoff: int, normalisation: str
 ) -> Waves:
-    """Return the waves of a self-affine surface; arguments as of ring_amplitudes.
+    """Return the waves of a self-affine surface; arguments: see ring_amplitudes.
 
     Rings of wave vectors replace single ones on sides of more than MAX_LATTICE_ELEMENTS elements.
     """

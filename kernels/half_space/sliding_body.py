@@ -169,18 +169,18 @@ def _solve_directly(
         y = convolved(start.p, remainder, operator.modes, y)
     limit = MAX_DIRECT_ERROR * float(np.min(response.real / np.abs(response)))
     tolerance = FIRST_TOLERANCE
-    found, errors = np.empty((2, COMBINED, *z.shape))
+    displacements, errors = np.empty((2, COMBINED, *z.shape))
     for iteration in range(MAX_DIRECT_ITERATIONS):
         contact = press(z + y, space.pressure, operator, contact, tolerance)
         passes, contact = passes + contact.passes + 1, contact._replace(passes=0)
         last, known = iteration % COMBINED, min(iteration + 1, COMBINED)
-        convolved(contact.p, remainder, operator.modes, found[last])
-        np.subtract(found[last], y, out=errors[last])
+        convolved(contact.p, remainder, operator.modes, displacements[last])
+        np.subtract(displacements[last], y, out=errors[last])
         there = errors[:known].reshape(known, -1)[:, np.flatnonzero(contact.p)]
         error = float(there[last].std() / np.sqrt(np.mean(contact.depth**2)))
         if max(error, tolerance) <= limit:
             return _steady_body(space, memory, contact.p, contact.d), passes
-        _combine(found, _least_error_weights(there, last), y)
+        _combine(displacements, _least_error_weights(there, last), y)
         least = max(TOLERANCE_PER_ERROR * limit, MIN_TOLERANCE_RATIO * tolerance)
         tolerance = min(FIRST_TOLERANCE, max(least, TOLERANCE_PER_ERROR * error))
     raise ValueError(

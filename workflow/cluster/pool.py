@@ -88,10 +88,10 @@ class Pool:
         return asyncio.run_coroutine_threadsafe(self._snapshot(), self._loop)
 
     async def _snapshot(self) -> Snapshot:
-        asked = self._scheduler
+        scheduler = self._scheduler
         try:
             threads, ready, processing = await asyncio.gather(
-                asked.ncores(), asked.ncores_running(), asked.processing()
+                scheduler.ncores(), scheduler.ncores_running(), scheduler.processing()
             )
         except OSError as error:
             raise UserError(SCHEDULER_LOST) from error

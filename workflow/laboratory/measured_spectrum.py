@@ -55,7 +55,7 @@ def skewness_of(profile: Profile) -> Estimate:
     """Return the skewness of the heights, with the standard error of a Gaussian surface.
 
     The variance of the mean of z^3 is 6 h^6 times the mean of the cubed correlation function, for
-    each independent line or map. A mirrored line is as good as half its period.
+    each independent line or map. The two halves of a mirrored line count as one.
     """
     heights = profile.heights
     axes = tuple(range(1, heights.ndim))
@@ -65,5 +65,4 @@ def skewness_of(profile: Profile) -> Estimate:
     copies = (profile.length / profile.measured_length) ** len(axes)
     lines = len(heights) / (profile.correlation.lines if profile.correlation else 1.0)
     variance = 6.0 * float(np.mean(correlation**3)) * copies / lines
-    value = np.mean(centred**3) / np.mean(centred**2) ** 1.5
-    return Estimate(float(value), max(variance, 0.0) ** 0.5)
+    return Estimate(profile.skewness, max(variance, 0.0) ** 0.5)

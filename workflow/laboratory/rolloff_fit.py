@@ -27,18 +27,18 @@ MIN_VARIANCE = 1e-6  # of lines drawn with given amplitudes
 MIN_BINS, MIN_BINS_ABOVE = 8, 3  # on either side of a bend
 MIN_IMPROVEMENT = 7.0  # of the deviance by a parameter: one per cent by chance
 MIN_NOISE_IMPROVEMENT = 2.0  # by noise, whose neglect would bias H (Akaike)
-TOLERANCE = 0.1  # of the model at each bin in the search for a bend
+BEND_TOLERANCE = 0.1  # of the model at each bin in the search for a bend
 MIN_BEND = 0.5  # change of the exponent
 MIN_EXPONENT = -0.4  # of the power law below a bend, relative to H = 0
-MARGIN = 1.25  # between the waves of the fit and a bend
-LIMITS = 0.16, 0.5, 0.84  # quantiles that bound one standard error
+BEND_MARGIN = 1.25  # between the waves of the fit and a bend
+ERROR_QUANTILES = 0.16, 0.5, 0.84  # quantiles that bound one standard error
 
 
 class RolloffFit(NamedTuple):
     """Parameters of a measured power spectrum, with standard errors."""
 
     hurst: Estimate
-    rolloff: tuple[float, ...] | None  # m: lower limit, median, upper limit; None: not seen
+    rolloff: tuple[float, ...] | None  # m: lower limit, median, upper limit; None: no roll-off
     least_rolloff: float  # m: shorter ones are excluded at two standard errors
     first_q: float  # 1/m: begin of the fit
     last_q: float  # 1/m: end of the power law
@@ -93,7 +93,7 @@ def fit_rolloff(spectrum: MeasuredSpectrum, lowest: float) -> RolloffFit:
     below = bins.part(0, end)
     variance = (below if below.freedom.sum() >= MIN_FREEDOM else bins).mode_variance
     grid = np.linspace(below.log_q[0], below.log_q[-3], ROLLOFFS)
-    for shares in (NOISE_SHARES, NOISE_SHARES[:1]):  # noise only if it is seen
+    for shares in (NOISE_SHARES, NOISE_SHARES[:1]):  # without noise if it is not significant
         floors = shares * below.density[-3:].min()
         rolloffs, noise = (values.ravel() for values in np.meshgrid(grid, floors))
         fits, misfit = _with_misfit(below, variance, rolloffs, noise)
@@ -105,12 +105,12 @@ def fit_rolloff(spectrum: MeasuredSpectrum, lowest: float) -> RolloffFit:
     exponent = float(share @ fits.exponent)
     of_exponent = share @ (fits.variance + (fits.exponent - exponent) ** 2)
     hurst = Estimate(0.5 * (exponent - spectrum.falling), 0.5 * math.sqrt(of_exponent))
-    seen = excess[rolloffs == grid[0]].min() > MIN_IMPROVEMENT
+    has_rolloff = excess[rolloffs == grid[0]].min() > MIN_IMPROVEMENT
     cumulative = np.cumsum(share.reshape(floors.size, -1).sum(axis=0))
-    limits = 2.0 * math.pi / np.exp(np.interp(LIMITS, cumulative, grid))
+    limits = 2.0 * math.pi / np.exp(np.interp(ERROR_QUANTILES, cumulative, grid))
     return RolloffFit(
         hurst,
-        tuple(limits[::-1].tolist()) if seen else None,
+        tuple(limits[::-1].tolist()) if has_rolloff else None,
         2.0 * math.pi / math.exp(rolloffs[excess < 4.0].max()),
         math.exp(below.log_q[0]),
         *_end(spectrum, below, bend, fits.power_law[best] > noise[best]),
@@ -197,7 +197,7 @@ def _misfit(residual: np.ndarray, variance: np.ndarray) -> float:
 
 def _bend(bins: Bins, falling: int) -> tuple[int, float]:
     """Return the end of the power law, and the increase of its exponent there (0: no bend)."""
-    weights = 1.0 / (bins.mode_variance / bins.modes + TOLERANCE**2)
+    weights = 1.0 / (bins.mode_variance / bins.modes + BEND_TOLERANCE**2)
 
     def fitted(last: int) -> tuple[float, float, float]:
         part = bins.part(0, last)
@@ -216,5 +216,5 @@ def _bend(bins: Bins, falling: int) -> tuple[int, float]:
         power_law = log_end - log_rolloff > math.log(2.0) and exponent > falling + MIN_EXPONENT
         if deviance < least and abs(bend) > MIN_BEND and power_law:
             least, change = deviance, bend
-            end = int(np.searchsorted(bins.log_q, log_end - math.log(MARGIN)))
+            end = int(np.searchsorted(bins.log_q, log_end - math.log(BEND_MARGIN)))
     return max(end, MIN_BINS), change

@@ -4,7 +4,7 @@ from dataclasses import replace
 from typing import NamedTuple
 
 from ..study import HALF_SPACE
-from .half_space import MOST_SAMPLES, STEPS_OF_MAPS, largest_error
+from .half_space import MAX_MAP_SAMPLES, STEPS_OF_MAPS, largest_error
 from .plan import Plan, make_plan
 
 
@@ -31,7 +31,7 @@ def map_choices(plan: Plan) -> list[MapChoice]:
     fitting = (
         m
         for m in {*STEPS_OF_MAPS, chosen}
-        if max(problem.samples(m) for problem in problems) <= MOST_SAMPLES
+        if max(problem.samples(m) for problem in problems) <= MAX_MAP_SAMPLES
     )
     known = sorted(fitting)
     first = max(min(known.index(chosen) - 1, len(known) - 3), 0)

@@ -23,7 +23,7 @@ from .error_laws import (
     touchable_share,
     window_rate,
 )
-from .half_space import LEAST_OF_MAPS, MOST_SAMPLES, laws_of, may_be_so_fine, steps_for
+from .half_space import LEAST_OF_MAPS, MAX_MAP_SAMPLES, laws_of, may_be_so_fine, steps_for
 from .problems import Numbers, expected_rate, viscous_pressure
 
 JACKKNIFE_GROUPS = 32  # at most; with fewer blocks, each block is a group
@@ -252,8 +252,8 @@ def _shorter(problem: Problem, elements: int) -> str:
 
 def _check_map(problem: Problem, steps: np.ndarray, numerics: Numerics) -> None:
     """Raise UserError for a map that does not fit into a worker, with the m that does."""
-    if np.any(problem.samples(steps) > MOST_SAMPLES):
-        side, most = int(np.max(problem.elements)), int(MOST_SAMPLES**0.5)
+    if np.any(problem.samples(steps) > MAX_MAP_SAMPLES):
+        side, most = int(np.max(problem.elements)), int(MAX_MAP_SAMPLES**0.5)
         smaller = "a larger grid.spacing or a shorter surface.length"
         if problem.surface.measured:
             smaller = "a map that is cropped, or thinned"

@@ -9,7 +9,8 @@ m = 8, for any load and x. With many samples per contact patch the error of the 
 with n samples per patch it is up to 2/n. Other maps, and materials without a dashpot, have the
 error of ``equivalent_steps``: m = 1, 2, 3, 4 against 4, 8 or 16 on spheres of 64^2 and 128^2, maps
 of 64^2 with cut-offs of 4, 8 and 16 dx and 128^2 samples of asphalt, one, five and twelve branches.
-All errors were below 2 % where that law states so, and 9 in 10 within any bound that it states.
+Of 235 errors 207 were within the bound, and of 134 others 131. It fails on maps that are rough down
+to their samples at m = 2 and 3, where an error was twice the bound, and four times on 16^2 samples.
 
 Scatter: standard error times the root of the number of maps; 264 problems, sigma_0/(E* grad z)
 0.002 ... 0.6, x 0.1 ... 30, H 0 ... 1, side of one or two longest waves, N 8 ... 64. Two in three
@@ -27,9 +28,9 @@ from .error_laws import LAWS, Laws
 from .problems import Numbers, line_slope, nominal_pressure, speed_ratio
 from .shortest_wave import REFERENCE_WAVE_NUMBER, ROUGHEST_WAVE
 
-LEAST_OF_MAPS, MOST_STEPS = 4, 16
+LEAST_OF_MAPS = 4
 STEPS_OF_MAPS = 1, 2, 3, 4, 6, 8, 12, 16  # among which "auto" chooses
-MOST_SAMPLES = 4096**2  # of a map; a worker then needs 4 GiB and more
+MAX_MAP_SAMPLES = 4096**2  # of a map; a worker then needs 4 GiB and more
 # Memory of a worker that "auto" may use, as cluster.memory by default. It is fixed, so that no
 # result depends on the machine.
 AUTO_BYTES = 2e9
@@ -75,8 +76,8 @@ def map_bytes(problem: Problem, steps: Numbers) -> Numbers:
 
 
 def may_be_so_fine(problem: Problem, steps: Numbers) -> Numbers:
-    """Return whether a map with these steps per spacing fits a worker, and m <= MOST_STEPS."""
-    return ((problem.elements * steps) ** 2 <= MOST_SAMPLES) & (steps <= MOST_STEPS)
+    """Return whether a map with these steps per spacing fits a worker, and m was tested."""
+    return ((problem.elements * steps) ** 2 <= MAX_MAP_SAMPLES) & (steps <= STEPS_OF_MAPS[-1])
 
 
 def equivalent_steps(problem: Problem, steps: Numbers) -> Numbers:

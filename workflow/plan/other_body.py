@@ -6,6 +6,7 @@ pressure and speed. ``model_ratio`` is mu_1 of the foundation over that of the h
 
 from dataclasses import replace
 
+from ...kernels import QUARTET
 from ..study import (
     FOUNDATION,
     HALF_SPACE,
@@ -15,13 +16,12 @@ from ..study import (
     Surface,
     rows_of_map,
 )
-from .half_space import MOST_SAMPLES
+from .half_space import MAX_MAP_SAMPLES
 
 MODEL_LABEL = "other body"  # label of the variant; names of comparisons have no blank
 MODEL_ACCURACY = 0.05  # relative standard error of its steady friction
 MAP_STEPS, LINE_STEPS = 4, 8  # steps per spacing
 MAX_MAPS, MAX_LINES = 64, 1024  # per point
-LINES_PER_BLOCK = 4  # lines are drawn in quartets
 MAX_COST_SHARE = 0.1  # of the study, up to which the other body is computed by default
 
 
@@ -41,7 +41,7 @@ def other_body(surface: Surface) -> str:
 
 
 def study_of_other_body(study: Study) -> Study | str:
-    """Return the study of steady friction on the other body, or the reason why there is none."""
+    """Return the study of steady friction on the other body, or the reason if it has none."""
     if "steady" not in study.scene.quantities:
         return "steady friction is not requested"
     surface = study.surface
@@ -50,7 +50,7 @@ def study_of_other_body(study: Study) -> Study | str:
             return "measured lines do not form a map"
         return _on_rows(study, surface, surface.profile)
     on_maps = surface.body == FOUNDATION
-    most = int(MOST_SAMPLES**0.5) // MAP_STEPS
+    most = int(MAX_MAP_SAMPLES**0.5) // MAP_STEPS
     elements = round(surface.length / min(study.grid["spacing"]))
     if on_maps and elements > most:
         return f"a map of {elements} x {elements} elements is larger than {most} x {most}"
@@ -59,7 +59,7 @@ def study_of_other_body(study: Study) -> Study | str:
         accuracy=MODEL_ACCURACY,
         max_realizations=MAX_MAPS if on_maps else MAX_LINES,
     )
-    block = 1 if on_maps else LINES_PER_BLOCK
+    block = 1 if on_maps else QUARTET
     other = surface._replace(body=other_body(surface))
     return _with_surface(study, other, numerics, numerics.max_realizations, block)
 

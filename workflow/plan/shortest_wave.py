@@ -35,7 +35,7 @@ def _wave_number(maps: np.ndarray) -> float:
     high = maps > maps.mean(axis=(1, 2), keepdims=True)
     slopes, curvatures = np.zeros(maps.shape), np.zeros(maps.shape)
     for axis in (1, 2):
-        slope = np.roll(maps, -1, axis) - maps
+        slope = _forward(maps, axis)
         slopes += slope**2
         for other in (1, 2):
             # Along its own axis, the difference is centred on the sample.

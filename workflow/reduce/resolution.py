@@ -104,6 +104,7 @@ def _on_maps(tasks: list[Task]) -> bool:
 
 
 def _max_bias(tasks: list[Task]) -> float:
+    """Return the largest bias of a resolved point."""
     return MAP_BIAS if _on_maps(tasks) else BIAS
 
 

@@ -1,6 +1,6 @@
 """Choice of the elastic body from the question that a study asks, unless scene.body names it.
 
-A nominal pressure on a random surface, and a measured map, describe the contact of areas: it is
+A nominal pressure on a random surface, or a measured map, describes the contact of areas, which is
 computed on a half-space. A force on random lines, measured lines and a prescribed indentation
 belong to the foundation of the paper.
 """
@@ -49,7 +49,7 @@ def _default_body(tables: Mapping[str, Mapping[str, Any]], measured: bool) -> Bo
     return BodyChoice(FOUNDATION, "a normal force acts on random lines, as in the paper")
 
 
-def settled(choice: BodyChoice, surface: Surface, grid: Mapping[str, Any]) -> BodyChoice:
+def settle_body(choice: BodyChoice, surface: Surface, grid: Mapping[str, Any]) -> BodyChoice:
     """Return the choice for a surface that was read.
 
     Raises UserError for a map under a normal force without scene.body: the force may be that of

@@ -10,7 +10,7 @@ from typing import Any, ClassVar
 from ...kernels import QUARTET
 from ..ground import UserError
 from .axes import ALL_AXES, Grid, Parts, parts_at, separated, with_value
-from .body_choice import choose_body, settled
+from .body_choice import choose_body, settle_body
 from .cluster import THIS_MACHINE, Cluster, read_cluster
 from .effects import (
     FOUNDATION,
@@ -150,7 +150,7 @@ def read_grid_study(
         if profile is None
         else Surface(profile.measured_length, profile=profile, body=_body_of(profile))
     )
-    choice = settled(choice, surface, given["grid"])
+    choice = settle_body(choice, surface, given["grid"])
     variants, materials, surfaces = read_variants(given, folder, surface)
     surface = surfaces[""]
     _check_other_values(given, several, folder, surface)

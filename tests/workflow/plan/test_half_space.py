@@ -10,7 +10,7 @@ from elastomer_friction.workflow.plan.choices import map_choices
 from elastomer_friction.workflow.plan.half_space import (
     AUTO_BYTES,
     LAWS_OF_MAPS,
-    MOST_SAMPLES,
+    MAX_MAP_SAMPLES,
     STEPS_OF_MAPS,
     equivalent_steps,
     expected_area,
@@ -140,7 +140,7 @@ def test_where_patches_are_small_the_jump_is_not_known():
 
 
 def test_a_map_that_does_not_fit_is_refused_before_anything_is_computed():
-    side = int(MOST_SAMPLES**0.5)
+    side = int(MAX_MAP_SAMPLES**0.5)
     large = "scene.body=half-space", f"grid.spacing={0.02 / side!r}"
     assert "4096 x 4096 samples; set it to 2, or take a larger grid.spacing" in complaint(
         *large, "numerics.steps_per_spacing=4"

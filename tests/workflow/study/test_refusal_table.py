@@ -32,7 +32,7 @@ CHECKED = (
 )
 # Functions whose refusals are tested elsewhere: find_study lists all studies (test_refusals.py),
 # and the small study has neither measured lines nor a scene from Python (test_study.py).
-ELSEWHERE = {"settled", "find_study", "read_grid_study", "_lines_in_blocks"}
+ELSEWHERE = {"settle_body", "find_study", "read_grid_study", "_lines_in_blocks"}
 # Refusals of arrays, netCDF, profiles from Python and missing packages are tested in
 # tests/workflow/study/surfaces; their terms are among the other refusals.
 ELSEWHERE |= {"_read_npy", "_variables", "_read_with_surface_topography"}

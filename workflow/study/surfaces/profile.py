@@ -50,6 +50,12 @@ class Profile(NamedTuple):
         return float(np.sqrt(np.mean(np.var(self.heights, axis=_line_axes(self.heights)))))
 
     @property
+    def skewness(self) -> float:
+        """Return the skewness of the heights, about the mean of each line."""
+        centred = self.heights - self.heights.mean(axis=_line_axes(self.heights), keepdims=True)
+        return float(np.mean(centred**3) / np.mean(centred**2) ** 1.5)
+
+    @property
     def slope(self) -> float:
         """Return the spectral rms slope over all lines; for maps that of the full gradient."""
         rms = rms_slope if self.heights.ndim == 2 else rms_slope_of

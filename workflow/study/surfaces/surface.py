@@ -107,14 +107,13 @@ class Surface(NamedTuple):
     def description(self) -> str:
         """Description of measured lines in words; empty without a file.
 
-        Random lines are Gaussian, so the skewness of the measured ones is stated beside them.
+        Random lines are Gaussian, so that the skewness of the measured lines is stated.
         """
         if self.profile is None:
             return ""
         gaussian = ""
         if self.lines != "measured":
-            heights = self.profile.heights - self.profile.heights.mean()
-            skewness = np.mean(heights**3) / np.mean(heights**2) ** 1.5
+            skewness = self.profile.skewness
             gaussian = f"; heights are Gaussian, those measured have a skewness of {skewness:.2g}"
         prefixes = {
             "measured": "",
