@@ -33,8 +33,8 @@ class Plan(NamedTuple):
     variants: list[Variant]
     first: dict[str, int]  # blocks of the first round, by task key; all without a goal
     expected: dict[str, int]  # blocks that the goals are predicted to need, by task key
-    model: Variant | None = None  # steady friction on the other body (other_body.py)
-    no_model: str = ""  # reason why there is none
+    other_body: Variant | None = None  # steady friction on the other body (other_body.py)
+    no_other_body: str = ""  # the reason if it is not computed
 
     @property
     def points(self) -> int:
@@ -152,22 +152,22 @@ def _with_other_body(plan: Plan) -> Plan:
     """
     study = plan.study
     if label := compared_label(study):
-        return plan._replace(model=next(v for v in plan.variants if v.label == label))
+        return plan._replace(other_body=next(v for v in plan.variants if v.label == label))
     try:
         other = study_of_other_body(study)
         if isinstance(other, str):
-            return plan._replace(no_model=other)
+            return plan._replace(no_other_body=other)
         problems = problems_of(other)[MODEL_LABEL]
         variant = variant_of(other, MODEL_LABEL, problems, ZERO_ORIGIN)
     except UserError as error:  # a map or line that the other body cannot have
-        return plan._replace(no_model=str(error))
+        return plan._replace(no_other_body=str(error))
     blocks = _blocks_of([variant])
     seconds = variant.total_seconds(blocks[1])
     costly = seconds > MAX_COST_SHARE * plan.predicted_seconds()
     if costly and "model_ratio" not in study.scene.quantities:
         cost = core_time(seconds / COST_FACTOR, seconds * COST_FACTOR)
-        return plan._replace(no_model=f'the quantity "model_ratio" measures it in {cost}')
+        return plan._replace(no_other_body=f'the quantity "model_ratio" measures it in {cost}')
     first, expected = ({**ours, **more} for ours, more in zip(plan[2:4], blocks, strict=True))
     return plan._replace(
-        variants=[*plan.variants, variant], first=first, expected=expected, model=variant
+        variants=[*plan.variants, variant], first=first, expected=expected, other_body=variant
     )

@@ -31,6 +31,7 @@ if TYPE_CHECKING:
         fit_relaxation,
     )
     from .jackknife import grouped_means, replicates, standard_error
+    from .model_ratio import theory_applies
     from .models import EXPONENTIAL, MODEL_MEANINGS, STRETCHED, TWO_EXPONENTIALS
     from .point_quantities import GridPoints, carried_estimates, quantities_of_points
     from .portions import BlockPlace, Portion, StoredBlocks, reduce_portion

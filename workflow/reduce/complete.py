@@ -30,8 +30,9 @@ def completed(
     """Return name -> array over all tasks of a variant.
 
     estimates : of the tasks at the rows ``sound``; other rows become NaN or -1. counts :
-    realizations of each task, shape (tasks,). other : completed estimates of the other body,
-    ``plan.model``. Errors of the times and positions of trace samples are omitted if all are zero.
+    realizations of each task, shape (tasks,). other : completed estimates of
+    ``plan.other_body``. Errors of the times and positions of trace samples are omitted if all are
+    zero.
     """
     tasks = variant.tasks
     names = accuracy_estimates(variant.study.scene.quantities)

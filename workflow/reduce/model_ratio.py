@@ -20,15 +20,21 @@ MAX_THEORY_TASKS = 2000  # a task takes about a millisecond
 def model_ratios(plan: Plan, estimates: Estimates, other: Estimates | None) -> Estimates:
     """Return model_ratio and its error at all tasks of a study; empty if nothing is known.
 
-    estimates, other : over all tasks of the study and of ``plan.model``, which may be None.
+    estimates, other : over all tasks of the study and of ``plan.other_body``, which may be None.
     """
-    ours = plan.variants[0]
     if other is not None:
         return _measured(plan, estimates, other)
-    if ours.lines.body == HALF_SPACE or len(ours.tasks) > MAX_THEORY_TASKS:
+    if not theory_applies(plan):
         return {}
-    theory = persson_estimates(ours.tasks, ours.lines)
+    ours = plan.variants[0]
+    theory = estimates if "mu_persson" in estimates else persson_estimates(ours.tasks, ours.lines)
     return _theoretical(estimates["mu_1"], theory["mu_persson"])
+
+
+def theory_applies(plan: Plan) -> bool:
+    """Return whether Persson's theory gives the order of magnitude of model_ratio."""
+    ours = plan.variants[0]
+    return ours.lines.body == FOUNDATION and len(ours.tasks) <= MAX_THEORY_TASKS
 
 
 def _measured(plan: Plan, estimates: Estimates, other: Estimates) -> Estimates:
@@ -36,12 +42,12 @@ def _measured(plan: Plan, estimates: Estimates, other: Estimates) -> Estimates:
 
     The error includes the bound of the discretisation error of the half-space.
     """
-    ours, model = plan.variants[0], plan.model
-    assert model is not None
-    rows = _rows_of_points(ours, model)
+    ours, theirs = plan.variants[0], plan.other_body
+    assert theirs is not None
+    rows = _rows_of_points(ours, theirs)
     ratio = np.ones(rows.size)
     squares = np.zeros(rows.size)
-    for variant, values in ((ours, estimates), (model, {n: v[rows] for n, v in other.items()})):
+    for variant, values in ((ours, estimates), (theirs, {n: v[rows] for n, v in other.items()})):
         profile = variant.lines.profile
         height = 1.0 if profile is None else profile.roughness  # unit of heights on either body
         power = 1.0 if variant.lines.body == FOUNDATION else -1.0
@@ -59,10 +65,10 @@ def _measured(plan: Plan, estimates: Estimates, other: Estimates) -> Estimates:
     }
 
 
-def _rows_of_points(ours: Variant, model: Variant) -> np.ndarray:
+def _rows_of_points(ours: Variant, theirs: Variant) -> np.ndarray:
     """Return the task of the other body at the first grid point of each task."""
     _, first = np.unique(ours.point_task.ravel(), return_index=True)
-    return model.point_task.ravel()[first]
+    return theirs.point_task.ravel()[first]
 
 
 def _theoretical(mu_1: np.ndarray, mu_persson: np.ndarray) -> Estimates:

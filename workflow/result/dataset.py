@@ -16,6 +16,7 @@ from ..reduce import (
     carried_estimates,
     quantities_of_points,
     standard_error,
+    theory_applies,
 )
 from ..simulate import CONTACT_LENGTH_EDGES
 from ..study import COMMON_AXES, HALF_SPACE, axes_of
@@ -118,11 +119,11 @@ def _facts(plan: Plan, variant: Variant) -> dict[str, str | int | float]:
 
 def model_source(plan: Plan) -> str:
     """Return the source of model_ratio in words."""
-    if plan.model is not None:
+    if plan.other_body is not None:
         return "measured on both bodies"
-    if plan.variants[0].lines.body == HALF_SPACE:
-        return f"unknown: {plan.no_model}"
-    return f"order of magnitude by Persson's theory; {plan.no_model}"
+    if theory_applies(plan):
+        return f"order of magnitude by Persson's theory; {plan.no_other_body}"
+    return f"unknown: {plan.no_other_body}"
 
 
 def _coordinates(plan: Plan, variant: Variant, dims: set[str]) -> dict[str, object]:

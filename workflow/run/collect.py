@@ -53,13 +53,15 @@ class Collector:
         Failed tasks have estimates NaN, flags -1 and realizations 0. Raises UserError if all tasks
         of a variant failed.
         """
-        datasets, model, other = {}, self.plan.model, None
-        if model is not None:
-            other = self._complete(model, np.array(self._sound(model)), blocks)
+        datasets, other_body, other = {}, self.plan.other_body, None
+        if other_body is not None:
+            other = self._complete(other_body, np.array(self._sound(other_body)), blocks)
         for variant in self.plan.variants:
             if variant.study is not self.plan.study:  # serves only model_ratio
                 continue
-            estimates = self._complete(variant, np.array(self._sound(variant)), blocks, other)
+            estimates = other if variant is other_body else None
+            if estimates is None:
+                estimates = self._complete(variant, np.array(self._sound(variant)), blocks, other)
             exponents = reduce.exponents_of(self.plan, variant, estimates)
             datasets[variant.label] = result.build_dataset(self.plan, variant, estimates, exponents)
         return datasets

@@ -185,9 +185,9 @@ def compute(study: Study, resumed: SavedState | None = None) -> xr.Dataset:
     Raises UserError for a refused plan, and ValueError as the kernels do.
     """
     plan = make_plan(study, origin=resumed.origin if resumed else ZERO_ORIGIN)
-    variant, model = plan.variants[0], plan.model
+    variant, other_body = plan.variants[0], plan.other_body
     with report_compilation("the kernels of this scene", "5 to 60 s", cache.WAITING_EVENT):
-        other = _estimates(plan, model, None) if model else None
+        other = _estimates(plan, other_body, None) if other_body else None
         estimates = _estimates(plan, variant, resumed, other)
     dataset = build_dataset(plan, variant, estimates, {})
     single = {axis: 0 for axis in study.axes if axis not in PROGRAMME_AXES}

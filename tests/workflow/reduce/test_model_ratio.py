@@ -42,20 +42,20 @@ def test_half_space_is_compared_by_default_and_a_foundation_only_if_it_is_cheap(
     pressed = TEXT.replace("normal_force = [0.04, 0.4]", "normal_pressure = [2e4, 4e4]")
     settings = ('scene.quantities=["steady"]', "grid.spacing=1e-3")
     on_map = small_plan(*settings, text=pressed)
-    assert on_map.model is not None
-    assert on_map.model.label == MODEL_LABEL
-    assert on_map.model.lines.body == "foundation"
+    assert on_map.other_body is not None
+    assert on_map.other_body.label == MODEL_LABEL
+    assert on_map.other_body.lines.body == "foundation"
     on_line = small_plan(*settings, "scene.body=foundation", text=pressed)
-    assert on_line.model is None
-    assert 'the quantity "model_ratio" measures it in' in on_line.no_model
+    assert on_line.other_body is None
+    assert 'the quantity "model_ratio" measures it in' in on_line.no_other_body
     requested = ('scene.quantities=["steady", "model_ratio"]', *settings[1:])
-    assert small_plan(*requested, "scene.body=foundation", text=pressed).model is not None
+    assert small_plan(*requested, "scene.body=foundation", text=pressed).other_body is not None
 
 
 def test_comparison_with_the_other_body_is_the_other_body():
     text = TEXT.partition("[compare")[0] + '[compare.block]\nbody = "half-space"\n'
     plan = small_plan('scene.quantities=["steady"]', "grid.spacing=1e-3", text=text)
-    assert plan.model is plan.variants[1]
+    assert plan.other_body is plan.variants[1]
 
 
 def test_loads_of_both_bodies_are_those_of_one_pressure():
@@ -65,7 +65,7 @@ def test_loads_of_both_bodies_are_those_of_one_pressure():
     compared = pressed.partition("[compare")[0] + '[compare.line]\nbody = "foundation"\n'
     other = small_plan(*settings, text=compared)
     ours, theirs = (
-        [task.problem[:5] for task in part.tasks] for part in (plan.model, other.variants[1])
+        [task.problem[:5] for task in part.tasks] for part in (plan.other_body, other.variants[1])
     )
     np.testing.assert_allclose(ours, theirs, rtol=1e-9)
 

@@ -130,7 +130,7 @@ def test_draws_compute_lines_of_the_study():
 def test_maps_and_measured_lines_are_drawn_too(plan, unit):
     for piece in cut(missing_work(plan, ()), 1.0):
         share = share_of(piece, SHORT)
-        if piece.variant is not plan.model:  # lines for comparison with the maps
+        if piece.variant is not plan.other_body:  # lines for comparison with the maps
             assert (share.size, share.lines) == (unit, unit)
         batch = drawn_batch(piece, share, np.random.default_rng(1))
         assert np.isfinite(block_means(batch).seconds)
