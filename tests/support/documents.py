@@ -13,6 +13,8 @@ CLUSTER = {  # every key of the table [cluster]
     "walltime": "02:00:00",
     "account": "friction",
     "prologue": ["module load python"],
+    "directives": ["--qos=long"],
+    "leave_out": ["--mem", "--no-requeue"],
     "jobs": 25,
     "interface": "ib0",
     "log_folder": "logs",

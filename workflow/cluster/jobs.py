@@ -63,13 +63,17 @@ def _settings(cluster: Cluster, pages: dict[str, Any]) -> dict[str, Any]:
     exported = [f"export {k}={shlex.quote(str(v))}" for k, v in {**THREADS, **settings}.items()]
     stagger = LIFETIME_STAGGER * cluster.lifetime
     lifetime = f"--lifetime {cluster.lifetime:.0f}s --lifetime-stagger {stagger:.0f}s"
+    system = BATCH_SYSTEMS[cluster.where]
+    own = [word for word in system.directives if word not in cluster.leave_out]
     same = ("queue", "account", "cores", "memory", "walltime")
     return {name: getattr(cluster, name) or None for name in same} | {
         "processes": cluster.cores,
         "interface": interface_named(cluster.interface),
         "log_directory": cluster.log_folder,
         "python": shlex.quote(sys.executable),
-        "job_extra_directives": [*BATCH_SYSTEMS[cluster.where].directives],
+        "job_extra_directives": [*own, *cluster.directives],
+        # Of any line with one of these texts; None: the setting of dask-jobqueue.
+        "job_directives_skip": [f" {w}{end}" for w in cluster.leave_out for end in " ="] or None,
         "job_script_prologue": [*exported, *PRIVATE_FOLDER_LINES, *cluster.prologue],
         "worker_extra_args": [*lifetime.split(), "--no-dashboard"],
         "protocol": "tls://",
@@ -85,4 +89,7 @@ def _try_submitting(name: str, script: str) -> None:
         raise UserError(f"--{name}: {command[0]} is not found on this machine") from error
     if done.returncode:
         message = " ".join(done.stderr.split()) or f"exit status {done.returncode}"
-        raise UserError(f"--{name}: {name.upper()} refuses the jobs: {message}")
+        raise UserError(
+            f"--{name}: {name.upper()} refuses the jobs: {message}; cluster.directives adds "
+            "directives such as --qos, and cluster.leave_out omits some, such as --mem"
+        )

@@ -2,12 +2,12 @@
 
 import datetime
 import re
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from functools import partial
 from typing import Any, NamedTuple
 
 from ..ground import UserError
-from .settings import TEXT, Key, as_text, filled, integer, matching, positive
+from .settings import TEXT, Key, as_text, choice, filled, integer, matching, positive
 
 LOCAL = "local"
 RETIREMENT_MARGIN = 0.1  # share of the walltime left when a worker of a job retires
@@ -21,11 +21,27 @@ class BatchSystem(NamedTuple):
     """A batch system whose jobs can be workers, through dask-jobqueue."""
 
     jobqueue: str  # class of dask_jobqueue
-    directives: tuple[str, ...]  # of every job script; the program itself replaces lost jobs
+    mark: str  # which begins a directive of a job script
+    directives: tuple[str, ...]  # of this program, which replaces lost jobs itself
+    standard_directives: tuple[str, ...]  # that dask-jobqueue writes
     trial: tuple[str, ...] = ()  # command that checks whether a job script would be accepted
 
 
-BATCH_SYSTEMS = {"slurm": BatchSystem("SLURMCluster", ("--no-requeue",), ("sbatch", "--test-only"))}
+BATCH_SYSTEMS = {
+    "slurm": BatchSystem(
+        "SLURMCluster",
+        "#SBATCH",
+        ("--no-requeue",),
+        ("-J", "-e", "-o", "-p", "-A", "-n", "--cpus-per-task", "--mem", "-t"),
+        ("sbatch", "--test-only"),
+    )
+}
+MARKS = tuple(system.mark for system in BATCH_SYSTEMS.values())
+OMISSIBLE_DIRECTIVES = tuple(
+    word
+    for system in BATCH_SYSTEMS.values()
+    for word in (*system.directives, *system.standard_directives)
+)
 
 
 class Cluster(NamedTuple):
@@ -42,6 +58,8 @@ class Cluster(NamedTuple):
     interface: str = ""  # network interface between nodes
     log_folder: str = "results/jobs"
     prologue: tuple[str, ...] = ()  # lines of the job script before the workers start
+    directives: tuple[str, ...] = ()  # of the job script, in addition
+    leave_out: tuple[str, ...] = ()  # directives that are not written
     tls_ca_file: str = ""  # PEM; authority that signed the certificate of a scheduler tls://…
     tls_cert: str = ""  # PEM; identifies this client to the scheduler
     tls_key: str = ""  # PEM; key of that certificate, unless in the same file
@@ -101,11 +119,36 @@ def _line(key: str, value: object) -> str:
     return text
 
 
-def _prologue(key: str, value: object) -> tuple[str, ...]:
-    return tuple(_line(key, line) for line in (value if isinstance(value, list) else [value]))
+def _prologue_line(key: str, value: object) -> str:
+    """Return a command of the job script. Raises UserError for a directive."""
+    line = _line(key, value)
+    if line.lstrip().startswith(MARKS):
+        raise UserError(
+            f"{key} = {line!r}: would stand below commands, where directives are ignored; give "
+            f"cluster.directives = {line.split(maxsplit=1)[1:]}"
+        )
+    return line
+
+
+def _directive(key: str, value: object) -> str:
+    """Return the text of a directive, without its mark."""
+    line = _line(key, value)
+    if not line.startswith("-"):
+        raise UserError(f'{key} = {line!r}: must begin with a hyphen, as "--qos=long"')
+    return line
+
+
+def _list_of(check: Callable[[str, object], str], key: str, value: object) -> tuple[str, ...]:
+    return tuple(check(key, one) for one in (value if isinstance(value, list) else [value]))
 
 
 ONE_WORD = partial(Key, partial(matching, pattern=WORD_PATTERN, words=WORD_DESCRIPTION), default="")
+LINES = partial(
+    Key,
+    default=(),
+    values="one line of text, or a list of them",
+    schema={"type": ["string", "array"], "items": TEXT},
+)
 PEM = partial(Key, _line, default="", values="the path of a file", schema=TEXT)
 CLUSTER = {
     "where": Key(
@@ -172,13 +215,19 @@ CLUSTER = {
         values="one line of text",
         schema=TEXT,
     ),
-    "prologue": Key(
-        _prologue,
+    "prologue": LINES(
+        partial(_list_of, _prologue_line),
         'Lines of the job script before the workers start, such as `["module load python"]`. They '
         "run with your rights.",
-        default=THIS_MACHINE.prologue,
-        values="one line of text, or a list of them",
-        schema={"type": ["string", "array"], "items": TEXT},
+    ),
+    "directives": LINES(
+        partial(_list_of, _directive),
+        'Further directives of the job script, such as `["--qos=long", "--gres=gpu:1"]`.',
+    ),
+    "leave_out": LINES(
+        partial(_list_of, partial(choice, known=OMISSIBLE_DIRECTIVES)),
+        'Directives that the job script leaves out, such as `"--mem"` where a site refuses it.',
+        values=f"one or a list of {', '.join(OMISSIBLE_DIRECTIVES)}",
     ),
     "tls_ca_file": PEM(
         "A PEM file with the certificate of the authority that signed that of a scheduler `tls://…`.",

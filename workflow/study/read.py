@@ -139,7 +139,8 @@ def _located_tables(
 ) -> tuple[str, Path, dict, dict]:
     """Return name, file, tables and other scales of a study."""
     path = find_study(study)
-    name = path.parent.name if path.name == "study.toml" else path.stem
+    folder = path.parent.resolve() if path.parent.name in ("", "..") else path.parent
+    name = folder.name if path.name == "study.toml" else path.stem
     try:
         return name, path, *load_tables(path, scale, settings)
     except RecursionError:

@@ -7,7 +7,7 @@ from distributed.security import Security
 
 from elastomer_friction.workflow.cluster import jobs as slurm
 from elastomer_friction.workflow.ground import UserError
-from elastomer_friction.workflow.study.cluster import read_cluster
+from elastomer_friction.workflow.study.cluster import OMISSIBLE_DIRECTIVES, read_cluster
 from tests.support.documents import CLUSTER
 
 LINES = (
@@ -15,7 +15,7 @@ LINES = (
     "#SBATCH -A friction",
     "#SBATCH --cpus-per-task=4",
     "#SBATCH -t 02:00:00",
-    "#SBATCH --no-requeue",
+    "#SBATCH --qos=long",
     "export OMP_NUM_THREADS=1",
     "export NUMBA_NUM_THREADS=1",
     "module load python",
@@ -45,8 +45,28 @@ def test_jobs_are_asked_for_as_the_table_says(tmp_path, monkeypatch):
     settings["security"] = Security(tls_ca_file="a", tls_worker_cert="c", tls_worker_key="k")
     script = SLURMJob("tls://here:1", "name", **settings).job_script()
     assert set(LINES) <= set(script.splitlines())
+    above = script.partition("export")[0].splitlines()
+    directives = [line for line in script.splitlines() if line.startswith("#SBATCH")]
+    assert [line for line in above if line][1:] == directives  # above all commands
+    assert not any("--mem" in line or "--no-requeue" in line for line in directives)
     for option in OPTIONS:
         assert option in script
+
+
+def test_jobs_have_the_usual_directives_unless_some_are_left_out(tmp_path):
+    from dask_jobqueue.slurm import SLURMJob
+
+    given = {"where": "slurm", "log_folder": str(tmp_path)}
+    settings = slurm._settings(read_cluster(given), {})
+    settings["security"] = Security(tls_ca_file="a", tls_worker_cert="c", tls_worker_key="k")
+    script = SLURMJob("tls://here:1", "-n", **settings).job_script()
+    written = {line.split()[1].partition("=")[0] for line in script.splitlines() if "#SB" in line}
+    assert written == set(OMISSIBLE_DIRECTIVES) - {"-p", "-A"}  # neither queue nor account
+    fewer = slurm._settings(read_cluster(given | {"leave_out": ["-n"]}), {})
+    fewer["security"] = settings["security"]
+    shorter = SLURMJob("tls://here:1", "-n", **fewer).job_script()
+    lines = set(script.splitlines()) - set(shorter.splitlines())
+    assert lines == {"#SBATCH -n 1"}
 
 
 def test_without_slurm_one_line_says_so(monkeypatch):
@@ -60,7 +80,8 @@ def test_what_slurm_refuses_is_passed_on(monkeypatch):
         return subprocess.CompletedProcess(command, 1, "", "sbatch: error: invalid partition\n")
 
     monkeypatch.setattr(slurm.subprocess, "run", refuse)
-    with pytest.raises(UserError, match="SLURM refuses the jobs: sbatch: error: invalid partition"):
+    refusal = "SLURM refuses the jobs: sbatch: error: invalid partition; cluster"
+    with pytest.raises(UserError, match=refusal):
         slurm._try_submitting("slurm", "")
 
 

@@ -45,11 +45,14 @@ def test_studies_of_the_current_folder_come_first(tmp_path, monkeypatch):
     assert find_study("fig7") == mine
 
 
-def test_a_study_is_named_after_its_file_or_its_folder(tmp_path):
+def test_a_study_is_named_after_its_file_or_its_folder(tmp_path, monkeypatch):
     study = read_study(write_study(tmp_path))
     assert (study.name, study.folder) == ("small", tmp_path)
     (tmp_path / "study.toml").write_text(TEXT)
-    assert read_study(str(tmp_path / "study.toml")).name == tmp_path.name
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "folder").mkdir()
+    for path in (tmp_path / "study.toml", "study.toml", "folder/../study.toml"):
+        assert read_study(str(path)).name == tmp_path.name
 
 
 @pytest.mark.parametrize("name", ["my_study", "my-study"])

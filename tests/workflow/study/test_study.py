@@ -255,7 +255,7 @@ def test_a_study_is_computed_here_unless_it_says_otherwise():
 
 def test_every_key_arrives():
     assert read_cluster(checked("cluster", CLUSTER, KEYS)) == Cluster(
-        **CLUSTER | {"prologue": ("module load python",)}
+        **{key: tuple(v) if isinstance(v, list) else v for key, v in CLUSTER.items()}
     )
 
 
