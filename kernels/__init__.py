@@ -15,6 +15,8 @@ control/ or motion/; machine code contains only the effects that a scene request
 """
 
 from .control.printed_eq3 import PrintedForce
+from .interface.effects import NO_EFFECTS, Effects
+from .interface.shear import Bell, ShearLaw, ShearTable, shear_stress
 from .lines.equivalent import equivalent_amplitudes, equivalent_of_cut, equivalent_spectrum
 from .lines.line import QUARTET, Line
 from .lines.measured_modes import measured_amplitudes

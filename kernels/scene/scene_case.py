@@ -5,6 +5,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from ..interface.effects import NO_EFFECTS, Effects
 from ..model.limits import LOAD_LIMITS, SPEED_LIMITS, check_range
 from ..motion.counts import MAX_PROGRAMME_STEPS, count_steps
 from ..motion.legs import Programme, Steps, speed_at_start, steps_of
@@ -38,6 +39,7 @@ class SceneCase(NamedTuple):
     recorded: np.ndarray  # numbers of the recorded steps, increasing; 0 is the start
     edges: np.ndarray  # of the bins of contact lengths, shape (bins + 1,), in dx
     frames: np.ndarray  # numbers of the steps with a snapshot, increasing; 0 is the start
+    effects: Effects = NO_EFFECTS  # of a half-space
 
 
 class Origin(NamedTuple):

@@ -5,6 +5,7 @@ from typing import NamedTuple
 import numpy as np
 
 from ..compile.clock import computing_seconds
+from ..interface.effects import NO_EFFECTS, Effects
 from ..rheology.spectrum import KELVIN, Spectrum
 
 
@@ -34,6 +35,7 @@ class Case(NamedTuple):
     spectrum: Spectrum = KELVIN
     refine: bool = True  # whether contacts of steady sliding are followed between the samples
     tiles: int = 0  # per side of a map, whose sums are returned; 0: none
+    effects: Effects = NO_EFFECTS  # of a half-space
 
     @property
     def plain(self) -> bool:

@@ -7,7 +7,9 @@ import numpy as np
 
 from ...kernels import (
     KELVIN,
+    NO_EFFECTS,
     ZERO_ORIGIN,
+    Effects,
     Origin,
     Outcome,
     Programme,
@@ -49,6 +51,7 @@ class Problem(NamedTuple):
     start: str = "steady"
     indentation: float | ScaledHistory | None = None  # in h over the mean line; None: a given load
     drive: Drive | None = None  # None: the programme moves the line itself
+    effects: Effects = NO_EFFECTS  # on which the record depends
 
     def samples(self, steps_per_spacing: Any) -> Any:
         """Return the number of samples of the line or map.
