@@ -1,7 +1,7 @@
 """Run a scene from Python: one point, computed in the calling process, and its dataset."""
 
 import json
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -25,6 +25,7 @@ from ..study import (
     positive,
     profile_of_array,
     read_grid_study,
+    sampled_motion,
 )
 from ..system import import_dask, report_compilation
 
@@ -118,8 +119,9 @@ def _scene(arguments: Mapping[str, Any], grid: dict[str, Any]) -> dict[str, Any]
     if len(load) != 1:
         raise UserError(f"normal_force: give one of {', '.join(LOAD_KEYS)}")
     depth = load.get("prescribed_indentation")
-    names = ("quantities", "start", "repeat", "programme", "body")
+    names = ("quantities", "start", "repeat", "body")
     scene = {name: toml_value(name, arguments[name]) for name in names}
+    scene["programme"] = _programme(arguments)
     if scene["body"] is None:
         del scene["body"]
     if arguments["drive"] is not None:
@@ -133,6 +135,22 @@ def _scene(arguments: Mapping[str, Any], grid: dict[str, Any]) -> dict[str, Any]
     else:
         grid |= load
     return scene
+
+
+def _programme(arguments: Mapping[str, Any]) -> Any:
+    """Return the programme as in [scene], a function of time as samples. Raises UserError."""
+    programme, duration = arguments["programme"], arguments["duration"]
+    if not callable(programme):
+        if duration is not None:
+            raise UserError(
+                f"duration = {duration!r}: belongs to a programme that is a function of time; give "
+                "the duration of each segment"
+            )
+        return toml_value("programme", programme)
+    if duration is None:
+        raise UserError("duration: missing; give the time in s for which the function holds")
+    motion = sampled_motion(programme, positive("duration", toml_value("duration", duration)))
+    return motion if arguments["drive"] is None else {"pull": motion}
 
 
 def line_and_material(study: Study) -> str:
@@ -244,7 +262,8 @@ def run(
     normal_force: float | None = None,
     normal_pressure: float | None = None,
     prescribed_indentation: float | str | None = None,
-    programme: Sequence[Mapping[str, Any]],
+    programme: Sequence[Mapping[str, Any]] | Mapping[str, Any] | Callable[[float], float],
+    duration: float | None = None,
     drive: Mapping[str, Any] | None = None,
     body: str | None = None,
     start: str = "steady",
@@ -269,8 +288,11 @@ def run(
     drive : keys of [scene.drive], for a programme of segments ``pull``.
     body : "foundation" or "half-space"; by default a half-space for a square profile and for a
         surface under normal_pressure, else the foundation.
-    programme : list of segments, each as in [[scene.programme]], or {"time": ..., "velocity": ...}
-        with arrays in s and m/s. start, repeat, quantities : as in [scene].
+    programme : list of segments, each as in [[scene.programme]] or {"time": ..., "velocity": ...}
+        with arrays in s and m/s; a single segment; or a function of the time (s) that returns the
+        velocity (m/s) of the line or of the drive, sampled until lines between the samples miss it
+        by at most 1e-4 of the largest speed. duration : time (s) that such a function covers.
+    start, repeat, quantities : as in [scene].
     realizations : number of lines; several lines give standard errors. seed : of random lines.
     state : dataset with the quantity "state", from which the programme continues exactly.
 

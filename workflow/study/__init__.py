@@ -35,6 +35,7 @@ if TYPE_CHECKING:
         Wlf,
         accuracy_estimates,
         inverse_temperature,
+        sampled_motion,
         shift_law_of,
         shift_of,
         unavailable_reason,

@@ -35,13 +35,15 @@ def _table(name: str) -> Schema:
 
 
 def _programme() -> Schema:
-    """Return the schema of a list of segments, each a table with one key, its kind."""
+    """Return the schema of a segment, a table with one key, its kind, or of a list of them."""
     prefix = "scene.programme."
     kinds = {
         name.removeprefix(prefix): _table(name) for name in ALL_TABLES if name.startswith(prefix)
     }
     segment = table_of({**kinds, "file": TEXT}) | {"minProperties": 1, "maxProperties": 1}
-    return {"type": "array", "minItems": 1, "maxItems": 1000, "items": segment}
+    return {
+        "anyOf": [{"type": "array", "minItems": 1, "maxItems": 1000, "items": segment}, segment]
+    }
 
 
 def _by_name(table: Schema, pattern: str) -> Schema:

@@ -12,6 +12,11 @@ from tests.workflow.scene.scenes import KELVIN, LENGTH, MATERIAL, PULL, N, heigh
 EVERYTHING = ["steady", "trace", "peak", "relaxation", "rate_state", "energy", "contact_lengths"]
 
 
+def final(*programme, **changed):
+    """Return the last friction coefficient of a scene."""
+    return run(*programme, **changed).trace_mu.values[-1]
+
+
 @pytest.fixture(scope="module")
 def stepped():
     """Return a velocity step with all that can be asked of it."""
@@ -41,6 +46,28 @@ def test_a_velocity_in_arrays_is_the_segment_of_a_ramp():
     ramp = {"ramp": {"velocity": [0.1, 0.2], "duration": 5e-4}}
     assert run(arrays).attrs["programme"] == "2 samples over 0.0005 s, 0.1 to 0.2 m/s"
     assert np.array_equal(run(arrays).trace_mu.values, run(ramp).trace_mu.values)
+
+
+def test_a_function_of_time_is_the_motion_that_segments_describe():
+    swing = {"velocity": 0.1, "amplitude": 5e-6, "frequency": 1e3, "cycles": 1}
+    speed = 2e3 * np.pi * 5e-6
+    other = {"duration": 1e-3, "programme": lambda t: 0.1 + speed * np.cos(2e3 * np.pi * t)}
+    rest = {"start": "relaxed"}
+    assert final(**other, **rest) == pytest.approx(final({"oscillate": swing}, **rest), rel=3e-3)
+    step = {"duration": 4e-4, "programme": lambda t: 0.1 if t < 2e-4 else 0.2}
+    segments = [{"slide": {"velocity": v, "duration": 2e-4}} for v in (0.1, 0.2)]
+    assert final(**step) == pytest.approx(final(*segments), rel=1e-3)
+
+
+def test_a_function_of_time_moves_the_drive_if_there_is_one():
+    drive = {"drive": {"stiffness": 1e4}, "duration": 1e-4}
+    actual = run(programme=lambda t: 0.1, **drive)
+    assert actual.trace_distance.values[-1] == pytest.approx(1e-5, rel=1e-2)
+    assert "trace_drive_force" in actual
+
+
+def test_a_single_segment_is_a_programme_of_one():
+    assert run(programme=slide()).equals(run(programme=[slide()]))
 
 
 def test_everything_is_in_si(stepped):
@@ -177,6 +204,9 @@ def test_arrays_of_xarray_are_arrays_and_persson_is_asked_of_a_profile():
         ({"quantities": None, "normal_force": None, "prescribed_indentation": 1e-6}, "quantities"),
         ({"body": xr.DataArray([1, 2])}, "scene.body = [1, 2]: must be one of"),
         ({"programme": [{"hold": {"duration": np.timedelta64(1, "ns")}}]}, "times as numbers in s"),
+        ({"duration": 1.0}, "duration = 1.0: belongs to a programme that is a function of time"),
+        ({"programme": lambda t: 0.1}, "duration: missing"),
+        ({"programme": lambda t: 0.1, "duration": 0.0}, "duration = 0.0: must be greater"),
         ({"state": 3}, "state = 3: must be a dataset"),
         (PULLED | {"drive": {"stiffness": -1.0}}, "scene.drive.stiffness = -1.0: must be greater"),
         (PULLED | {"drive": {"stiffness": 1.0, "mass": np.nan}}, "scene.drive.mass = nan: must be"),

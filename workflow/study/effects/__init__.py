@@ -9,6 +9,7 @@ from ...ground import public_names
 
 if TYPE_CHECKING:
     from .material import MATERIAL, Material, read_material, shift_law_of, shift_of
+    from .motion_function import sampled_motion
     from .programme import (
         FORCE,
         PROGRAMME_AXES,

@@ -204,11 +204,11 @@ SCENE = {
         usual="none: the programme moves the line itself",
     ),
     "programme": Key(
-        lambda _, value: value,
+        lambda _, value: [value] if isinstance(value, dict) else value,
         "The motion of the line as successive segments `[[scene.programme]]`, in place of "
         "`grid.velocity_step`. Without a programme there is one velocity step from v₁ to v₂.",
         default=None,
-        values="a list of up to 1000 segments: either `slide`, `hold`, `ramp`, `oscillate` and "
+        values="a segment or a list of up to 1000: either `slide`, `hold`, `ramp`, `oscillate` and "
         "`file`, or only `pull`",
     ),
 }
