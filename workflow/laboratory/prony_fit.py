@@ -15,6 +15,7 @@ from collections.abc import Callable
 from typing import NamedTuple
 
 import numpy as np
+from scipy.interpolate import BSpline, make_interp_spline
 from scipy.optimize import least_squares, nnls
 
 PER_DECADE = 8  # times per decade of the dense grid
@@ -24,6 +25,8 @@ SMALL = 1e-2  # rms residual that needs no improvement
 DEVIATIONS = 3.0  # standard errors
 ROUNDING = 1e-4  # of the rms residual: error due to the spacing of the grid of times
 LIKE = 1.1  # largest ratio of the bounds at which the relaxed modulus counts as determined
+NEGLIGIBLE = 1e-10  # size of a combination of values, over the largest one
+SPLINE_DEGREE = 7
 NONE = 1e-6  # relaxed modulus, over its upper bound, up to which it counts as zero
 SCAN = np.linspace(0.0, 1.0, 41)  # trial values of the relaxed modulus over the largest one
 
@@ -76,7 +79,8 @@ def fit_prony(omega: np.ndarray, moduli: np.ndarray, branches: int | None = None
     if omega.size < 4 or not np.all(good):
         raise ValueError("needs four frequencies or more, all of them and G' above 0, no G'' below")
     unit = float(np.abs(moduli).max())
-    data = measured_moduli(omega, moduli / unit)
+    measured = measured_moduli(omega, moduli / unit)
+    data = condensed(measured)
     grid = grid_of_times(omega, TIME_MARGIN)
     best = solved(data, grid)[1]
     least, most = _bounds(data, grid, best)
@@ -86,10 +90,11 @@ def fit_prony(omega: np.ndarray, moduli: np.ndarray, branches: int | None = None
     times, series, rms = _few(data, grid, allowed, branches)
     if series[0] <= NONE * most:
         discarded = 0.5 * most
-        data = data._replace(moduli=data.moduli - discarded)
+        measured = measured._replace(moduli=measured.moduli - discarded)
+        data = data._replace(wanted=data.wanted - discarded * data.relaxed)
         times, series, rms = _few(data, grid, allowed, branches)
     positive = series[1:] > 0.0
-    misfit = data.weighted(times)[0] @ series - data.wanted
+    misfit = measured.weighted(times)[0] @ series - measured.wanted
     residual = np.linalg.norm(misfit.reshape(-1, omega.size), axis=0)  # over both parts of G*
     pairs = zip((unit * series[1:][positive]).tolist(), times[positive].tolist(), strict=True)
     relaxed = discarded + float(series[0])
@@ -108,7 +113,7 @@ def fit_prony(omega: np.ndarray, moduli: np.ndarray, branches: int | None = None
 
 
 def _few(
-    data: "MeasuredModuli", grid: np.ndarray, allowed: float, most: int | None
+    data: "CondensedModuli", grid: np.ndarray, allowed: float, most: int | None
 ) -> tuple[np.ndarray, np.ndarray, float]:
     """Fit few branches; return their times, all moduli (relaxed first) and the rms residual.
 
@@ -144,6 +149,35 @@ class MeasuredModuli(NamedTuple):
         return _parts(self.moduli / self.size)
 
 
+class CondensedModuli(NamedTuple):
+    """Data of a fit as the few combinations of values that contain every series and the moduli.
+
+    They have the same least squares as all values, in matrices so small that a library of linear
+    algebra starts no threads for them, which would wait for most of the time. Shapes (rows,).
+    """
+
+    relaxed: np.ndarray  # relative moduli per unit of G
+    wanted: np.ndarray  # relative moduli
+    curves: BSpline  # those per unit of g_b, as a function of ln t_b
+    size: np.ndarray  # |G*|, shape (n,)
+    values: int  # number of values before
+
+    def weighted(self, times: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """Return what ``MeasuredModuli.weighted`` does, in fewer rows."""
+        columns, slopes = (self.curves(np.log(times), order).T for order in (0, 1))
+        return np.column_stack([self.relaxed, columns]), slopes
+
+
+def condensed(data: MeasuredModuli) -> CondensedModuli:
+    """Return the combinations of values; the curves agree with the shares to about 1e-9."""
+    grid = grid_of_times(data.omega, TIME_MARGIN**2, 2 * PER_DECADE)
+    columns = np.column_stack([data.wanted, data.weighted(grid)[0]])
+    basis, sizes, _ = np.linalg.svd(columns / np.linalg.norm(columns, axis=0), full_matrices=False)
+    wanted, relaxed, *shares = (basis[:, sizes > NEGLIGIBLE * sizes[0]].T @ columns).T
+    curves = make_interp_spline(np.log(grid), np.array(shares), SPLINE_DEGREE)
+    return CondensedModuli(relaxed, wanted, curves, data.size, data.wanted.size)
+
+
 def measured_moduli(omega: np.ndarray, moduli: np.ndarray) -> MeasuredModuli:
     """Return the data of a fit; real moduli are those of a relaxation test."""
     shares = in_oscillation if np.iscomplexobj(moduli) else in_relaxation
@@ -163,7 +197,7 @@ def _parts(values: np.ndarray) -> np.ndarray:
 
 
 def solved(
-    data: MeasuredModuli, times: np.ndarray, relaxed: float | None = None
+    data: MeasuredModuli | CondensedModuli, times: np.ndarray, relaxed: float | None = None
 ) -> tuple[np.ndarray, float]:
     """Fit moduli >= 0 at given times; return them, shape (1 + branches,), and the rms residual.
 
@@ -197,7 +231,7 @@ def _merged(grid: np.ndarray, moduli: np.ndarray) -> np.ndarray:
     return np.exp(np.array(means))
 
 
-def _moved(data: MeasuredModuli, times: np.ndarray, reach: np.ndarray) -> np.ndarray:
+def _moved(data: CondensedModuli, times: np.ndarray, reach: np.ndarray) -> np.ndarray:
     """Refine times by least squares, starting from the given ones.
 
     reach : logarithms of the shortest and the longest time.
@@ -230,7 +264,7 @@ def _moved(data: MeasuredModuli, times: np.ndarray, reach: np.ndarray) -> np.nda
 
 
 def _joined(
-    data: MeasuredModuli, times: np.ndarray, reach: np.ndarray, allowed: float, most: int | None
+    data: CondensedModuli, times: np.ndarray, reach: np.ndarray, allowed: float, most: int | None
 ) -> np.ndarray:
     """Join adjacent times, or drop an end one, while the rms residual is at most ``allowed``.
 
@@ -252,12 +286,12 @@ def _joined(
     return times
 
 
-def _bounds(data: MeasuredModuli, grid: np.ndarray, best: float) -> tuple[float, float]:
+def _bounds(data: CondensedModuli, grid: np.ndarray, best: float) -> tuple[float, float]:
     """Return the smallest and the largest relaxed modulus within three standard errors.
 
     There the sum of squares exceeds its minimum by nine times the mean square.
     """
-    allowed = best * np.sqrt(1.0 + DEVIATIONS**2 / data.wanted.size) + ROUNDING
+    allowed = best * np.sqrt(1.0 + DEVIATIONS**2 / data.values) + ROUNDING
     top = 1.05 * float(np.min(data.size))
     tried = top * SCAN
     fits = [relaxed for relaxed in tried if solved(data, grid, relaxed)[1] <= allowed]

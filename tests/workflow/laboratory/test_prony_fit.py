@@ -5,7 +5,12 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from elastomer_friction.workflow.laboratory.prony_fit import fit_prony
+from elastomer_friction.workflow.laboratory.prony_fit import (
+    TIME_MARGIN,
+    condensed,
+    fit_prony,
+    measured_moduli,
+)
 
 THREE = ((3e7, 1e-3), (5e6, 2e-2), (2e6, 0.3))
 OMEGA = np.geomspace(1e-2, 1e5, 60)
@@ -32,6 +37,23 @@ def test_a_spectrum_without_noise_comes_back():
     assert fit.worst < 1e-8
     assert fit.determined
     assert fit.least == pytest.approx(1e6, rel=0.01)
+
+
+@pytest.mark.parametrize("part", [np.array, np.real])
+def test_least_squares_of_the_combinations_are_those_of_all_values(part):
+    omega = np.geomspace(1e-3, 1e7, 300)  # of real moduli, 1/t
+    noise = 1.0 + 0.05 * np.random.default_rng(1).standard_normal(300)
+    full = measured_moduli(omega, part(noise * moduli(omega, 1e6, THREE)))
+    few = condensed(full)
+    reach = np.log([1.0 / (TIME_MARGIN * omega[-1]), TIME_MARGIN**2 / omega[0]])
+    times = np.exp(np.random.default_rng(2).uniform(*reach, 40))
+    assert few.wanted.size < full.wanted.size / 2
+    products = []
+    for data in (full, few):
+        rows = np.column_stack([*data.weighted(times), data.wanted])
+        products.append(rows.T @ rows)
+    size = np.sqrt(np.diag(products[0]))
+    assert abs((products[1] - products[0]) / np.outer(size, size)).max() < 1e-8
 
 
 @settings(max_examples=3, deadline=None)
