@@ -13,9 +13,10 @@ from pathlib import Path
 from typing import NamedTuple
 
 from ..simulate import SCALARS, Record
-from ..system import Maker
+from ..system import Maker, sizes_in
 from .journal import Entry, entries
-from .shard import KEY_LENGTH, StoredBatch, digest
+from .netcdf_shard import NETCDF_SUFFIX
+from .shard import KEY_LENGTH, StoredBatch, digest, shard_sizes
 
 MIN_RECORD_BYTES = 8 * len(SCALARS)
 
@@ -31,7 +32,9 @@ class Rows(NamedTuple):
 class Index:
     """Location of each record, from the entries of the journal."""
 
-    def __init__(self) -> None:
+    def __init__(self, files: Mapping[str, int] | None = None) -> None:
+        """Create an empty index. files : bytes of each shard in the folder, by name."""
+        self.files = dict(files or {})
         self.sizes: dict[str, int] = {}  # name of each shard -> bytes
         self.failed: dict[str, str] = {}  # key of each task that failed for good -> reason
         self.parts: dict[str, list[str]] = {}  # checksum of a part -> keys of its tasks
@@ -113,8 +116,8 @@ class Index:
             self.rows = {k: rows for k, rows in self.rows.items() if rows.shard != entry["dropped"]}
 
     def _add_part(self, part: str, keys: str) -> None:
-        if part in self.parts or part != digest(keys.encode()):
-            return  # already known, or its checksum is wrong
+        if part in self.parts or not keys or part != digest(keys.encode()):
+            return  # already known, empty, or its checksum is wrong
         names = [keys[i : i + KEY_LENGTH] for i in range(0, len(keys), KEY_LENGTH)]
         self.parts[part] = names
         for number, key in enumerate(names):
@@ -123,6 +126,9 @@ class Index:
     def _add_shard(self, entry: Entry) -> None:
         """Add a shard. Raises ValueError or TypeError for an entry that contradicts itself."""
         name, batches, makers = entry["shard"], entry["chunks"], entry.get("by", [])
+        numbers = [number for _, *both in batches for number in both]
+        if not all(isinstance(number, int) for number in [*numbers, entry["bytes"]]):
+            raise TypeError("its numbers are not integers")
         if any(first_block < 0 or blocks < 1 for _, first_block, blocks in batches):
             raise ValueError("it has a batch without blocks")
         parts_known = all(part in self.parts for part, *_ in batches)
@@ -134,6 +140,8 @@ class Index:
                 f"{records} records, not {entry['records']}, in {entry['bytes']} bytes"
             )
         self.sizes[name], self.makers_of_shard[name] = entry["bytes"], makers
+        if self.files.get(name) != entry["bytes"]:
+            return  # missing, cut, or a false line, whose blocks the file need not hold
         first = 0
         for part, first_block, blocks in batches:
             for row in range(blocks):
@@ -141,10 +149,17 @@ class Index:
             first += len(self.parts[part]) * blocks
 
 
+def shard_files(folder: Path) -> dict[str, int]:
+    """Return the bytes of the shards in a folder, by name. Raises UserError like ``sizes_in``."""
+    sizes = sizes_in(folder)
+    return shard_sizes(sizes, NETCDF_SUFFIX) | shard_sizes(sizes)
+
+
 def indexed(folder: Path) -> Index:
     """Return the index of the journal of a folder. Raises UserError like ``journal.entries``."""
-    index = Index()
-    for entry, _ in entries(folder):
+    listed = [entry for entry, _ in entries(folder)]
+    index = Index(shard_files(folder))  # after the journal, so that a listed shard is there
+    for entry in listed:
         with contextlib.suppress(TypeError, ValueError):  # skipped like a damaged line
             index.replay(entry)
     return index

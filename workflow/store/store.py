@@ -86,8 +86,8 @@ class Store:
     def prepare(self) -> None:
         """Repair the store after a crash or disk error. The caller must hold the folder's lock.
 
-        Listed shards that are missing or of a wrong size are reported and dropped. Unlisted shards
-        are entered if valid. Damaged files are set aside. NetCDF shards of version 0.3.0 are
+        Listed shards that are missing are reported and dropped. Shards that are unlisted, or listed
+        with another size, are entered if valid. Damaged files are set aside. NetCDF shards of version 0.3.0 are
         converted. Foreign files are reported and not changed.
         """
         for suffix in (shard.SHARD_SUFFIX, NETCDF_SUFFIX):
@@ -96,14 +96,11 @@ class Store:
             self._write([{"format": journal.JOURNAL_FORMAT}])
         self._convert(shard.shard_sizes(self._sizes(), NETCDF_SUFFIX))
         sizes, known = shard.shard_sizes(self._sizes()), dict(self.index.sizes)
-        for name, size in known.items():
+        for name in known:
             if name not in sizes:
                 self._set_aside(self._path(name), "missing")
-            elif sizes[name] != size:
-                self._set_aside(self._path(name), f"{sizes[name]} bytes instead of {size}")
-        self._enter_shards(
-            [name for name in sorted(sizes.keys() - known.keys()) if self._path(name).is_file()]
-        )
+        unread = sorted(name for name, size in sizes.items() if known.get(name) != size)
+        self._enter_shards([name for name in unread if self._path(name).is_file()])
 
     def __contains__(self, record: Any) -> bool:
         """Return whether a record is stored durably."""
@@ -245,6 +242,7 @@ class Store:
         predicted: float = 0.0,
     ) -> None:
         """Append a shard to the journal. predicted : predicted core-seconds of its batches."""
+        self.index.files[name] = size
         self._write(self.index.entries_of(name, size, batches, makers, predicted))
 
     def _write(self, entries: list[Entry]) -> None:

@@ -6,7 +6,7 @@ from pathlib import Path
 from ..ground import UserError
 from ..system import LOCK, digest_of, read_whole, sizes_in
 from . import journal
-from .index import Index, Rows
+from .index import Index, Rows, shard_files
 from .netcdf_shard import NETCDF_SUFFIX
 from .shard import SHARD_SUFFIX, Contents, ForeignFile, decode, shard_path, shard_sizes
 
@@ -24,7 +24,7 @@ class Verification:
 
     def __init__(self, folder: Path) -> None:
         """Verify the store in ``folder``. Raises UserError if it cannot be read."""
-        self.folder, self.index = folder, Index()
+        self.folder, self.index = folder, Index(shard_files(folder))
         self.faults: list[str] = []  # losses, damage and contradictions
         self.notes: list[str] = []  # unusual but allowed states
         self.journal_lines, self.records = 0, 0  # numbers
@@ -112,6 +112,8 @@ class Verification:
                 f"{name}{SHARD_SUFFIX}: not listed in the journal; the next run enters it"
             )
             return ""
+        if self.index.sizes[name] != self.index.files[name]:
+            return f"is not of the {self.index.sizes[name]} bytes that the journal lists"
         for part, block, (_, first, step) in self.entered[name]:
             for number, key in enumerate(self.index.parts[part]):
                 row = first + number * step

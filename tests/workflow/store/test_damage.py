@@ -61,7 +61,7 @@ def test_damaged_shard_is_set_aside_the_others_are_read_and_it_can_be_computed_a
     assert_holds(Store(tmp_path), WORK[0], results[0])
 
 
-@pytest.mark.parametrize(("length", "why"), [(0, "missing)"), (100, "100 bytes instead of ")])
+@pytest.mark.parametrize(("length", "why"), [(0, "missing)"), (100, "its content does not match ")])
 def test_a_shard_that_vanished_or_was_cut_is_named_when_the_store_is_opened(
     tmp_path, capsys, length, why
 ):

@@ -158,6 +158,7 @@ def changed_shard(**fields):
 LINES = {
     "vast batches": changed_shard(chunks=[["PART", 0, VAST]], records=4 * VAST),
     "a negative block": changed_shard(chunks=[["PART", -4, 4]]),
+    "blocks that are floats": changed_shard(chunks=[["PART", 0, 4.0]]),
     "blocks that are words": changed_shard(chunks=[["PART", 0, "4"]]),
     "batches of two numbers": changed_shard(chunks=[["PART", 0]]),
     "no batches": lambda entry: {k: v for k, v in entry.items() if k != "chunks"},
@@ -181,6 +182,24 @@ def test_an_invalid_line_of_the_journal_is_treated_as_a_spoilt_one(tmp_path, cha
     assert Verification(tmp_path).faults[0].startswith("journal, line ")
     for _ in range(2):
         assert_holds(reopened(tmp_path), BATCH, random_result(BATCH, 0))
+
+
+@pytest.mark.parametrize("change", [{}, {"keys": ""}], ids=["of tasks", "of none"])
+def test_a_line_that_claims_vast_blocks_takes_no_memory_and_hides_no_shard(tmp_path, change):
+    filled(tmp_path, [BATCH])
+    entries = [entry for entry, _ in journal.entries(tmp_path)]
+    part = {"keys": "0" * 32} | change
+    part["part"] = digest(part["keys"].encode())
+    records = VAST * (len(part["keys"]) // 32)
+    vast = {"chunks": [[part["part"], 0, VAST]], "bytes": 10**3 * VAST, "records": records}
+    forged = [part, *(entry | vast for entry in entries if "shard" in entry)]
+    tracemalloc.start()
+    journal.append(tmp_path, forged)
+    for _ in range(2):
+        assert_holds(reopened(tmp_path), BATCH, random_result(BATCH, 0))
+        tmp_path.joinpath(journal.NAME).write_bytes(journal.encoded([*forged, *entries]))
+    assert tracemalloc.get_traced_memory()[1] < 2**22
+    tracemalloc.stop()
 
 
 @pytest.mark.parametrize("text", [b"words", b"[" * 10**5, b'["a list"]', b"\xff", b"3"])

@@ -98,7 +98,7 @@ def test_records_that_a_shard_lacks_are_removed_from_the_index_by_a_read(tmp_pat
 
 
 def test_a_line_with_more_records_than_its_bytes_can_hold_is_invalid():
-    index = Index()
+    index = Index({"a": 3 * 8 * len(SCALARS)})
     index.replay({"part": digest(32 * b"0"), "keys": 32 * "0"})
     line = {"shard": "a", "records": 3, "chunks": [[digest(32 * b"0"), 0, 3]]}
     with pytest.raises(ValueError, match=f"3 records, not 3, in {3 * 8 * len(SCALARS) - 1} bytes"):
