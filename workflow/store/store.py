@@ -86,9 +86,9 @@ class Store:
     def prepare(self) -> None:
         """Repair the store after a crash or disk error. The caller must hold the folder's lock.
 
-        Listed shards that are missing are reported and dropped. Shards that are unlisted, or listed
-        with another size, are entered if valid. Damaged files are set aside. NetCDF shards of version 0.3.0 are
-        converted. Foreign files are reported and not changed.
+        Listed shards that are missing are reported and dropped. Shards that are unlisted, or
+        listed with another size, are entered if valid. Damaged files are set aside. NetCDF shards
+        of version 0.3.0 are converted. Foreign files are reported and not changed.
         """
         for suffix in (shard.SHARD_SUFFIX, NETCDF_SUFFIX):
             clear_leftovers(self.folder / f"*{suffix}")
