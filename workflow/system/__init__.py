@@ -42,6 +42,7 @@ if TYPE_CHECKING:
     )
     from .process import THREADS, Interrupt, keep_memory, peak_bytes
     from .progress import Reporter, core_time, duration
+    from .sandbox import limit_cpu_time, limit_memory, read_apart, requested_paths
     from .terminal import make_streams_tolerant, program
     from .watch import BEAT_SECONDS, NO_ANSWER, QUIET_SECONDS, Watch, say
 

@@ -1,11 +1,10 @@
 """Readers of measured lines: text, npy, netCDF, and the formats of SurfaceTopography."""
 
-from typing import Any
-
 import numpy as np
 
 from ...ground import UserError, archive_kind, is_text, open_plain, read_plain
 from ...system import unreadable
+from .instrument_files import read_instrument_file
 from .positions import rounding
 from .raw_lines import KEY, LineFile, Lines, RawLines, check_numbered, lines_of, plain, row_spacing
 from .text_lines import read_text_lines
@@ -35,7 +34,7 @@ def read_lines(file: LineFile) -> Lines:
                     f"{KEY} = {file.name!r}: is {kind}: unpack it and name one of its files"
                 )
             text = is_text(data) and suffix not in SCALED_TEXT_SUFFIXES
-            reader = read_text_lines if text else _read_with_surface_topography
+            reader = read_text_lines if text else read_instrument_file
         return lines_of(file, reader(file))
     except (OSError, EOFError, ValueError, TypeError, RuntimeError) as error:
         reason = getattr(error, "strerror", None) or str(error).partition("\n")[0]
@@ -105,31 +104,3 @@ def _variables(file: LineFile, variables: dict) -> tuple:
             f"of {names[1]!r}: must have one dimension, shared with the heights"
         )
     return x, z
-
-
-def _read_with_surface_topography(file: LineFile) -> RawLines:
-    try:
-        import SurfaceTopography
-    except ImportError:
-        raise UserError(
-            f"{KEY} = {file.name!r}: files {file.path.suffix or 'without suffix'} that are not "
-            "text are read by SurfaceTopography, which is not installed: pip install "
-            "SurfaceTopography"
-        ) from None
-    try:
-        topography: Any = SurfaceTopography.read_topography(str(file.path))
-    except Exception as error:  # the readers of forty formats raise any exception
-        reason = str(error).partition("\n")[0].rstrip(": ")
-        detail = "" if reason.startswith("tried") else f" ({reason})"
-        raise ValueError(f"no reader of SurfaceTopography recognises it{detail}") from error
-    unit, rows = str(topography.unit or ""), None
-    if topography.dim == 2:  # a map: every row along x is a line
-        x = np.arange(topography.nb_grid_pts[0]) * topography.pixel_size[0]
-        heights = plain(topography.heights()).T
-        rows = row_spacing(np.array([0.0, topography.pixel_size[1]]), unit)
-    else:
-        x, z = topography.positions_and_heights()
-        heights = plain(z)[None, :]
-    precision = np.full(len(x), rounding(x))
-    description = f"read by SurfaceTopography as a {'map' if topography.dim == 2 else 'line'}"
-    return RawLines(heights, plain(x), precision, None, (unit, unit), description, rows)

@@ -1,8 +1,6 @@
 """Files of measured lines: the readers by suffix, and what cannot be read."""
 
-import sys
 from pathlib import Path
-from types import SimpleNamespace
 
 import netCDF4
 import numpy as np
@@ -135,45 +133,78 @@ def instrument(tmp_path):
     return path
 
 
-def test_other_files_need_surface_topography(tmp_path, monkeypatch):
-    monkeypatch.setitem(sys.modules, "SurfaceTopography", None)  # as if not installed
+@pytest.fixture
+def stand_in(tmp_path, monkeypatch):
+    """Return a function that writes the source of a module in place of SurfaceTopography."""
+    monkeypatch.setenv("PYTHONPATH", str(tmp_path / "modules"))
+    (tmp_path / "modules").mkdir()
+    return (tmp_path / "modules" / "SurfaceTopography.py").write_text
+
+
+def test_other_files_need_surface_topography(tmp_path, stand_in):
+    stand_in("raise ImportError")  # as if not installed
     with pytest.raises(UserError, match="not installed: pip install SurfaceTopography"):
         read(instrument(tmp_path))
 
 
-def topography(dim, unit="um"):
-    """Return what stands for a topography of SurfaceTopography: a map of 16 x 3, or a line."""
+TOPOGRAPHY = """
+from types import SimpleNamespace
+import numpy as np
+Z = np.array({z})
+def read_topography(path):
+    print("a reader that prints")
     return SimpleNamespace(
-        dim=dim,
-        unit=unit,
-        nb_grid_pts=(16, 3),
-        pixel_size=(0.5, 0.7),
-        heights=lambda: np.ma.array(Z.T),
-        positions_and_heights=lambda: (X, Z[0]),
+        dim={dim}, unit="um", nb_grid_pts=(16, 3), pixel_size=(0.5, 0.7),
+        heights=lambda: np.ma.array(Z.T), positions_and_heights=lambda: (np.arange(16) * 0.5, Z[0]),
     )
+"""
 
 
 @pytest.mark.parametrize(("dim", "expected"), [(2, Z), (1, Z[:1])])
-def test_maps_and_lines_of_surface_topography(tmp_path, monkeypatch, dim, expected):
-    module = SimpleNamespace(read_topography=lambda path: topography(dim))
-    monkeypatch.setitem(sys.modules, "SurfaceTopography", module)
+def test_maps_and_lines_of_surface_topography(tmp_path, stand_in, dim, expected):
+    stand_in(TOPOGRAPHY.format(z=Z.tolist(), dim=dim))
     lines = read(instrument(tmp_path))
     np.testing.assert_allclose(lines.heights, expected * 1e-6)
     assert lines.row_spacing == (pytest.approx(0.7e-6) if dim == 2 else None)
     assert lines.step == pytest.approx(0.5e-6)
 
 
-def test_files_that_surface_topography_cannot_read_are_refused(tmp_path, monkeypatch):
-    def refuse(path):
-        raise KeyError("no channel")
+READERS = {
+    "raise KeyError('no channel')": r"no reader of .* recognises it \('no channel'\)",
+    "bytes(2**31)": "it claims more data than its size allows",
+    "signal.setitimer(signal.ITIMER_PROF, 0.1)\n    while True: pass": "reading it does not end",
+    "os.kill(os.getpid(), signal.SIGSEGV)": "reading it ends the process",
+    "os.kill(os.getpid(), signal.SIGKILL)": "the process that reads it was killed, as for lack of",
+}
 
-    module = SimpleNamespace(read_topography=refuse)
-    monkeypatch.setitem(sys.modules, "SurfaceTopography", module)
-    with pytest.raises(
-        UserError,
-        match=r"surface.file = 'scan.di': cannot be read: .*recognises it \('no channel'\)",
-    ):
+
+@pytest.mark.parametrize(("body", "reason"), READERS.items(), ids=range(len(READERS)))
+def test_files_that_surface_topography_cannot_read_are_refused(tmp_path, stand_in, body, reason):
+    stand_in(f"import os, signal\ndef read_topography(path):\n    {body}\n")
+    with pytest.raises(UserError, match=rf"surface.file = 'scan.di': cannot be read: {reason}"):
         read(instrument(tmp_path))
+
+
+def test_a_file_that_takes_its_content_from_another_one_is_refused(tmp_path):
+    h5py = pytest.importorskip("h5py")
+    layout = h5py.VirtualLayout((16,), "f8")
+    for name in ("external.nc", "virtual.nc", "linked.nc", "external.h5"):
+        with (
+            h5py.File(tmp_path / "other.nc", "w") as other,
+            h5py.File(tmp_path / name, "w") as file,
+        ):
+            other["z"] = X
+            file.create_dataset("x", data=X).attrs["units"] = "um"
+            if name == "linked.nc":
+                file["height"] = h5py.ExternalLink(tmp_path / "other.nc", "z")
+            elif name == "virtual.nc":
+                layout[:] = h5py.VirtualSource(tmp_path / "other.nc", "z", (16,))
+                file.create_virtual_dataset("height", layout)
+            else:
+                outside = [(str(tmp_path / "other.nc"), 0, 128)]
+                file.create_dataset("height", (16,), "f8", external=outside)
+        with pytest.raises(UserError, match="its content is in another file"):
+            read(tmp_path / name, ("x", "height"), ("um", "um"))
 
 
 @pytest.mark.filterwarnings("ignore::ImportWarning")  # of its fallback without MPI
