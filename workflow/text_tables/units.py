@@ -94,10 +94,10 @@ TEMPERATURES = {  # spelling in lower case -> factor, offset in K
 }
 SUPERSCRIPTS = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁻", "0123456789-")
 SCALED_UNIT = re.compile(
-    r"[x×*]?\s*(?:10(?:\^|(?=[⁰-⁹⁻¹²³]))|1?[eE])([-+⁻]?[\d⁰-⁹¹²³]+)\s*[*·×x]?\s*(\D.*)"
+    r"[x×*]?\s*(?:10(?:\^|(?=[⁰-⁹⁻¹²³]))|1?[eE])([-+⁻]?[\d⁰-⁹¹²³]{1,3})\s*[*·×x]?\s*(\D.*)"
 )
 CLOCK_WORDS = ("PM", "AM")  # of a time of day; PM is not picometre
-UNIT_FACTOR = re.compile(r"([^\W\d_]+|[%°#–—-]|1(?!\d))\^?\(?([+-]?\d+)?\)?")  # noqa: RUF001
+UNIT_FACTOR = re.compile(r"([^\W\d_]+|[%°#–—-]|1(?!\d))\^?\(?([+-]?\d)?\)?")  # noqa: RUF001
 
 
 class Unit(NamedTuple):
@@ -122,9 +122,9 @@ def unit_of(text: str) -> Unit | None:
     """
     scaled = SCALED_UNIT.fullmatch(text.strip().strip("[](){}<>"))
     if scaled:
-        base = unit_of(scaled[2])
-        power = int(scaled[1].translate(SUPERSCRIPTS))
-        return base and base._replace(text=text, factor=base.factor * 10.0**power)
+        base = None if SCALED_UNIT.fullmatch(scaled[2]) else unit_of(scaled[2])
+        factor = base.factor * float(f"1e{scaled[1].translate(SUPERSCRIPTS)}") if base else 0.0
+        return base._replace(text=text, factor=factor) if base and _is_finite(factor) else None
     plain = _normalised(text)
     if plain.lower() in TEMPERATURES:
         return Unit(text, "temperature", *TEMPERATURES[plain.lower()])
@@ -146,7 +146,12 @@ def unit_of(text: str) -> Unit | None:
             power = int(match[2] or 1) * (1 if number == 0 else -1)
             factor *= known[0] ** power
             dimension += power * np.array(DIMENSIONS[known[1]])
-    return Unit(text, FAMILIES.get(tuple(dimension.tolist()), "other"), factor)
+    family = FAMILIES.get(tuple(dimension.tolist()), "other")
+    return Unit(text, family, factor) if _is_finite(factor) else None
+
+
+def _is_finite(factor: float) -> bool:
+    return 0.0 < factor < math.inf
 
 
 def _normalised(text: str) -> str:

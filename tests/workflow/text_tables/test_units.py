@@ -49,7 +49,12 @@ def test_temperatures_have_an_origin(written, kelvin):
     np.testing.assert_allclose(unit.si(np.array([20.0])), kelvin, atol=1e-3)
 
 
-@pytest.mark.parametrize("word", ["", "M", "PM", "Raw", "V", "a", "Lateral", "mm/V", "x/y"])
+VAST = ("10^400 m", "10^-400 m", "m^99", f"10^{'9' * 5000} m", "10^300 Gm9", "10^1 " * 2000 + "m")
+
+
+@pytest.mark.parametrize(
+    "word", ["", "M", "PM", "Raw", "V", "a", "Lateral", "mm/V", "x/y", *VAST, "*".join(["Gm9"] * 9)]
+)
 def test_other_words_are_no_units(word):
     assert unit_of(word) is None
 

@@ -1,5 +1,6 @@
 """Remarks above measured lines, such as pitch = 0.5 um."""
 
+import math
 import re
 
 from ...ground import UserError
@@ -46,9 +47,10 @@ def quantity_of(text: str) -> tuple[float, str] | None:
     """Return number and unit of a text such as "0.5 um"; None for other texts."""
     match = QUANTITY_TEXT.fullmatch(text.strip())
     try:
-        return match and (float(match[1].replace(",", ".")), (match[2] or "").strip())
+        number = float(match[1].replace(",", ".")) if match else math.inf
     except ValueError:
         return None
+    return (number, (match[2] or "").strip()) if match and math.isfinite(number) else None
 
 
 def check_scale(file: LineFile, table: TextTable) -> None:

@@ -263,7 +263,7 @@ def _unit(file: LineFile, table: TextTable, column: int) -> str:
         problem = "is not a unit of length" if known else "is not known"
         remedy = "surface.columns" if known else "surface.units"
         raise UserError(
-            f"{KEY} = {file.name!r}: the unit {title.unit!r} of column {_label(table, column)} "
+            f"{KEY} = {file.name!r}: the unit {title.unit!r:.40} of column {_label(table, column)} "
             f"{problem}: give {remedy}"
         )
     return ""
