@@ -263,7 +263,7 @@ def describe_columns(table: TextTable, columns: Sequence[Column]) -> str:
         source = f" ({column.unit_source})" if unit and column.unit_source != "of the file" else ""
         parts.append(f"column {column.number}{name} as {column.spec.meaning}{unit}{source}")
     missing = sum(int(np.isnan(column.values).sum()) for column in columns)
-    text = f"{table.name}: {len(table.rows)} rows; {', '.join(parts)}"
+    text = f"{table.name}: {len(table.lines)} rows; {', '.join(parts)}"
     if len(table.blocks) > 1:
         text += f"; {len(table.blocks)} blocks"
     if missing:

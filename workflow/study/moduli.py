@@ -206,7 +206,7 @@ def _complete_rows(
         if np.any(bad):
             row = int(np.argmax(bad))
             raise UserError(
-                f"prony {path}: line {table.lines[row]} holds {table.rows[row][column.number]} as "
+                f"prony {path}: line {table.lines[row]} holds {table.row(row)[column.number]} as "
                 f"{column.spec.meaning}; must "
                 + ("be greater than zero" if positive else "not be negative")
             )

@@ -2,7 +2,9 @@
 
 import csv
 import re
+from array import array
 from collections import Counter
+from collections.abc import Iterator
 from typing import NamedTuple
 
 from ..ground import counted
@@ -16,18 +18,30 @@ SEVERAL_NUMBERS = re.compile(r"(?!\s*\d+([-/.])\d+\1\d+\s+\d+:\d).*\d[\s;]+[-+.\
 LEADING_ZERO = re.compile(r"0\d+")  # occurs in the decimals of 1,05, not in integers
 # Limits of the sample of lines, from the start and the middle, used to find the delimiter.
 MAX_SAMPLE_LINES, MIN_SAMPLE_LINES, MAX_SAMPLE_CHARACTERS = 250, 20, 50_000
+END_OF_LINE = re.compile("\r\n|[\n\r\v\f\x1c-\x1e\x85\u2028\u2029]")  # as in str.splitlines
 
 
 class Cells(NamedTuple):
-    """Rows of a file and the lines between them."""
+    """Rows of a text and the lines between them. A row takes 24 bytes beside the text."""
 
-    rows: list[list[str]]  # all of equal length
-    lines: list[int]  # line number of each row, from 1
+    text: str
+    width: int  # number of cells in each row
+    starts: "array[int]"  # index of the first character of each row
+    ends: "array[int]"  # index after its last character
+    lines: "array[int]"  # line number of each row, from 1
     numeric: list[int]  # indices of the columns that hold numbers
     above: list[str]  # lines before the first row
     between: list[tuple[int, list[str]]]  # (index of the next row, lines before it)
     delimiter: str | None
     plain: bool = True  # whether all cells are numbers with decimal points only
+
+    def row(self, number: int) -> list[str]:
+        """Return the cells of a row as written, ``width`` in number."""
+        line = self.text[self.starts[number] : self.ends[number]]
+        if self.plain:
+            return split(line, self.delimiter)
+        cells = _trimmed(split(TRAILING_REMARK.sub("", line), self.delimiter))
+        return cells + [""] * (self.width - len(cells))
 
 
 def split(line: str, delimiter: str | None) -> list[str]:
@@ -52,40 +66,59 @@ def cells_of(text: str) -> Cells:
     numbers. Raises ValueError if there is no row of numbers, or if a row below the first has
     another length.
     """
-    lines = text.splitlines()
-    content = [
-        (n, line) for n, line in enumerate(lines, 1) if line.strip() and not is_comment(line)
-    ]
-    longest = max((len(line) for _, line in content), default=1)
-    count = max(MIN_SAMPLE_LINES, min(MAX_SAMPLE_LINES, MAX_SAMPLE_CHARACTERS // longest))
-    middle = max(len(content) // 2, count)
-    sample = [line for _, line in content[:count] + content[middle:][:count]]
+    sample = _sample_of(text)
     delimiter, width = _delimiter_and_width(sample)
     rows = [_trimmed(split(TRAILING_REMARK.sub("", line), delimiter)) for line in sample]
     numeric = _numeric_columns([row for row in rows if len(row) <= width], width)
-    cells = Cells([], [], numeric, [], [], delimiter)
+    starts, ends, numbers = array("q"), array("q"), array("q")
+    cells = Cells(text, width, starts, ends, numbers, numeric, [], [], delimiter)
     pending: list[str] = []
     pattern, plain = _plain_row_pattern(delimiter, width if len(numeric) == width else 0), True
-    for number, line in enumerate(lines, 1):
-        if pattern.fullmatch(line):  # the fast path for long files
-            row: list[str] | None = split(line, delimiter)
-        else:
-            row = _row_cells(line, number, cells, width)
-            plain = plain and row is None
-        if row is None:
-            pending.append(line)
-            continue
-        if not cells.rows:
+    for number, (start, line) in enumerate(_lines(text), 1):
+        if not pattern.fullmatch(line):  # the fast path for long files
+            if not _is_row(line, number, cells):
+                pending.append(line)
+                continue
+            plain = False
+        if not starts:
             cells.above.extend(pending)
         elif pending:
-            cells.between.append((len(cells.rows), pending))
+            cells.between.append((len(starts), pending))
         pending = []
-        cells.rows.append(row)
-        cells.lines.append(number)
-    if not cells.rows:
+        starts.append(start)
+        ends.append(start + len(line))
+        numbers.append(number)
+    if not starts:
         raise ValueError("holds no row of numbers")
-    cells.between.append((len(cells.rows), pending))
+    cells.between.append((len(starts), pending))
     return cells._replace(plain=plain)
+
+
+def _lines(text: str) -> Iterator[tuple[int, str]]:
+    """Yield the lines of a text with the indices of their first characters."""
+    start = 0
+    for end in END_OF_LINE.finditer(text):
+        yield start, text[start : end.start()]
+        start = end.end()
+    if start < len(text):
+        yield start, text[start:]
+
+
+def _line_at(text: str, start: int) -> str:
+    end = END_OF_LINE.search(text, start)
+    return text[start : end.start() if end else None]
+
+
+def _sample_of(text: str) -> list[str]:
+    """Return lines from the start and the middle of a text that are not empty or comments."""
+    starts, longest = array("q"), 1
+    for start, line in _lines(text):
+        if line.strip() and not is_comment(line):
+            starts.append(start)
+            longest = max(longest, len(line))
+    count = max(MIN_SAMPLE_LINES, min(MAX_SAMPLE_LINES, MAX_SAMPLE_CHARACTERS // longest))
+    middle = max(len(starts) // 2, count)
+    return [_line_at(text, start) for start in starts[:count] + starts[middle:][:count]]
 
 
 def _plain_row_pattern(delimiter: str | None, width: int) -> re.Pattern[str]:
@@ -97,30 +130,31 @@ def _plain_row_pattern(delimiter: str | None, width: int) -> re.Pattern[str]:
     return re.compile(rf"{blank}{number}(?:{gap}{number}){{{width - 1}}}{blank}")
 
 
-def _row_cells(line: str, number: int, table: Cells, width: int) -> list[str] | None:
-    """Return the cells of a row; None for comments and lines of words. Raises ValueError."""
+def _is_row(line: str, number: int, table: Cells) -> bool:
+    """Return whether a line is a row, not a comment or words. Raises ValueError."""
     if is_comment(line):
-        return None
+        return False
     untrimmed = split(TRAILING_REMARK.sub("", line), table.delimiter)
     cells = _trimmed(untrimmed)
     numeric_cells = [cells[n] for n in table.numeric if n < len(cells)]
     numbers = sum(map(is_numeral, numeric_cells))
-    first = not table.rows
+    width = table.width
+    first = not table.starts
     if not numbers or (2 * numbers < len(table.numeric) and not all(map(_is_value, numeric_cells))):
-        return None
+        return False
     short = len(numeric_cells) < len(table.numeric) and len(untrimmed) < width
     if first and (short or not all(map(_is_value, numeric_cells))):
-        return None
+        return False
     if len(cells) > width or (
         len(untrimmed) < width and (table.delimiter is None or len(untrimmed) < 2)
     ):
         if first:
-            return None
+            return False
         raise ValueError(
             f"line {number} reads {line.strip()!r:.40}: must hold {counted(width, 'cell')} as the "
             "rows before it"
         )
-    return cells + [""] * (width - len(cells))
+    return True
 
 
 def _is_value(word: str) -> bool:

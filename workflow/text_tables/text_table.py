@@ -1,6 +1,7 @@
 """Rows of a text file with titles and blocks, before their units are converted."""
 
 import re
+from collections.abc import Iterator
 from functools import cached_property
 from itertools import pairwise
 from pathlib import Path
@@ -27,7 +28,8 @@ class TextTable:
     def __init__(self, key: str, name: str, cells: Cells, marks: Marks) -> None:
         """Store the rows. ``key`` and the ``name`` of the file appear in messages."""
         self.key, self.name = key, name
-        self.rows = cells.rows  # of words as written, all of equal length
+        self.row = cells.row  # returns the words of a row as written, always ``width``
+        self.width = cells.width  # number of columns, including columns of words
         self.lines = cells.lines  # line number of each row, from 1
         self.numeric = tuple(cells.numeric)  # indices of the columns of numbers
         self.delimiter = cells.delimiter
@@ -37,19 +39,14 @@ class TextTable:
         self._check_blocks()
         self.plain, self.marks = cells.plain, marks
 
-    @property
-    def width(self) -> int:
-        """Return the number of columns, including columns of words."""
-        return len(self.rows[0])
-
     @cached_property
     def blocks(self) -> tuple[slice, ...]:
         """Return the rows of each block. Lines of words, or empty lines, separate blocks."""
-        inner = [(at, lines) for at, lines in self.between if 0 < at < len(self.rows)]
+        inner = [(at, lines) for at, lines in self.between if 0 < at < len(self.lines)]
         words = [at for at, lines in inner if any(map(_is_words, lines))]
         blank = [at for at, _ in inner]
-        many = len(blank) * MIN_BLOCK_ROWS > len(self.rows)  # e.g. every other line is empty
-        starts = [0, *(words if many else blank), len(self.rows)]
+        many = len(blank) * MIN_BLOCK_ROWS > len(self.lines)  # e.g. every other line is empty
+        starts = [0, *(words if many else blank), len(self.lines)]
         return tuple(slice(a, b) for a, b in pairwise(starts) if b > a)
 
     def block_header(self, block: int) -> tuple[str, ...]:
@@ -81,27 +78,43 @@ class TextTable:
         """Return the title of a column; an empty title if the file has none."""
         return self.titles[column] if self.titles else Title()
 
-    def words(self, column: int) -> tuple[str, ...]:
-        """Return the cells of a column as written."""
-        return tuple(row[column] for row in self.rows)
+    def words(self, column: int) -> Iterator[str]:
+        """Yield the cells of a column as written."""
+        return (self.row(n)[column] for n in range(len(self.lines)))
 
     def values(self, column: int) -> np.ndarray:
         """Return the numbers of a column, shape (rows,), before unit conversion; NaN if missing.
 
         Raises UserError, naming the line, for a word that is not a number.
         """
-        words = self.words(column)
-        if self.plain:
-            return np.array(list(map(float, words)))
-        try:
-            number = self.marks.number
-            return np.array([np.nan if is_missing(word) else number(word) for word in words])
-        except ValueError:
-            bad = next(n for n, w in enumerate(words) if not (is_numeral(w) or is_missing(w)))
+        numbers, unread = self._numbers
+        if column in unread:
+            row = unread[column]
             raise UserError(
-                f"{self.key} = {self.name!r}: line {self.lines[bad]} reads "
-                f"{' '.join(self.rows[bad])!r:.40}: must hold a number in column {column}"
-            ) from None
+                f"{self.key} = {self.name!r}: line {self.lines[row]} reads "
+                f"{' '.join(self.row(row))!r:.40}: must hold a number in column {column}"
+            )
+        return np.ascontiguousarray(numbers[:, column])
+
+    @cached_property
+    def _numbers(self) -> tuple[np.ndarray, dict[int, int]]:
+        """Return the numbers of all columns, shape (rows, width), NaN if missing.
+
+        Also return, for each column with a word that is not a number, the first row with one.
+        """
+        numbers, unread = np.full((len(self.lines), self.width), np.nan), dict[int, int]()
+        for row in range(len(self.lines)):
+            words = self.row(row)
+            if self.plain:
+                numbers[row] = list(map(float, words))
+                continue
+            for column, word in enumerate(words):
+                if not is_missing(word):
+                    try:
+                        numbers[row, column] = self.marks.number(word)
+                    except ValueError:
+                        unread.setdefault(column, row)
+        return numbers, unread
 
     @property
     def columns_text(self) -> str:
@@ -131,14 +144,17 @@ def read_text_table(key: str, path: Path, name: str | None = None) -> TextTable:
         raise UserError(f"{key} = {name!r}: is {kind}: unpack it and name one file")
     if not is_text(data):
         raise UserError(f"{key} = {name!r}: cannot be read: it is not text")
-    return table_of_text(key, name, decoded(data))
+    text = decoded(data)
+    del data
+    return table_of_text(key, name, text)
 
 
 def table_of_text(key: str, name: str, text: str) -> TextTable:
     """Return the table of a text. Raises UserError as ``read_text_table`` does."""
     try:
         cells = cells_of(text)
-        numbers = (row[n] for row in cells.rows for n in cells.numeric if is_numeral(row[n]))
+        rows = map(cells.row, range(len(cells.lines)))
+        numbers = (row[n] for row in rows for n in cells.numeric if is_numeral(row[n]))
         marks = Marks() if cells.plain else marks_of(numbers)
     except ValueError as error:
         raise UserError(f"{key} = {name!r}: {error}") from None

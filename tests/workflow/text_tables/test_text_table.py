@@ -1,6 +1,7 @@
 """Text tables of instruments and people: rows, titles, units, and which column is what."""
 
 import math
+import tracemalloc
 
 import numpy as np
 import pytest
@@ -328,3 +329,21 @@ def test_a_row_of_many_whole_numbers_with_a_missing_one_is_read_at_once():
     found = columns("\n".join(" ".join(cells) for cells in (row, [*row[:63], "NaN"], row)))
     assert math.isnan(found[63][1])
     assert [column[1] for column in found[:63]] == [54321.0] * 63
+
+
+@pytest.mark.parametrize("end", ["\n", " # a remark\n"])
+def test_a_long_table_takes_memory_in_proportion_to_its_text(end):
+    text = "x [um];z [um]\n" + "".join(f"{n / 2} ; 0.25{end}" for n in range(30_000))
+    tracemalloc.start()
+    values = table_of_text("key", "f.txt", text).values(0)
+    _, peak = tracemalloc.get_traced_memory()
+    tracemalloc.stop()
+    assert peak < 6 * len(text)
+    assert np.array_equal(values, np.arange(30_000) / 2)
+
+
+def test_lines_end_as_in_python():
+    ends = ("\n", "\r\n", "\r", "\v", "\f", "\x1c", "\x1d", "\x1e", "\x85", "\u2028", "\u2029")
+    text = "".join(f"{n} 0.5{end}" for n, end in enumerate(ends * 3))
+    assert list(table(text).lines) == list(range(1, 34))
+    assert columns(text)[0] == list(range(33))

@@ -34,6 +34,7 @@ def read_lines(file: LineFile) -> Lines:
                     f"{KEY} = {file.name!r}: is {kind}: unpack it and name one of its files"
                 )
             text = is_text(data) and suffix not in SCALED_TEXT_SUFFIXES
+            del data
             reader = read_text_lines if text else read_instrument_file
         return lines_of(file, reader(file))
     except (OSError, EOFError, ValueError, TypeError, RuntimeError) as error:

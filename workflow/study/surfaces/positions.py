@@ -1,5 +1,7 @@
 """Positions of samples: their precision and step, and grids from the points of a map."""
 
+import math
+from array import array
 from collections.abc import Iterable
 from typing import Any, NamedTuple
 
@@ -64,14 +66,15 @@ def precision(written: Iterable[str]) -> np.ndarray:
     Formats limit the decimals or the digits of numbers, and may omit trailing zeros. Therefore the
     finest decimal and the largest number of digits in the column apply to the whole column.
     """
-    words = list(written)
-    parts = [_digits_and_exponent(word) for word in words]
-    finest = min(exponent for _, exponent in parts)
-    max_digits = max(digits for digits, _ in parts)
-    sizes = np.array([abs(float(word)) for word in words])
+    finest, max_digits, numbers = math.inf, 0, array("d")
+    for word in written:
+        digits, exponent = _digits_and_exponent(word)
+        finest, max_digits = min(finest, exponent), max(max_digits, digits)
+        numbers.append(float(word))
+    sizes = np.abs(numbers)
     with np.errstate(divide="ignore"):
         leading = np.floor(np.log10(sizes))
-    return np.maximum(10.0**finest, 10.0 ** (leading - max_digits + 1.0))
+    return np.maximum(float(f"1e{finest}"), 10.0 ** (leading - max_digits + 1.0))
 
 
 def _digits_and_exponent(word: str) -> tuple[int, int]:
