@@ -16,6 +16,7 @@ control/ or motion/; machine code contains only the effects that a scene request
 
 from .control.printed_eq3 import PrintedForce
 from .interface.effects import NO_EFFECTS, Effects
+from .interface.layer import BACKINGS, Layer
 from .interface.shear import Bell, ShearLaw, ShearTable, shear_stress
 from .lines.equivalent import equivalent_amplitudes, equivalent_of_cut, equivalent_spectrum
 from .lines.line import QUARTET, Line
@@ -35,6 +36,7 @@ from .model.friction import lagged_slope, quadrature, step_average
 from .model.march import march
 from .model.steady import steady_sliding
 from .motion.counts import MAX_PROGRAMME_STEPS, count_steps
+from .motion.extent import extent_of
 from .motion.legs import Hold, Leg, Oscillation, Programme, Ramp, Sampled, Slide, steps_of
 from .rheology.forms import form_of
 from .rheology.kelvin import SCHEMES, Kelvin
@@ -42,12 +44,14 @@ from .rheology.law import State, law_of, memory_size
 from .rheology.spectrum import KELVIN, Spectrum
 from .scene import (
     ENERGIES,
+    MAX_REMEMBERED,
     MOTION_TRACES,
     TRACES,
     ZERO_ORIGIN,
     Origin,
     SavedState,
     SceneCase,
+    carried_branches,
     run_scene,
     scene_steps,
 )

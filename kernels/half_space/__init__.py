@@ -6,5 +6,6 @@ and pressures in units of E* h/dx, so that
 
     p(q, t) = -(|q|/2) E*(t) u(q, t)   for q != 0,     mean pressure = load/N.
 
-A map with a single row is a line contact in plane strain.
+On a layer (interface/layer.py) |q|/2 is divided by its ratio of compliances. A map with a single
+row is a line contact in plane strain.
 """

@@ -12,11 +12,12 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from ..compile.jit import kernel
+from ..interface.layer import Layer, compliance_ratio
 from ..rheology.law import advance_memory, law_of, predict, rest_memory, static_pressure
 from ..rheology.spectrum import KELVIN, Spectrum
 from .contact import ElasticContact, Operator, press
 from .surface import Surface
-from .waves import half_space_stiffness
+from .waves import half_space_stiffness, wave_numbers
 
 # Tolerances of a contact (contact.py), relative to A p. Errors of a step decay in later steps: the
 # error of mu is 3e-5 of its maximum, or 3e-6 if each step takes at least one pass.
@@ -36,15 +37,22 @@ class HalfSpace(NamedTuple):
 
     @classmethod
     def under(
-        cls, form: Any, surface: Surface, load: float, stiffness: np.ndarray | None = None
+        cls,
+        form: Any,
+        surface: Surface,
+        load: float,
+        stiffness: np.ndarray | None = None,
+        layer: Layer | None = None,
     ) -> "HalfSpace":
-        """Return a half-space under a load Fbar = F_N/(E* L h).
+        """Return a half-space, or a layer on a rigid base, under a load Fbar = F_N/(E* L h).
 
-        stiffness : of every mode, or None for the |q|/2 of a half-space.
+        stiffness : of every mode of a deep half-space, or None for |q|/2.
         """
         m, shape = surface.steps_per_spacing, surface.z.shape
         if stiffness is None:
             stiffness = half_space_stiffness(shape, m)
+        if layer is not None:
+            stiffness = stiffness / compliance_ratio(layer, np.hypot(*wave_numbers(shape, m)))
         return cls(form, surface, Operator.of(stiffness, shape[1]), load * m / shape[1])
 
 

@@ -32,7 +32,9 @@ def run_case(
     found.
     """
     clock = PhaseClocks()
-    space = HalfSpace.under(form_of(case.spectrum, case.scheme), surface, case.load, stiffness)
+    space = HalfSpace.under(
+        form_of(case.spectrum, case.scheme), surface, case.load, stiffness, case.effects.layer
+    )
     variables = _kept_variables(space, case, requested)
     one = slide_steadily(space, case.spectrum, case.speed, None, variables)
     passes = one.passes

@@ -14,6 +14,8 @@ from ..body.step import Forces, accept, attempt, end_leg, forces, patch_width
 from ..model.friction import mean_slope
 from ..motion.fourier import FractionalShifts
 from ..motion.legs import speed_at_start
+from ..rheology.forms import form_of
+from ..scene.carried import CarriedBranches, carried_memory
 from ..scene.initial_state import charge_branches, glassy_stiffness
 from ..scene.records import record_snapshot
 from ..scene.scene_case import SceneCase
@@ -67,14 +69,24 @@ class MapState(NamedTuple):
 
 
 def moved_map(
-    space: HalfSpace, scene: SceneCase, position: Callable, tolerance: Callable
+    space: HalfSpace,
+    scene: SceneCase,
+    position: Callable,
+    tolerance: Callable,
+    carried: CarriedBranches | None = None,
 ) -> tuple[MovedMap, MapState, Forces]:
-    """Return (map, state, Forces of the step before) at the start of a scene."""
+    """Return (map, state, Forces of the step before) at the start of a scene.
+
+    carried : branches that the motion carries along from a start at rest, if any.
+    """
     if scene.start == "steady":
         speed = speed_at_start(scene.programme)
         one = slide_steadily(space, scene.spectrum, speed)
         body, passes, lag = _with_zero_offset(one.body), one.passes, one.step.law.lag
         earlier = np.roll(space.surface.slope, -1 if speed > 0.0 else 1, axis=1)
+    elif carried is not None:
+        (body, passes), lag = _carried_body(space, scene, carried), 0.0
+        earlier = space.surface.slope
     elif scene.start == "relaxed":
         (body, passes), lag, earlier = rest_on(space), 0.0, space.surface.slope
     else:
@@ -85,6 +97,15 @@ def moved_map(
     acting = _forces_of(space, body.p, weight)
     state = MapState(body.d, body.d, passes, body, None)
     return MovedMap.of(space, position, tolerance), state, acting
+
+
+def _carried_body(space: HalfSpace, scene: SceneCase, carried: CarriedBranches) -> tuple[Body, int]:
+    """Return (body at rest whose slow branches are carried along, passes)."""
+    form = form_of(carried.spectrum, scene.scheme)
+    one = slide_steadily(space._replace(form=form), *carried)
+    body = _with_zero_offset(one.body)
+    memory = carried_memory(space.form, carried, form, body.memory, body.depth)
+    return body._replace(memory=memory), one.passes
 
 
 def _with_zero_offset(body: Body) -> Body:

@@ -13,6 +13,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from ..interface.layer import Layer, compliance_ratio
 from ..lines.self_affine import last_mode
 from ..rheology.spectrum import Spectrum, complex_modulus
 from .surface import ring_amplitudes, ring_integral
@@ -85,16 +86,23 @@ def _rings(q: np.ndarray, power: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
 
 
 def persson_theory(
-    waves: Waves, spectrum: Spectrum, pressure: float, speed: float
+    waves: Waves,
+    spectrum: Spectrum,
+    pressure: float,
+    speed: float,
+    layer: Layer | None = None,
 ) -> tuple[float, float]:
     """Return (coefficient of friction in h/dx, real contact area over the nominal one).
 
-    pressure : nominal, in E* h/dx, with the relaxed E*. speed : v tau/dx, signed.
+    pressure : nominal, in E* h/dx, with the relaxed E*. speed : v tau/dx, signed. layer : divides
+    E* by the ratio of compliances at each |q|, which keeps full contact exact.
 
         G(q) = (1/8) sum_(q' <= q) q'^2 |h_q'|^2 |E*(q'_x v)/sigma_0|^2,   P = erf(1/(2 sqrt G)),
         mu = (1/2) sum q q_x |h_q|^2 Im E*(q_x v)/sigma_0 P S,   S = gamma + (1 - gamma) P^2
     """
     modulus = complex_modulus(spectrum, waves.q_x * abs(speed)) / pressure
+    if layer is not None:
+        modulus /= compliance_ratio(layer, waves.q)
     spread = 0.125 * np.cumsum(waves.q**2 * waves.power * np.abs(modulus) ** 2)
     # All waves of one length take the sum up to the last of them.
     last = np.searchsorted(waves.q, waves.q * (1.0 + 1e-12), side="right") - 1

@@ -9,6 +9,7 @@ from ..body.step import patch_width
 from ..drive.pulled_slider import pull_through, recorded_times
 from ..drive.spring import Drive
 from ..rheology.forms import form_of
+from ..scene.carried import carried_branches
 from ..scene.march_body import march_track
 from ..scene.recorders import Recorders
 from ..scene.records import record_snapshot
@@ -49,10 +50,14 @@ def run_scene_on_half_space(
         )
     steps = scene_steps(scene, surface.steps_per_spacing)
     check_scene(scene, steps, False)
-    space = HalfSpace.under(form_of(scene.spectrum, scene.scheme), surface, scene.load, stiffness)
+    space = HalfSpace.under(
+        form_of(scene.spectrum, scene.scheme), surface, scene.load, stiffness, scene.effects.layer
+    )
     positions = np.append(0.0, steps.position)
     tolerance = partial(step_tolerance, scene.spectrum)
-    body, moved, acting = moved_map(space, scene, positions.__getitem__, tolerance)
+    elements = surface.z.shape[1] / surface.steps_per_spacing
+    carried = carried_branches(scene.start, scene.spectrum, scene.programme, elements)
+    body, moved, acting = moved_map(space, scene, positions.__getitem__, tolerance, carried)
     times = np.cumsum(np.append(0.0, steps.dt))
     path = SurfacePath(positions / surface.steps_per_spacing, times, steps.dt)
     frames = PressureFrames(np.empty((scene.frames.size, *surface.z.shape)))
@@ -75,7 +80,9 @@ def run_pulled_on_half_space(
     stiffness : of every mode, or None for a half-space.
     """
     times = recorded_times(scene, surface.steps_per_spacing)
-    space = HalfSpace.under(form_of(scene.spectrum, scene.scheme), surface, scene.load, stiffness)
+    space = HalfSpace.under(
+        form_of(scene.spectrum, scene.scheme), surface, scene.load, stiffness, scene.effects.layer
+    )
     body, state, acting = moved_map(space, scene, float, lambda law: STEP_TOLERANCE)
     width = patch_width(body, state)
     values, state, _ = pull_through(body, state, surface, acting, width, drive, scene, times)

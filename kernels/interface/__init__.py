@@ -1,1 +1,1 @@
-"""Effects at the interface of a half-space, beside the loss in the rubber: shear of the contact."""
+"""Effects on a half-space beside the loss in the rubber: shear of the contact, a finite depth."""

@@ -1,10 +1,11 @@
-"""Effects that a scene requests beyond the loss of the elastomer at a constant temperature.
+"""Effects that a scene requests beyond the loss of a deep elastomer at a constant temperature.
 
 A disabled effect is None and costs nothing.
 """
 
 from typing import NamedTuple
 
+from .layer import Layer
 from .shear import ShearLaw
 
 
@@ -12,6 +13,7 @@ class Effects(NamedTuple):
     """Effects of a case; hashable, because they are part of keys."""
 
     shear: ShearLaw | None = None
+    layer: Layer | None = None  # None: the half-space is deep
 
 
 NO_EFFECTS = Effects()

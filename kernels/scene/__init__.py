@@ -3,6 +3,7 @@
 Recorders dispatch on types, so quantities that a scene does not request are not compiled.
 """
 
+from .carried import MAX_REMEMBERED, carried_branches
 from .energy import ENERGIES
 from .records import MOTION_TRACES, TRACES
 from .run import run_scene

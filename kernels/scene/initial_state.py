@@ -15,11 +15,17 @@ from ..rheology.law import Elements, law_of, rest_memory
 from ..rheology.relaxed import RelaxationForm
 from ..rheology.retardation import Retardation
 from ..rheology.spectrum import KELVIN, Spectrum
+from .carried import CarriedBranches, carried_memory
 from .scene_case import SavedState, SceneCase, indentation_at
 
 
-def initial_state(line: Line, scene: SceneCase, form: Form) -> SavedState:
-    """Return the state of a line before the first step of a scene."""
+def initial_state(
+    line: Line, scene: SceneCase, form: Form, carried: CarriedBranches | None = None
+) -> SavedState:
+    """Return the state of a line before the first step of a scene.
+
+    carried : branches that the motion carries along from a start at rest (carried.py), if any.
+    """
     z, load, d, speed = line.z, scene.load * line.z.size, np.nan, 0.0
     if scene.indentation is not None:
         d = float(indentation_at(scene, np.zeros(1), line.datum)[0])
@@ -27,6 +33,12 @@ def initial_state(line: Line, scene: SceneCase, form: Form) -> SavedState:
         speed = speed_at_start(scene.programme)
         samples = speed * line.steps_per_spacing
         elements = steady_elements(scene.scheme, scene.spectrum, z, samples, load, d)
+    elif carried is not None:
+        samples = carried.speed * line.steps_per_spacing
+        elements = steady_elements(scene.scheme, carried.spectrum, z, samples, load, d)
+        slow_form = form_of(carried.spectrum, scene.scheme)
+        memory = carried_memory(form, carried, slow_form, elements.memory, elements.p)
+        elements = elements._replace(memory=memory)
     elif scene.start == "relaxed":
         elements = relaxed_elements(form, z, load, d)
     else:

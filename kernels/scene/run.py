@@ -16,6 +16,7 @@ from ..quick.blocks import block_line
 from ..rheology.forms import Form, form_of
 from ..rheology.law import Elements, displacement
 from ..rheology.retardation import Retardation
+from .carried import carried_branches
 from .initial_state import initial_state, steady_lag
 from .march_body import march_line
 from .recorders import Recorders
@@ -57,7 +58,8 @@ def run_scene(
     steps = scene_steps(scene, m, state.origin if state else ZERO_ORIGIN)
     check_scene(scene, steps, state is not None)
     form = form_of(scene.spectrum, scene.scheme)
-    initial = state or initial_state(line, scene, form)
+    moving = scene.start, scene.spectrum, scene.programme
+    initial = state or initial_state(line, scene, form, carried_branches(*moving, z.size / m))
     frames = Snapshots(*np.empty((2, scene.frames.size, z.size)))
     recorders = Recorders(scene, m, steps, frames)
     stages = tracks(z, line.slope, m, steps, initial.position, initial.time)

@@ -36,7 +36,7 @@ if TYPE_CHECKING:
     from .other_body import MODEL_LABEL
     from .plan import Plan, make_plan
     from .problems import line_slope, nominal_pressure, speed_ratio
-    from .repeated_contact import MAX_REMEMBERED, range_of, remembered_share
+    from .repeated_contact import remembered_share
     from .variant import Variant
 
 __all__, __getattr__, __dir__ = public_names(__name__, __file__)

@@ -229,6 +229,7 @@ def check_resolution(problem: Problem, steps: Numbers, numerics: Numerics) -> No
     speeds = np.sort(np.abs([speed, speed * ratio]), axis=0)
     most = np.minimum(SPEED_LIMITS[1], 1.0 / min_step(problem.spectrum) / steps)
     outside = ~((speeds[0] >= SPEED_LIMITS[0]) & (speeds[1] <= most))
+    outside &= speeds[1] != 0.0  # that of a programme which only holds
     if outside.any():
         raise UserError(
             f"grid.velocity: v tau/dx runs from {speeds[0][outside][0]:.3g} to "

@@ -12,14 +12,14 @@ from typing import Any
 
 import numpy as np
 
-from ...kernels import Spectrum, amplitudes, rms_slope
+from ...kernels import NO_EFFECTS, Effects, Spectrum, amplitudes, rms_slope
 from ...kernels.half_space.surface import ring_amplitudes, rms_slope_of
 from ...kernels.model.limits import LOAD_LIMITS, SPEED_LIMITS
 from ...kernels.velocity_step.prepared import MIN_RATIO_STEP
 from ..ground import UserError
 from ..kinetic_law import relaxation_rate
 from ..simulate import Problem
-from ..study import HALF_SPACE, Material, Parts, Study, axes_of, check_load
+from ..study import FOUNDATION, HALF_SPACE, Material, Parts, Study, axes_of, check_load
 from .motion import Scale, canonical, line_modes, rounded, with_scene
 
 LEAST_CHANGE = 1e-13  # |dv/v1| vbar; below it rounding is over 1e-3 of the jump
@@ -101,7 +101,10 @@ def _settings(
     spectrum, tau, nan = _rounded_spectrum(parts.material), parts.material.tau, math.nan
     stiffness = parts.material.contact_modulus * length
     plain = {
-        count: Problem(0.0, 0, 0.0, 0.0, 0.0, spectrum, line_modes(parts.surface, count))
+        count: Problem(
+            *(0.0, 0, 0.0, 0.0, 0.0, spectrum, line_modes(parts.surface, count)),
+            effects=_effects(parts, count),
+        )
         for count in {int(row[0]) for row in different}
     }
     index = []
@@ -113,6 +116,16 @@ def _settings(
         problem = with_scene(plain[int(row[0])], parts.scene, scale, depth)
         index.append(indices.setdefault(problem, len(indices)))
     return np.array(index)[inverse].reshape(points["elements"].shape)
+
+
+def _effects(parts: Parts, elements: int) -> Effects:
+    """Return the effects on which the records of a problem depend."""
+    material, surface = parts.material, parts.surface
+    if surface.body == FOUNDATION:
+        return NO_EFFECTS
+    length = surface.profile.length if surface.profile else surface.length
+    layer = material.layer(length / elements)
+    return Effects(layer=layer and layer._replace(thickness=rounded(layer.thickness)))
 
 
 def _numbers(study: Study, label: str, all_parts: list[Parts], points: Points) -> list[np.ndarray]:
@@ -131,7 +144,8 @@ def _numbers(study: Study, label: str, all_parts: list[Parts], points: Points) -
         _check("normal_force", "F_N/(4 G L h)", load, LOAD_LIMITS)
         if study.surface.profile is not None:
             check_load("grid.normal_force", study.surface.profile, load)
-    _check("velocity", "v1 tau/dx", speed, SPEED_LIMITS)
+    if study.scene.moves:
+        _check("velocity", "v1 tau/dx", speed, SPEED_LIMITS)
     if study.scene.programme:  # a programme has its own speeds
         speed, step = np.zeros_like(speed), np.zeros_like(speed)
     else:

@@ -1,60 +1,32 @@
 """Memory of the first contact that a trace meets again after one period of the line or map.
 
-A programme that starts "relaxed" or "fresh" imprints its first contact on every branch. A branch
-that outlives the time of one period still holds the imprint when the motion has covered a period,
-and friction repeats it. Steady sliding leaves no such imprint, nor does a motion about one place.
+A programme that starts "relaxed" or "fresh" imprints its first contact on every branch that is not
+carried along from the start (kernels/scene/carried.py). A branch that outlives the time of one
+period still holds the imprint when the motion has covered a period, and friction repeats it. Steady
+sliding leaves no such imprint, nor does a motion about one place.
 """
 
 import math
 
-import numpy as np
-
-from ...kernels import Hold, Leg, Oscillation, Programme, Ramp, Slide
-from ...kernels.motion.legs import path_of
+from ...kernels import carried_branches, extent_of
 from ..simulate import Problem
-
-MAX_REMEMBERED = 0.01  # share of the first contact that a trace may meet again
 
 
 def remembered_share(problem: Problem) -> float:
-    """Return the share of the first contact that its slowest branch holds after one period.
+    """Return the share of the first contact that the slowest branch with one holds for a period.
 
     It is exp(-L/(v t)) at the highest speed v of the programme; 0 if the motion covers no period,
-    if it starts with steady sliding, or for elements that only have a dashpot.
+    if it starts with steady sliding, or for elements that only have a dashpot. The motion of a
+    drive stands for that of the line that it pulls, which starts at rest.
     """
-    if not problem.spectrum.times or problem.start == "steady":
+    spectrum, programme = problem.spectrum, problem.programme
+    if problem.start == "steady":
         return 0.0
-    covered, fastest = range_of(problem.programme)
+    covered, fastest = extent_of(programme)
     if covered <= problem.elements:
         return 0.0
-    return math.exp(-problem.elements / (fastest * max(problem.spectrum.times)))
-
-
-def range_of(programme: Programme) -> tuple[float, float]:
-    """Return the distance between the extreme positions of a programme, dx, and its top speed."""
-    places, fastest = [np.zeros(1)], 0.0
-    for leg in programme:
-        moved, speed = _motion(leg)
-        places.append(places[-1][-1] + moved)
-        fastest = max(fastest, speed)
-    return float(np.ptp(np.concatenate(places))), fastest
-
-
-def _motion(leg: Leg) -> tuple[np.ndarray, float]:
-    """Return the displacements at the turns and the end of a leg, in dx, and its highest speed.
-
-    The motion of a drive stands for that of the line that it pulls.
-    """
-    match leg:
-        case Slide():
-            return np.array([math.copysign(leg.distance, leg.speed)]), abs(leg.speed)
-        case Hold():
-            return np.zeros(1), 0.0
-        case Oscillation():
-            moved = leg.speed * leg.cycles / leg.frequency
-            fastest = abs(leg.speed) + 2.0 * math.pi * leg.frequency * leg.amplitude
-            return np.array([-leg.amplitude, moved + leg.amplitude, moved]), fastest
-        case _:
-            path = path_of(leg, 1)
-            speeds = (leg.first, leg.last) if isinstance(leg, Ramp) else leg.speeds
-            return path.where(path.breaks), float(np.abs(speeds).max())
+    carried = None
+    if problem.drive is None:
+        carried = carried_branches(problem.start, spectrum, programme, problem.elements)
+    times = set(spectrum.times) - set(carried.spectrum.times if carried else ())
+    return math.exp(-problem.elements / (fastest * max(times))) if times else 0.0

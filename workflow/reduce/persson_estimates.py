@@ -28,7 +28,11 @@ def persson_estimates(tasks: list[Task], lines: Surface) -> Estimates:
         problem = task.problem
         waves = waves_of(*problem[:2], problem.surface)
         theory[row] = persson_theory(
-            waves, problem.spectrum, nominal_pressure(problem), problem.ends[0]
+            waves,
+            problem.spectrum,
+            nominal_pressure(problem),
+            problem.ends[0],
+            problem.effects.layer,
         )
     return {"mu_persson": theory[:, 0], "area_persson": theory[:, 1]}
 

@@ -16,7 +16,7 @@ from matplotlib import pyplot as plt
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from ..plan import MAX_REMEMBERED
+from ...kernels import MAX_REMEMBERED
 from ..reduce import LARGE_BIAS, NARROW_CONTACTS
 from ..result import Groups
 from ..study import COMMON_AXES

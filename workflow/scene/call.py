@@ -31,7 +31,6 @@ from ..system import import_dask, report_compilation
 
 SCENE_STUDY_NAME = "scene"
 GRID_KEYS = ("hurst", "roughness", "spacing")  # keys of surface that belong to [grid]
-DEFAULT_QUANTITIES = ("steady", "trace")
 TRACE_SAMPLES = 200
 LOAD_KEYS = ("normal_force", "normal_pressure", "prescribed_indentation")
 STATE_VARIABLES = {name: f"state_{name}" for name in SavedState._fields}
@@ -121,13 +120,10 @@ def _scene(arguments: Mapping[str, Any], grid: dict[str, Any]) -> dict[str, Any]
     depth = load.get("prescribed_indentation")
     names = ("quantities", "start", "repeat", "body")
     scene = {name: toml_value(name, arguments[name]) for name in names}
+    scene = {name: value for name, value in scene.items() if value is not None}
     scene["programme"] = _programme(arguments)
-    if scene["body"] is None:
-        del scene["body"]
     if arguments["drive"] is not None:
         scene["drive"] = table("drive", arguments["drive"])
-    if depth is not None and scene["quantities"] == list(DEFAULT_QUANTITIES):
-        scene["quantities"] = ["trace"]  # steady sliding needs a given force
     if depth is not None:
         scene["control"] = "indentation"
     if isinstance(depth, str):
@@ -268,7 +264,7 @@ def run(
     body: str | None = None,
     start: str = "steady",
     repeat: int = 1,
-    quantities: Sequence[str] = DEFAULT_QUANTITIES,
+    quantities: Sequence[str] | None = None,
     numerics: Mapping[str, Any] | None = None,
     realizations: int = 1,
     seed: int = 0,

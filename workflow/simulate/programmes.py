@@ -53,6 +53,7 @@ def scene_of(task: Task, scheme: str, recording: Recording) -> SceneCase:
         recorded=recorded,
         edges=CONTACT_LENGTH_EDGES,
         frames=recorded if "snapshots" in recording.requested else np.empty(0, np.int64),
+        effects=problem.effects,
     )
 
 
@@ -77,6 +78,7 @@ def steady_ends(batch: Batch, line: Any, task: Task) -> dict[str, Any]:
         batch.scheme,
         problem.spectrum,
         tiles=batch.recording.tiles,
+        effects=problem.effects,
     )
     body = body_of(batch)
     ((outcome,),) = body.run([line], body.prepare([case], task.steps_per_spacing, STEADY_ONLY))

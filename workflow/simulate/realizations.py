@@ -178,6 +178,7 @@ def _case(batch: Batch, rows: list[int], refinement: int) -> Case:
         spectrum=tasks[0].problem.spectrum,
         refine=batch.refine,
         tiles=batch.recording.tiles,
+        effects=tasks[0].problem.effects,
     )
 
 

@@ -26,7 +26,7 @@ from .numerics import Numerics
 from .settings import filled
 from .surfaces import Profile, Surface, read_surface
 from .tables import ONE_POINT, STUDY, checked_tables
-from .variants import check_bodies, check_numerics, read_variants
+from .variants import check_bodies, check_layers, check_numerics, read_variants
 
 MAX_BLOCKS = 100_000  # per problem; the block means of several problems are in memory together
 
@@ -79,7 +79,10 @@ class Study(AnyStudy):
     @property
     def body_choice(self) -> str:
         """The body of the study itself and the reason for it, in words."""
-        return f"{self.surface.body}: {self.body_reason}"
+        material, layer = self.material, ""
+        if material.thickness is not None:
+            layer = f"; a layer of {material.thickness:g} m, {material.backing} on a rigid base"
+        return f"{self.surface.body}: {self.body_reason}{layer}"
 
     @property
     def axes(self) -> tuple[str, ...]:
@@ -166,6 +169,7 @@ def read_grid_study(
     single_line = one_point and head["realizations"] == 1 and not scene.listed
     check_quantities(scene, materials, single_line)
     check_bodies(scene, surfaces)
+    check_layers(materials, surfaces)
     check_numerics(variants, materials, scene, surfaces)
     for axis, values in grid.items() if one_point else ():
         if len(values) > 1 and axis not in PROGRAMME_AXES:

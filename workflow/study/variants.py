@@ -10,6 +10,7 @@ from .effects import (
     ELEMENT_QUANTITIES,
     FORCE,
     FOUNDATION,
+    HALF_SPACE,
     MATERIAL,
     SCENE,
     SHIFTS,
@@ -23,6 +24,7 @@ from .surfaces import LINE_KIND_KEYS, Surface, lines_like
 # Not the temperature: it is an axis of the grid, which all variants share.
 COMPARE = NUMERICS | {key: MATERIAL[key] for key in MATERIAL if key != "temperature"}
 COMPARE |= LINE_KIND_KEYS | {"body": SCENE["body"]}
+MIN_LAYER_SHARE = 1e-3  # thickness over the period; thinner layers lose digits of stiffness
 ALTERNATIVES = (("branches", "branches_file"), tuple(SHIFTS))  # keys of a group exclude each other
 
 
@@ -81,6 +83,25 @@ def check_bodies(scene: Scene, surfaces: Mapping[str, Surface]) -> None:
             raise UserError(
                 f'scene.quantities: "{name}": is not defined on a half-space, which has no '
                 f'elements; omit it, or set scene.body = "{FOUNDATION}"'
+            )
+
+
+def check_layers(materials: Mapping[str, Material], surfaces: Mapping[str, Surface]) -> None:
+    """Raise UserError for a layer of elements, or one so thin that its stiffness loses digits."""
+    for label, material in materials.items():
+        if material.thickness is None:
+            continue
+        key = f"compare.{label}" if label else "material"
+        key, surface = f"{key}.thickness = {material.thickness:g}", surfaces[label]
+        if surface.body == FOUNDATION:
+            raise UserError(
+                f"{key}: the elements of a foundation have no thickness; set scene.body = "
+                f'"{HALF_SPACE}", or omit it'
+            )
+        least = MIN_LAYER_SHARE * surface.length
+        if material.thickness < least:
+            raise UserError(
+                f"{key}: must be at least {least:g} m, {MIN_LAYER_SHARE:g} of surface.length"
             )
 
 

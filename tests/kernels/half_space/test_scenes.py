@@ -3,9 +3,10 @@
 import numpy as np
 import pytest
 
-from elastomer_friction.kernels import Case, Quantities, Slide
+from elastomer_friction.kernels import Case, Hold, Quantities, Slide, Spectrum
 from elastomer_friction.kernels.half_space.cases import run_case
 from elastomer_friction.kernels.half_space.scenes import run_scene_on_half_space
+from elastomer_friction.kernels.rheology.spectrum import relaxation_modulus
 from tests.kernels.half_space.test_limits import rough
 from tests.kernels.scene.given import PRONY, a_scene
 
@@ -38,3 +39,18 @@ def test_snapshots_carry_the_load_and_move_with_the_surface():
 def test_unavailable_quantities_are_refused():
     with pytest.raises(ValueError, match="a half-space has only"):
         run_scene_on_half_space(rough(8, M), a_scene((Slide(0.7, 2.0),), requested=("energy",)))
+
+
+def test_a_contact_at_rest_ages_with_the_relaxation_modulus():
+    """A E(t)/sigma_0 is constant to 10 % over nine decades, for a rubber of flat loss."""
+    decades = np.arange(-9.0, 3.0)
+    flat = Spectrum(tuple(0.5 + 0.0 * decades), tuple(10.0**decades), 0.0)
+    legs = tuple(Hold(10.0**k) for k in range(-8, 1, 2))
+    scene = a_scene(legs, flat, 8, start="fresh", load=0.05 * 16)
+    values = run_scene_on_half_space(rough(16, 8), scene)
+    time, area = values["trace_time"][1:], values["trace_contact_fraction"][1:]
+    constant = area * relaxation_modulus(flat, time)
+    inside = (time > 1e-9) & (time < 1.0)
+    assert area[-1] > 2.5 * area[0]
+    np.testing.assert_allclose(constant[inside], constant[inside].mean(), rtol=0.1)
+    assert np.ptp(values["trace_distance"]) == 0.0

@@ -6,10 +6,11 @@ import numpy as np
 import pytest
 
 import elastomer_friction as ef
-from elastomer_friction.kernels import Hold, Oscillation, Ramp, Sampled, Slide
-from elastomer_friction.workflow.plan import range_of
+from elastomer_friction.kernels import Hold, Oscillation, Ramp, Sampled, Slide, extent_of
+from elastomer_friction.kernels.motion.extent import mean_speed
 
 LENGTH, SPEED, SLOW = 0.64e-3, 0.3, 1.0
+REST = {"hold": {"duration": 1e-6}}  # before which nothing is carried along
 SCENE = {
     "surface": {"length": LENGTH, "hurst": 0.7, "spacing": 1e-5, "roughness": 1e-6},
     "material": {"shear_modulus": 1e6, "branches": [[1e7, SLOW], [1e7, 1e-5]]},
@@ -19,24 +20,38 @@ SCENE = {
 }
 
 
-def trace(periods, **changes):
+def trace(periods, *before, **changes):
     slide = {"slide": {"velocity": SPEED, "distance": periods * LENGTH}}
-    return ef.scene.run(**({"programme": [slide], "start": "relaxed"} | SCENE | changes)).squeeze()
+    defaults = {"programme": [*before, slide], "start": "relaxed"} | SCENE
+    return ef.scene.run(**(defaults | changes)).squeeze()
+
+
+def ranges(data):
+    """Return the ranges of friction within a fifth of whole periods, and elsewhere."""
+    place = data.trace_distance.values / LENGTH
+    near = np.abs(place - np.round(place)) < 0.2
+    return [np.ptp(data.trace_mu.values[(place > 0.5) & part]) for part in (near, ~near)]
 
 
 def test_share_is_that_of_the_slowest_branch_after_a_period():
-    data = trace(3.0)
+    data = trace(3.0, REST)
     assert float(data.trace_remembered) == pytest.approx(math.exp(-LENGTH / SPEED / SLOW), rel=1e-9)
 
 
 def test_friction_repeats_the_first_contact_where_it_is_flagged():
     """Away from the first contact friction is steady; near whole periods it is not."""
-    data = trace(3.0)
-    place = data.trace_distance.values / LENGTH
-    later = place > 0.5
-    near = np.abs(place - np.round(place)) < 0.2
-    calm, met = (data.trace_mu.values[later & part] for part in (~near, near))
-    assert np.ptp(met) > 3.0 * np.ptp(calm)
+    met, calm = ranges(trace(3.0, REST))
+    assert met > 3.0 * calm
+
+
+@pytest.mark.parametrize("body", ["foundation", "half-space"])
+def test_branches_that_outlive_a_period_are_carried_along(body):
+    surface = SCENE["surface"] | {"spacing": LENGTH / 32}
+    data = trace(2.5, body=body, surface=surface)
+    assert data.trace_remembered < 0.01
+    steady = float(data.trace_mu[-1])
+    assert steady > 0.0
+    assert max(ranges(data)) < 1e-4 * steady
 
 
 @pytest.mark.parametrize(
@@ -68,10 +83,24 @@ def test_branches_faster_than_a_period_forget():
     ],
 )
 def test_range_of_a_programme(programme, covered, fastest):
-    assert range_of(programme) == pytest.approx((covered, fastest))
+    assert extent_of(programme) == pytest.approx((covered, fastest))
+
+
+@pytest.mark.parametrize(
+    ("leg", "speed"),
+    [
+        (Slide(-2.0, 30.0), -2.0),
+        (Hold(0.0), 0.0),
+        (Ramp(0.0, 4.0, 10.0), 2.0),
+        (Oscillation(0.5, 3.0, 0.5, 7), 0.5),
+        (Sampled((0.0, 1.0, 3.0), (0.0, 2.0, 0.0)), 1.0),
+    ],
+)
+def test_mean_speed_of_a_leg(leg, speed):
+    assert mean_speed(leg) == pytest.approx(speed)
 
 
 def test_range_of_an_oscillation_about_rest_is_twice_its_amplitude():
-    covered, fastest = range_of((Oscillation(0.0, 3.0, 0.5, 7),))
+    covered, fastest = extent_of((Oscillation(0.0, 3.0, 0.5, 7),))
     assert covered == pytest.approx(6.0)
     assert fastest == pytest.approx(3.0 * np.pi)

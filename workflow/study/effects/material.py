@@ -10,13 +10,14 @@ from functools import partial
 from pathlib import Path
 from typing import Any, NamedTuple
 
-from ....kernels.rheology.spectrum import Spectrum
+from ....kernels import BACKINGS, Layer, Spectrum
 from ...ground import UserError
 from ..settings import (
     POSITIVE,
     Key,
     as_text,
     checked,
+    choice,
     filled,
     number,
     pair,
@@ -56,11 +57,19 @@ class Material(NamedTuple):
     description: str = ""  # of the file of branches
     arrhenius: Arrhenius | None = None  # in place of wlf
     shifts: ShiftTable | None = None  # in place of wlf
+    thickness: float | None = None  # m, of a layer on a rigid base; None: deep
+    backing: str = BACKINGS[0]  # of the layer: on its base
 
     @property
     def contact_modulus(self) -> float:
         """The relaxed E* = 2 G/(1 - nu) (Pa), 4 G for an incompressible elastomer."""
         return 2.0 * self.shear_modulus / (1.0 - self.poisson)
+
+    def layer(self, spacing: float) -> Layer | None:
+        """Return the layer in units of the spacing (m), or None for a deep elastomer."""
+        if self.thickness is None:
+            return None
+        return Layer(self.thickness / spacing, self.backing, self.poisson)
 
     @property
     def tau(self) -> float:
@@ -138,6 +147,8 @@ def read_material(where: str, table: Mapping[str, Any], folder: Path) -> Materia
                 f"{MODULUS_RATIO_RANGE[0]:g} and {MODULUS_RATIO_RANGE[1]:g} times shear_modulus = "
                 f"{modulus!r}"
             )
+    if "backing" in table and given["thickness"] is None:
+        raise UserError(f"{where}.backing = {given['backing']!r}: needs {where}.thickness")
     shifts = {key: given[key] for key in SHIFT_KEYS}
     if given["shifts_file"]:
         if shifts["shifts"]:
@@ -152,6 +163,8 @@ def read_material(where: str, table: Mapping[str, Any], folder: Path) -> Materia
         temperature=given["temperature"],
         poisson=given["poisson"],
         description=description,
+        thickness=given["thickness"],
+        backing=given["backing"],
         **shifts,
     )
 
@@ -258,5 +271,21 @@ MATERIAL = {
         "incompressible elastomer.",
         "Doubled from 0.25 to 0.5, E* rises by half, which acts as a force smaller by a third.",
         default=0.5,
+    ),
+    "thickness": Key(
+        positive,
+        "The thickness of the elastomer on a rigid base, for a half-space only. It matters below "
+        "the longest wave of the surface, or the width of the contact.",
+        "Doubled, waves longer than the thickness meet a softer elastomer.",
+        "m",
+        default=None,
+        values="a positive number, at least a thousandth of `surface.length`",
+        usual="a deep elastomer",
+    ),
+    "backing": Key(
+        partial(choice, known=BACKINGS),
+        "The lower side of a layer with `thickness`: `bonded` to the base, or `free` to slide on "
+        "it without friction.",
+        default=BACKINGS[0],
     ),
 }

@@ -156,6 +156,11 @@ class Scene(NamedTuple):
         return not self.programme or relative or self.starts_after_sliding
 
     @property
+    def moves(self) -> bool:
+        """Return whether the surface moves, or slid before the programme."""
+        return self.uses_velocity or self.typical_speed > 0.0
+
+    @property
     def uses_indentation(self) -> bool:
         """Return whether the grid prescribes the indentation."""
         return self.control == INDENTATION and self.indentation_history is None
@@ -188,7 +193,7 @@ class Scene(NamedTuple):
     def typical_speed(self) -> float:
         """First nonzero speed (m/s) of a programme that does not use the grid's velocity.
 
-        For an oscillation about rest it is the velocity amplitude. NaN if nothing moves.
+        For an oscillation about rest it is the velocity amplitude. 0 if nothing moves.
         """
         for segment in self.programme:
             speeds = [velocity.value for velocity in velocities_of(segment)]
@@ -198,7 +203,7 @@ class Scene(NamedTuple):
                 speeds = list(segment.velocities)
             if any(speeds):
                 return next(abs(speed) for speed in speeds if speed)
-        return math.nan
+        return 0.0
 
     def start_velocity(self, reference: float) -> float:
         """Return the first velocity (m/s), or that of the grid, ``reference``, before a hold."""

@@ -33,6 +33,10 @@ CONSTANT_FORCE = _required(
     lambda scene, _: scene.control == FORCE,
     'needs a given normal force; with scene.control = "indentation" request trace',
 )
+MOTION = _required(
+    lambda scene, _: scene.moves,
+    "needs motion, but the programme only holds; request trace, or add a slide",
+)
 PROGRAMME = _required(lambda scene, _: bool(scene.programme), "needs a [[scene.programme]]")
 VELOCITY_STEP = _required(
     lambda scene, _: not scene.programme or bool(scene.velocity_steps),
@@ -68,16 +72,16 @@ QUANTITIES = {
         "steady sliding at v1 and v2 (no relaxation is marched)",
         ("mu_1", "mu_2", "indentation", "contact_fraction"),
         accuracy_estimate="mu_1",
-        requirements=(CONSTANT_FORCE,),
+        requirements=(CONSTANT_FORCE, MOTION),
     ),
     "persson": Quantity(
         "friction and contact area by Persson's theory (closed form)",
-        requirements=(CONSTANT_FORCE,),
+        requirements=(CONSTANT_FORCE, MOTION),
     ),
     "model_ratio": Quantity(
         "steady friction on the other body too, which shows the error of the model",
         needs=("steady",),
-        requirements=(CONSTANT_FORCE,),
+        requirements=(CONSTANT_FORCE, MOTION),
     ),
     "jump": Quantity(
         "jump at t0+ (no relaxation is marched)",

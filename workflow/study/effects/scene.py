@@ -1,6 +1,5 @@
 """The table [scene]: requested quantities, motion of the line, load and body."""
 
-import math
 from collections.abc import Callable, Iterable, Mapping
 from functools import partial
 from pathlib import Path
@@ -10,7 +9,7 @@ from ...ground import UserError
 from ..settings import Key, as_text, choice, filled, flag, integer, read_table
 from .histories import INDENTATION_COLUMN, read_history
 from .material import Material
-from .programme import FORCE, FRESH, INDENTATION, RELAXED, STEADY, Programme, Scene, Spring
+from .programme import FORCE, FRESH, INDENTATION, RELAXED, STEADY, Scene, Spring
 from .quantities import QUANTITIES, read_quantities
 from .segment_keys import DRIVE
 from .segments import MAX_SEGMENTS, is_pulled, read_programme
@@ -41,13 +40,13 @@ def read_scene_table(
         times = (tuple(samples[0].tolist()), tuple(samples[1].tolist()))
     requested = given.pop("quantities")
     scene = Scene(
-        quantities=requested or _default_quantities(programme, given["control"], materials),
         programme=programme,
         indentation_history=times,
         indentation_description=description,
         drive=drive,
         **given,
     )
+    scene = scene._replace(quantities=requested or _default_quantities(scene, materials))
     _check(table, scene, tuple(materials))
     return scene
 
@@ -66,13 +65,11 @@ def _drive(given: dict[str, Any] | None, pulled: bool) -> Spring | None:
     return None if given is None else Spring(**given)
 
 
-def _default_quantities(
-    programme: Programme, control: str, materials: Iterable[Material]
-) -> tuple[str, ...]:
+def _default_quantities(scene: Scene, materials: Iterable[Material]) -> tuple[str, ...]:
     """Return the quantities computed by default."""
-    if control == INDENTATION:
+    if scene.control == INDENTATION or not scene.moves:
         return ("trace",)
-    if programme:
+    if scene.programme:
         return "steady", "trace"
     jumps = all(material.jumps for material in materials)
     return DEFAULT_SCENE.quantities if jumps else ("steady", "relaxation", "peak")
@@ -109,10 +106,6 @@ RULES = (
     Rule(
         lambda scene, _: scene.drive is not None and scene.control != FORCE,
         "scene.control = {scene.control!r}: a drive needs a given normal force; omit it",
-    ),
-    Rule(
-        lambda scene, _: bool(scene.programme) and math.isnan(scene.typical_speed),
-        "scene.programme: nothing moves; add a slide, a ramp, an oscillation or a pull",
     ),
     Rule(
         lambda scene, _: (
@@ -157,7 +150,7 @@ SCENE = {
         values="a list of names of quantities",
         usual='`["steady", "jump", "relaxation"]`; without a dashpot `["steady", "relaxation", '
         '"peak"]`; with a programme `["steady", "trace"]`; with a prescribed indentation '
-        '`["trace"]`',
+        'or holds only `["trace"]`',
         schema={"type": "array", "minItems": 1, "items": {"enum": list(QUANTITIES)}},
     ),
     "indentation_rate": Key(
