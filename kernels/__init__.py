@@ -36,7 +36,7 @@ from .model.friction import lagged_slope, quadrature, step_average
 from .model.march import march
 from .model.steady import steady_sliding
 from .motion.counts import MAX_PROGRAMME_STEPS, count_steps
-from .motion.extent import extent_of
+from .motion.extent import programme_extent
 from .motion.legs import Hold, Leg, Oscillation, Programme, Ramp, Sampled, Slide, steps_of
 from .rheology.forms import form_of
 from .rheology.kelvin import SCHEMES, Kelvin

@@ -7,7 +7,7 @@ import numpy as np
 from .legs import Hold, Leg, Oscillation, Programme, Ramp, Slide, leg_duration, path_of
 
 
-def extent_of(programme: Programme) -> tuple[float, float]:
+def programme_extent(programme: Programme) -> tuple[float, float]:
     """Return the distance between the extreme positions of a programme, dx, and its top speed."""
     places, fastest = [np.zeros(1)], 0.0
     for leg in programme:
@@ -17,7 +17,7 @@ def extent_of(programme: Programme) -> tuple[float, float]:
     return float(np.ptp(np.concatenate(places))), fastest
 
 
-def mean_speed(leg: Leg) -> float:
+def leg_mean_speed(leg: Leg) -> float:
     """Return the mean speed of a leg, signed, in dx/tau."""
     if isinstance(leg, Slide | Oscillation):
         return leg.speed

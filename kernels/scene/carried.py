@@ -17,7 +17,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from ..motion.extent import extent_of, mean_speed
+from ..motion.extent import leg_mean_speed, programme_extent
 from ..motion.legs import Programme
 from ..rheology.law import displacement, rest_memory
 from ..rheology.spectrum import Spectrum
@@ -37,9 +37,9 @@ def carried_branches(
     start: str, spectrum: Spectrum, programme: Programme, elements: float
 ) -> CarriedBranches | None:
     """Return the branches that a scene carries along, or None; elements : per period."""
-    if start != "relaxed" or extent_of(programme)[0] <= elements:
+    if start != "relaxed" or programme_extent(programme)[0] <= elements:
         return None
-    speed = mean_speed(programme[0])
+    speed = leg_mean_speed(programme[0])
     if speed == 0.0:
         return None
     longest = elements / abs(speed) / -math.log(MAX_REMEMBERED)

@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from ...kernels import MAX_REMEMBERED, extent_of
+from ...kernels import MAX_REMEMBERED, programme_extent
 from ..ground import UserError, counted
 from ..plan import (
     COST_FACTOR,
@@ -191,7 +191,7 @@ def _repeated_contact(plan: Plan) -> list[str]:
     if max(shares, default=0.0) <= MAX_REMEMBERED:
         return []
     problem = tasks[int(np.argmax(shares))].problem
-    length = extent_of(problem.programme)[0] / problem.elements * plan.study.surface.length
+    length = programme_extent(problem.programme)[0] / problem.elements * plan.study.surface.length
     return [
         f"periodic    a slow branch holds {max(shares):.0%} of the first contact after one period; "
         f'take a surface.length of {length:.3g} m, or scene.start = "steady"'

@@ -8,7 +8,7 @@ sliding leaves no such imprint, nor does a motion about one place.
 
 import math
 
-from ...kernels import carried_branches, extent_of
+from ...kernels import carried_branches, programme_extent
 from ..simulate import Problem
 
 
@@ -22,7 +22,7 @@ def remembered_share(problem: Problem) -> float:
     spectrum, programme = problem.spectrum, problem.programme
     if problem.start == "steady":
         return 0.0
-    covered, fastest = extent_of(programme)
+    covered, fastest = programme_extent(programme)
     if covered <= problem.elements:
         return 0.0
     carried = None

@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 import elastomer_friction as ef
-from elastomer_friction.kernels import Hold, Oscillation, Ramp, Sampled, Slide, extent_of
-from elastomer_friction.kernels.motion.extent import mean_speed
+from elastomer_friction.kernels import Hold, Oscillation, Ramp, Sampled, Slide, programme_extent
+from elastomer_friction.kernels.motion.extent import leg_mean_speed
 
 LENGTH, SPEED, SLOW = 0.64e-3, 0.3, 1.0
 REST = {"hold": {"duration": 1e-6}}  # before which nothing is carried along
@@ -83,7 +83,7 @@ def test_branches_faster_than_a_period_forget():
     ],
 )
 def test_range_of_a_programme(programme, covered, fastest):
-    assert extent_of(programme) == pytest.approx((covered, fastest))
+    assert programme_extent(programme) == pytest.approx((covered, fastest))
 
 
 @pytest.mark.parametrize(
@@ -97,10 +97,10 @@ def test_range_of_a_programme(programme, covered, fastest):
     ],
 )
 def test_mean_speed_of_a_leg(leg, speed):
-    assert mean_speed(leg) == pytest.approx(speed)
+    assert leg_mean_speed(leg) == pytest.approx(speed)
 
 
 def test_range_of_an_oscillation_about_rest_is_twice_its_amplitude():
-    covered, fastest = extent_of((Oscillation(0.0, 3.0, 0.5, 7),))
+    covered, fastest = programme_extent((Oscillation(0.0, 3.0, 0.5, 7),))
     assert covered == pytest.approx(6.0)
     assert fastest == pytest.approx(3.0 * np.pi)

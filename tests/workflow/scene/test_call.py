@@ -201,7 +201,6 @@ def test_arrays_of_xarray_are_arrays_and_persson_is_asked_of_a_profile():
         ({"material": KELVIN | {"shear_modulus": np.ma.masked}}, "material: holds masked values"),
         ({"material": KELVIN | {"branches": ENDLESS}}, "material: holds itself"),
         ({"body": np.array([1, 2])}, "scene.body = [1, 2]: must be one of"),
-        ({"quantities": None, "normal_force": None, "prescribed_indentation": 1e-6}, "quantities"),
         ({"body": xr.DataArray([1, 2])}, "scene.body = [1, 2]: must be one of"),
         ({"programme": [{"hold": {"duration": np.timedelta64(1, "ns")}}]}, "times as numbers in s"),
         ({"duration": 1.0}, "duration = 1.0: belongs to a programme that is a function of time"),
