@@ -1,6 +1,7 @@
 """Workers as jobs of a batch system through dask-jobqueue, which replaces lost jobs."""
 
 import contextlib
+import re
 import shlex
 import subprocess
 import sys
@@ -25,6 +26,7 @@ PRIVATE_FOLDER_LINES = (
     "export DASK_TEMPORARY_DIRECTORY=$(mktemp -d)",
     "trap 'rm -rf \"$DASK_TEMPORARY_DIRECTORY\"' EXIT",
 )
+OUTPUT_OPTIONS = (("-e", "err"), ("-o", "out"))  # of sbatch, and the ends of their files
 ADAPT_INTERVAL = "5s"  # between checks for lost workers
 LIFETIME_STAGGER = 0.1  # random share of the lifetime, so that workers do not all retire at once
 
@@ -47,7 +49,7 @@ def job_cluster(loop: IOLoop, cluster: Cluster, dashboard: bool = False) -> Iter
         logs.mkdir(parents=True, exist_ok=True)
         keys = tempfile.TemporaryDirectory(prefix=".tls-", dir=logs.resolve())
     with keys as folder:
-        security = new_security(folder)
+        security = new_security(folder, quoted=True)
         pages, options = no_pages(security, dashboard), scheduler_options(dashboard)
         shared = {"loop": loop, "security": security, "scheduler_options": options}
         with dask.config.set(pages), start(**shared, **_settings(cluster, pages)) as jobs:
@@ -64,12 +66,13 @@ def _settings(cluster: Cluster, pages: dict[str, Any]) -> dict[str, Any]:
     stagger = LIFETIME_STAGGER * cluster.lifetime
     lifetime = f"--lifetime {cluster.lifetime:.0f}s --lifetime-stagger {stagger:.0f}s"
     system = BATCH_SYSTEMS[cluster.where]
-    own = [word for word in system.directives if word not in cluster.leave_out]
+    own = [*system.directives, *_output_directives(Path(cluster.log_folder))]
+    own = [line for line in own if line.split()[0] not in cluster.leave_out]
     same = ("queue", "account", "cores", "memory", "walltime")
     return {name: getattr(cluster, name) or None for name in same} | {
         "processes": cluster.cores,
         "interface": interface_named(cluster.interface),
-        "log_directory": cluster.log_folder,
+        "log_directory": None,  # dask-jobqueue would not quote it
         "python": shlex.quote(sys.executable),
         "job_extra_directives": [*own, *cluster.directives],
         # Of any line with one of these texts; None: the setting of dask-jobqueue.
@@ -78,6 +81,12 @@ def _settings(cluster: Cluster, pages: dict[str, Any]) -> dict[str, Any]:
         "worker_extra_args": [*lifetime.split(), "--no-dashboard"],
         "protocol": "tls://",
     }
+
+
+def _output_directives(folder: Path) -> list[str]:
+    """Return the directives for the output of jobs, quoted as SLURM reads them."""
+    escaped = re.sub(r'(["\\])', r"\\\1", str(folder)).replace("%", "%%")
+    return [f'{option} "{escaped}/dask-worker-%J.{end}"' for option, end in OUTPUT_OPTIONS]
 
 
 def _try_submitting(name: str, script: str) -> None:

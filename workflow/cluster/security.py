@@ -3,6 +3,7 @@
 Without certificates, anyone who can connect to a port of dask can run code as its owner.
 """
 
+import shlex
 import ssl
 from pathlib import Path
 from typing import Any
@@ -38,17 +39,30 @@ def no_pages(security: Any, dashboard: bool) -> dict[str, Any]:
     return workers | tls | {"distributed.scheduler.http.routes": []}
 
 
-def new_security(folder: str) -> Security:
+class QuotedSecurity(Security):
+    """A Security whose files of workers are quoted for the command line of a job."""
+
+    def get_tls_config_for_role(self, role: str) -> dict[str, Any]:
+        """Return the files of a role; dask-jobqueue writes those of workers unquoted."""
+        files: dict[str, Any] = super().get_tls_config_for_role(role)
+        if role != "worker":
+            return files
+        return {key: value and shlex.quote(value) for key, value in files.items()}
+
+
+def new_security(folder: str, *, quoted: bool = False) -> Security:
     """Create a certificate for this run; return a Security that refuses connections without it.
 
-    folder : private folder for the certificate and its key. ``Security.temporary`` is not used:
-    its certificate is valid only from its creation, and fails if the clock is set back.
+    folder : private folder for the certificate and its key. quoted : whether the workers are jobs.
+    ``Security.temporary`` is not used: its certificate is valid only from its creation, and fails
+    if the clock is set back.
     """
     file = Path(folder) / "run.pem"
     write_certificate(file)
     roles = ("client", "scheduler", "worker")
     parts = [f"tls_{role}_{part}" for role in roles for part in ("key", "cert")]
-    return Security(require_encryption=True, **dict.fromkeys(["tls_ca_file", *parts], str(file)))
+    kind = QuotedSecurity if quoted else Security
+    return kind(require_encryption=True, **dict.fromkeys(["tls_ca_file", *parts], str(file)))
 
 
 def security_of(cluster: Cluster) -> Security | None:

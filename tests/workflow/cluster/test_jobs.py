@@ -1,11 +1,14 @@
 """Jobs of a batch system: asked for as the table [cluster] says; what is refused is one line."""
 
+import os
+import shlex
 import subprocess
 
 import pytest
 from distributed.security import Security
 
 from elastomer_friction.workflow.cluster import jobs as slurm
+from elastomer_friction.workflow.cluster.security import new_security
 from elastomer_friction.workflow.ground import UserError
 from elastomer_friction.workflow.study.cluster import OMISSIBLE_DIRECTIVES, read_cluster
 from tests.support.documents import CLUSTER
@@ -67,6 +70,38 @@ def test_jobs_have_the_usual_directives_unless_some_are_left_out(tmp_path):
     shorter = SLURMJob("tls://here:1", "-n", **fewer).job_script()
     lines = set(script.splitlines()) - set(shorter.splitlines())
     assert lines == {"#SBATCH -n 1"}
+
+
+@pytest.mark.parametrize(
+    "name", ["a b", "l$(touch pwned)", "l;touch pwned", "l`touch pwned`", "ü&'\"\\%j"]
+)
+def test_paths_of_any_letters_reach_the_workers_of_a_job(name, tmp_path, monkeypatch):
+    from dask_jobqueue.slurm import SLURMJob
+
+    folder = tmp_path / name
+    folder.mkdir()
+    python = folder / "python"  # instead of a worker, it writes its arguments
+    python.write_text('#!/bin/bash\nprintf "%s\\0" "$@" > "$ARGUMENTS"\n')
+    python.chmod(0o700)
+    monkeypatch.setattr(slurm.sys, "executable", str(python))
+    given = CLUSTER | {"log_folder": str(folder), "interface": "lo", "prologue": []}
+    settings = slurm._settings(read_cluster(given), {"distributed.a.b": str(folder)})
+    security = new_security(str(folder), quoted=True)
+    script = SLURMJob("tls://here:1", "name", security=security, **settings).job_script()
+    written = tmp_path / "arguments"
+    environment = {"PATH": os.environ["PATH"], "ARGUMENTS": str(written), "PYTHONPATH": ""}
+    subprocess.run(["bash"], input=script, text=True, cwd=tmp_path, env=environment, check=True)
+    assert not (tmp_path / "pwned").exists()
+    arguments = written.read_text().split("\0")
+    assert arguments[arguments.index("--tls-ca-file") + 1] == str(folder / "run.pem")
+    output = {
+        line.split('"')[0]: shlex.split(line)[-1] for line in script.splitlines() if "%J" in line
+    }
+    place = str(folder).replace("%", "%%")
+    assert output == {
+        "#SBATCH -e ": f"{place}/dask-worker-%J.err",
+        "#SBATCH -o ": f"{place}/dask-worker-%J.out",
+    }
 
 
 def test_without_slurm_one_line_says_so(monkeypatch):
