@@ -1,6 +1,7 @@
 """The small study that tests of the workflow share, and variations of it."""
 
 import tempfile
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -130,9 +131,10 @@ def write_study(folder, text=TEXT):
 
 
 def small_study(*settings, text=TEXT, scale=None):
-    """Return the small study with --set ``settings``."""
+    """Return the small study with --set ``settings``, whose file is always the same."""
     with tempfile.TemporaryDirectory() as folder:
-        return read_study(write_study(folder, text), scale, list(settings))
+        study = read_study(write_study(folder, text), scale, list(settings))
+    return replace(study, folder=Path(tempfile.gettempdir()))
 
 
 def complaint(*settings, **how):

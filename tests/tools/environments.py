@@ -6,7 +6,8 @@
 
 Each has its own virtual environment beside .venv, renewed when pyproject.toml changes. It also
 holds the machine code, since kernels compiled by one numba do not suit another.
-One line is printed if this machine has no such Python, or if packages are not available for it.
+Without such a Python, or without packages for it, nothing is tested: one line says so, and the exit
+status is 1 unless the list of allowed skips (tests/skips.txt, named by SKIPS) has the environment.
 Warnings are not errors here, as old packages may warn about new ones.
 """
 
@@ -92,12 +93,23 @@ def try_it(inside: Path) -> None:
             subprocess.run([inside, "-m", *command], cwd=ROOT, env=env, check=True)
 
 
+def may_be_left_out(which: str) -> bool:
+    """Return whether the list of allowed skips has this environment without a Python."""
+    skips = os.environ.get("SKIPS", os.devnull)
+    lines = (ROOT / skips).read_text(encoding="utf-8").splitlines()
+    return not candidates(which) and f"tests/tools/environments.py: no Python, {which}" in lines
+
+
 def main() -> None:
     """Install one environment, and test it unless ``install`` is given."""
     which, *rest = sys.argv[1:]
     inside = installed(which)
-    if inside and rest != ["install"]:
+    if rest == ["install"]:
+        return
+    if inside:
         try_it(inside)
+    elif not may_be_left_out(which):
+        sys.exit(f"{which}: nothing was tested, which is a failure unless tests/skips.txt lists it")
 
 
 if __name__ == "__main__":

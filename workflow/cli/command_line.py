@@ -4,6 +4,7 @@ import argparse
 import os
 import re
 import sys
+import tempfile
 from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import Any, NoReturn
@@ -25,6 +26,7 @@ def main(arguments: list[str] | None = None) -> int:
             import argcomplete
 
             argcomplete.autocomplete(command_parser())
+        _check_surroundings(words)
         options = command_parser(words).parse_args(words)
         from .commands import ACTIONS  # slow to import and not needed by --help
         from .run_options import resume_line
@@ -38,6 +40,20 @@ def main(arguments: list[str] | None = None) -> int:
     except KeyboardInterrupt:
         print(interruption, file=sys.stderr)
         return RESUMABLE
+
+
+def _check_surroundings(words: Sequence[str]) -> None:
+    """Raise UserError for paths that are not UTF-8, and without a folder for temporary files."""
+    for text in (*words, str(Path.cwd())):
+        try:
+            text.encode()
+        except UnicodeEncodeError:
+            raise UserError(f"{text}: must be UTF-8, as netCDF requires; rename it") from None
+    try:
+        tempfile.gettempdir()
+    except FileNotFoundError as error:
+        message = f"TMPDIR: {error.strerror}; set it to a folder that can be written"
+        raise UserError(message) from error
 
 
 class OneLineParser(argparse.ArgumentParser):

@@ -15,15 +15,18 @@ from typing import Any
 import dask
 from dask.system import CPU_COUNT
 from distributed import Client, LocalCluster
+from distributed.core import rpc
+from distributed.security import Security
 from distributed.utils import sync
 from tornado.ioloop import IOLoop
 
 from ..ground import UserError
 from ..study import BATCH_SYSTEMS, LOCAL, Cluster
-from ..system import THREADS, Watch, say
+from ..system import THREADS, Watch, own_versions, require, say
 from .jobs import ADAPT_INTERVAL, job_cluster
 from .security import new_security, no_pages, scheduler_options, security_of
 
+SCHEDULER_PACKAGES = ("dask", "distributed")  # a scheduler needs nothing else
 CONNECT_SECONDS = 10
 MUTE_SECONDS = 30  # timeout for a scheduler that accepts connections but does not answer
 CLOSE_SECONDS = 2.0  # timeout for closing a client
@@ -47,6 +50,10 @@ def open_client(
     settings = {
         "distributed.scheduler.worker-ttl": WORKER_TTL,
         "distributed.scheduler.worker-saturation": 1.0,  # no queue on workers, for a quick Ctrl-C
+        # These settings of the user would end or hang a run.
+        "distributed.scheduler.idle-timeout": None,
+        "distributed.scheduler.no-workers-timeout": None,
+        "distributed.worker.lifetime.duration": None,
         "distributed.admin.low-level-log-length": 0,  # otherwise 1000 messages stay in memory
         # By default, event-loop ticks and profiles take a tenth of a core in an idle process.
         "distributed.admin.tick.interval": "1s",
@@ -120,15 +127,29 @@ def _loop_without_ctrl_c() -> Iterator[IOLoop]:
 
 
 def _client_of(loop: IOLoop, cluster: Cluster) -> Client:
-    """Return a client of a running scheduler. Raises UserError if no scheduler answers."""
+    """Return a client of a running scheduler.
+
+    Raises UserError if no scheduler answers, or if its versions differ from those here.
+    """
     security = security_of(cluster)
-    try:
+    try:  # first, as the client of one version does not connect to every other
+        versions = sync(loop, _scheduler_versions, cluster.where, security)
+        own = own_versions()
+        require({name: own[name] for name in SCHEDULER_PACKAGES}, versions, "scheduler")
         return sync(loop, _connected, cluster.where, security)
     # MemoryError: the greeting of another service is misread as a huge message length.
     except (OSError, ValueError, MemoryError) as error:
         accepting = " that accepts the certificates" if security else ""
         text = f"--scheduler {cluster.where}: no scheduler answers there{accepting}"
         raise UserError(text) from error
+
+
+async def _scheduler_versions(address: str, security: Security | None) -> dict[str, str]:
+    """Return the versions of the packages of a scheduler."""
+    arguments = security.get_connection_args("client") if security else {}
+    async with rpc(address, timeout=CONNECT_SECONDS, connection_args=arguments) as scheduler:
+        answer: Any = await asyncio.wait_for(scheduler.versions(), MUTE_SECONDS)
+    return dict(answer["packages"])
 
 
 async def _connected(where: Any, security: Any = None) -> Client:

@@ -170,7 +170,8 @@ def peek(path: Path) -> Peek | None:
             file.set_auto_mask(False)
             attributes = {name: file.getncattr(name) for name in file.ncattrs()}
             for label, group in {ROOT: file, **file.groups}.items():
-                realizations[label] = group["realizations"][:]
+                if "realizations" in group.variables:
+                    realizations[label] = group["realizations"][:]
             name = "model_realizations"
             other = file[name][:] if name in file.variables else None
     except (AttributeError, LookupError, OSError, RuntimeError):
@@ -190,6 +191,9 @@ def check_result(study: AnyStudy, path: Path, *, strict: bool) -> None:
     if note := change_note(path):
         print(f"note: {path}: {note}", file=sys.stderr)
     if settings:
+        if "study.title" in settings:
+            other = f"is the result of another study, {attributes['title']!r:.80}"
+            raise UserError(f"{path}: {other}; run this study, with another --out")
         text = f"{path}: was computed with other settings than requested: {listed(settings)}"
         if strict:
             raise UserError(f"{text}; run the study, or leave out --scale and --set")

@@ -40,7 +40,14 @@ from .failures import Failures
 from .graph import FitNode
 from .measured_rates import MeasuredRates
 from .run_progress import Progress
-from .status import Status, StatusWriter, status_file, study_digest
+from .status import (
+    Status,
+    StatusWriter,
+    check_owner,
+    status_file,
+    study_digest,
+    study_source,
+)
 from .store_key import KEY_ATTRIBUTE, is_unchanged, result_key
 from .summary import Summary
 from .workers import RunOptions, fit_seconds, open_pool
@@ -80,6 +87,7 @@ class _Run:
         for path in (result, status_file(result)):
             clear_leftovers(path)
         check_place(result)
+        check_owner(plan.study, result)
         self.store = store = Store(store_folder(result), self.retry)
         store.prepare()
         self.makers = store.index.makers_of(plan.expected)
@@ -95,6 +103,7 @@ class _Run:
         done, left = self._extent(self.missing)
         self.summary = Summary(reused=done, predicted=left)
         status = Status(name, plan.records, done, left, len(self.failures.tasks()))
+        status.source = study_source(plan.study)
         self.status = StatusWriter(result, store.folder, status, self._extent)
         self.progress = Progress(self.summary, status, self.rates, self.failures)
 

@@ -9,6 +9,7 @@ from ..result import origin, write_datasets
 from ..store import enter_result
 from ..study import THIS_MACHINE, Measured
 from ..system import DiskRetry, Reporter, check_place, duration, import_dask, make_folder
+from .status import check_owner
 
 
 def run_measured(study: Measured, result: Path) -> list[str]:
@@ -21,6 +22,7 @@ def run_measured(study: Measured, result: Path) -> list[str]:
     print("\n".join(lines), file=sys.stderr)
     make_folder(result.parent)
     check_place(result)
+    check_owner(study, result)
     began = sum(os.times()[:4])
     with Reporter("measuring", seconds) as reporter:
         groups = study.script.measure(study.settings, study.seed, reporter.advance)

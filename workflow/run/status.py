@@ -14,13 +14,15 @@ from collections.abc import Callable
 from dataclasses import asdict, dataclass
 from datetime import datetime
 from pathlib import Path
+from typing import Any
 
 from ..ground import UserError, open_plain
 from ..plan import make_plan, missing_work, total_records, total_seconds
+from ..result import differing_settings, peek
 from ..simulate import CODE_HASH
-from ..store import Store, journal
-from ..study import Study
-from ..system import holder, write_durably
+from ..store import Store, is_as_written, journal
+from ..study import AnyStudy, Study
+from ..system import holder, unreadable, write_durably
 from .failures import Failures
 
 WRITE_SECONDS = 5.0  # shortest time between two writes
@@ -43,6 +45,7 @@ class Status:
     updated: str = ""
     host: str = ""
     pid: int = 0
+    source: str = ""  # of the study, see study_source
     rate: float = 1.0  # ratio of corrected to predicted core time of the remaining work
 
     @property
@@ -109,6 +112,30 @@ def study_digest(study: Study) -> str:
     return hashlib.sha256((CODE_HASH + study.text).encode()).hexdigest()[:16]
 
 
+def study_source(study: AnyStudy) -> str:
+    """Return the folder of a study and its name."""
+    return str(study.folder.resolve() / study.name)
+
+
+def check_owner(study: AnyStudy, result: Path) -> None:
+    """Raise UserError if a run of this study would replace the result of another study.
+
+    Another study has another title or grid, unless the status file states that it was run from the
+    same file, whose title and grid may change.
+    """
+    if not result.is_file() or (not is_as_written(result) and unreadable([result])):
+        return
+    earlier = peek(result)
+    if earlier is None or _written(result).get("source") == study_source(study):
+        return
+    settings = differing_settings(study, earlier.attributes)
+    if any(key == "study.title" or key.startswith("grid.") for key in settings):
+        raise UserError(
+            f"{result}: holds the result of another study, {earlier.attributes['title']!r:.80}; "
+            "choose another folder with --out, or remove that file"
+        )
+
+
 def status_file(result: Path) -> Path:
     """Return the path of the status file that belongs to a result."""
     return result.with_suffix(".status.json")
@@ -152,17 +179,25 @@ class StatusWriter:
         self.status.updated = datetime.now().astimezone().isoformat(" ", "seconds")
 
 
-def read_status(study: Study, result: Path, folder: Path) -> Status:
-    """Return the progress of a study from its status file, or by counting all records."""
+def _written(result: Path) -> dict[str, Any]:
+    """Return the content of the status file that belongs to a result, empty if it has none."""
     try:
         with open_plain(status_file(result)) as file:
             content = json.loads(file.read(LONGEST))
-        status = Status(**content)
+    except (OSError, ValueError, RecursionError):
+        return {}
+    return content if isinstance(content, dict) else {}
+
+
+def read_status(study: Study, result: Path, folder: Path) -> Status:
+    """Return the progress of a study from its status file, or by counting all records."""
+    try:
+        status = Status(**_written(result))
         types = Status.__annotations__.items()
         sound = all(isinstance(getattr(status, name), (of, int)) for name, of in types)
         if sound and status.study == study_digest(study) and status.advance(folder):
             return status
-    except (OSError, ValueError, TypeError, RecursionError):
+    except (OSError, TypeError):
         pass
     return _counted(study, folder)
 

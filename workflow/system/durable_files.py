@@ -6,6 +6,7 @@ import hashlib
 import os
 from collections.abc import Iterator
 from pathlib import Path
+from typing import IO
 
 from ..ground import UserError, open_plain, read_plain
 
@@ -42,10 +43,24 @@ def replacing(path: Path) -> Iterator[Path]:
             yield aside
             with aside.open("rb+") as file:
                 os.fsync(file.fileno())
-            aside.replace(path)
+                _rename(aside, path, file)
             flush_folder(path.parent)
         finally:
             _remove(aside)
+
+
+def _rename(aside: Path, path: Path, file: IO[bytes]) -> None:
+    """Rename ``aside`` to ``path``. file : ``aside``, open.
+
+    NFS repeats a request whose answer is lost, and then reports that the renamed file is missing or
+    exists already. The rename is complete if ``path`` has the content of the file.
+    """
+    try:
+        aside.replace(path)
+    except (FileNotFoundError, FileExistsError):
+        same_size = path.is_file() and path.stat().st_size == os.fstat(file.fileno()).st_size
+        if not same_size or digest_of(path) != _digest(file):
+            raise
 
 
 def write_durably(path: Path, content: bytes) -> None:
@@ -86,7 +101,12 @@ def read_whole(path: Path) -> bytes:
 def digest_of(path: Path) -> str:
     """Return the hexadecimal checksum of a file. Raises UserError if it cannot be read."""
     with refused(path, "cannot be read:"), open_plain(path) as file:
-        return hashlib.file_digest(file, "sha256").hexdigest()[:32]
+        return _digest(file)
+
+
+def _digest(file: IO[bytes]) -> str:
+    """Return the hexadecimal checksum of an open file from its position on."""
+    return hashlib.file_digest(file, "sha256").hexdigest()[:32]  # type: ignore[arg-type]
 
 
 def sizes_in(folder: Path) -> dict[str, int]:

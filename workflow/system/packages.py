@@ -91,13 +91,16 @@ def own_versions() -> Versions:
     return versions | {"python": platform.python_version(), "our sources": our_sources()}
 
 
-def require(expected: Versions) -> None:
-    """Raise UserError with a table if this worker's versions differ from the driver's."""
-    versions = own_versions()
+def require(expected: Versions, versions: Versions | None = None, role: str = "worker") -> None:
+    """Raise UserError with a table if the versions of a process differ from the driver's.
+
+    expected : of the driver. versions : of the process, by default of this one.
+    """
+    versions = own_versions() if versions is None else versions
     different = [name for name in expected if versions.get(name) != expected[name]]
     if different:
-        head = "workers must have the versions of the driver:"
-        rows = [("", "", "worker", "driver")]
-        host = socket.gethostname()
+        head = f"{role}s must have the versions of the driver:"
+        rows = [("", "", role, "driver")]
+        host = socket.gethostname() if role == "worker" else ""
         rows += [(host, name, str(versions.get(name)), expected[name]) for name in different]
         raise UserError(head, *(f"  {row[0]:28s}{row[1]:14s}{row[2]:18s}{row[3]}" for row in rows))

@@ -1,5 +1,6 @@
 """The command line: which commands there are, what they are told, and their exit status."""
 
+import errno
 import json
 import re
 
@@ -31,6 +32,18 @@ def test_second_ctrl_c_ends_with_the_status_of_an_interruption(capsys, study, mo
         err = capsys.readouterr().err
         assert said in err
         assert ("kept" in err) == bool(said)
+
+
+def test_a_path_that_is_not_utf_8_is_one_line_before_anything_is_computed(capsys):
+    assert r"r\udce9: must be UTF-8" in refusal(capsys, "run", "fig2", "--out", "r\udce9")
+
+
+def test_without_a_folder_for_temporary_files_one_line_says_so(capsys, monkeypatch):
+    def missing():
+        raise FileNotFoundError(errno.ENOENT, "No usable temporary directory found")
+
+    monkeypatch.setattr(command_line.tempfile, "gettempdir", missing)
+    assert "TMPDIR: No usable temporary directory found" in refusal(capsys, "plan", "fig2")
 
 
 def test_ctrl_c_while_options_are_read_is_one_line(capsys, monkeypatch):

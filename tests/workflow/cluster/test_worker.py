@@ -2,14 +2,16 @@
 
 import asyncio
 
+import dask
 import pytest
 
-from elastomer_friction.workflow.cluster.client import open_client
+from elastomer_friction.workflow.cluster import client as client_module
+from elastomer_friction.workflow.cluster.client import SCHEDULER_PACKAGES, open_client
 from elastomer_friction.workflow.cluster.worker import run_batch
 from elastomer_friction.workflow.ground import UserError
 from elastomer_friction.workflow.simulate.realizations import block_means
 from elastomer_friction.workflow.study.cluster import Cluster
-from elastomer_friction.workflow.system import own_versions
+from elastomer_friction.workflow.system import own_versions, version_of
 from tests.support.python import PATIENCE
 from tests.support.small import cut_batches, small_plan
 
@@ -27,6 +29,31 @@ def test_a_batch_on_a_worker_gives_the_bits_of_the_driver(client):
 def test_a_worker_that_runs_something_else_computes_nothing():
     with pytest.raises(UserError, match="must have the versions of the driver"):
         run_batch(BATCH, {"numpy": "0.1"})
+
+
+def test_a_scheduler_of_other_versions_is_refused_before_a_client_connects(scheduler, monkeypatch):
+    others = dict.fromkeys(SCHEDULER_PACKAGES, "0.1")
+    monkeypatch.setattr(client_module, "own_versions", lambda: others)
+    monkeypatch.setattr(client_module, "_connected", None)
+    refusal = pytest.raises(UserError, match="schedulers must have the versions")
+    with refusal as refused, open_client(Cluster(scheduler)):
+        pass
+    rows = [line.split() for line in str(refused.value).splitlines()[2:]]
+    assert rows == [[name, version_of(name), "0.1"] for name in SCHEDULER_PACKAGES]
+
+
+def test_settings_of_the_user_do_not_end_workers_or_the_scheduler():
+    hostile = {
+        "distributed.scheduler.idle-timeout": "1ms",
+        "distributed.scheduler.no-workers-timeout": "1ms",
+        "distributed.worker.lifetime.duration": "1ms",
+    }
+    with dask.config.set(hostile), open_client(Cluster(), 1) as client:
+        settings = client.run(lambda: dask.config.get("distributed.worker.lifetime.duration"))
+        assert list(settings.values()) == [None]
+        scheduler = client.cluster.scheduler
+        assert scheduler.idle_timeout is None
+        assert scheduler.no_workers_timeout is None
 
 
 async def hang_a_heartbeat(dask_worker):

@@ -3,15 +3,18 @@
 import dataclasses
 import json
 import os
+import shutil
 import socket
 
 import pytest
 
+from elastomer_friction.workflow.ground import UserError
 from elastomer_friction.workflow.plan.batches import missing_work, total_records, total_seconds
 from elastomer_friction.workflow.run.failures import Failures
 from elastomer_friction.workflow.run.status import (
     Status,
     StatusWriter,
+    check_owner,
     read_status,
     status_file,
     status_lines,
@@ -47,6 +50,20 @@ def read(place):
 def written(place):
     """Return the status as it stands on the disk."""
     return json.loads(status_file(place[0]).read_text())
+
+
+def test_a_run_does_not_replace_the_result_of_another_study(finished, tmp_path):
+    study = finished.plan.study
+    folder = shutil.copytree(finished.path.parent, tmp_path / "copy")
+    result = folder / finished.path.name
+    copy = dataclasses.replace(study, folder=tmp_path)  # a file of the same name elsewhere
+    check_owner(copy, result)
+    for old, new in (('"title": "small"', '"title": "other"'), ("0.03", "0.04")):
+        edited = dataclasses.replace(study, text=study.text.replace(old, new))
+        assert edited.text != study.text
+        check_owner(edited, result)  # of the same file
+        with pytest.raises(UserError, match="holds the result of another study, 'small'"):
+            check_owner(dataclasses.replace(edited, folder=tmp_path), result)
 
 
 def test_a_run_says_how_far_it_is_and_whether_it_was_killed(place):

@@ -6,6 +6,7 @@ import os
 import re
 import signal
 import threading
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -35,6 +36,26 @@ def test_a_failed_write_keeps_the_old_file(tmp_path, monkeypatch):
         write_durably(path, b"new")
     assert path.read_bytes() == b"old"
     assert list(tmp_path.iterdir()) == [path]
+
+
+@pytest.mark.parametrize("error", [FileNotFoundError, FileExistsError])
+@pytest.mark.parametrize("done", [True, False])
+def test_a_repeated_rename_counts_if_the_file_has_the_content(tmp_path, monkeypatch, error, done):
+    path, rename = tmp_path / "shard.npz", Path.replace
+    path.write_bytes(b"old")
+
+    def answered_with_an_error(aside, target):
+        if done:
+            rename(aside, target)
+        raise error(errno.ENOENT, "No such file")
+
+    monkeypatch.setattr("pathlib.Path.replace", answered_with_an_error)
+    if done:
+        write_durably(path, b"new")
+    else:
+        with pytest.raises(UserError, match=r"shard\.npz: cannot be written: No such file"):
+            write_durably(path, b"new")
+    assert path.read_bytes() == (b"new" if done else b"old")
 
 
 def test_file_is_flushed_before_it_gets_its_name(tmp_path, monkeypatch):
