@@ -42,6 +42,15 @@ from .rheology.forms import form_of
 from .rheology.kelvin import SCHEMES, Kelvin
 from .rheology.law import State, law_of, memory_size
 from .rheology.spectrum import KELVIN, Spectrum
+from .rheology.time_shift import (
+    GAS_CONSTANT,
+    ZERO_CELSIUS,
+    Arrhenius,
+    ShiftLaw,
+    ShiftTable,
+    Wlf,
+    inverse_temperature,
+)
 from .scene import (
     ENERGIES,
     MAX_REMEMBERED,

@@ -10,9 +10,12 @@ from ..rheology.forms import form_of
 from ..rheology.retardation import Retardation
 from ..velocity_step.case import JUMP, MARCHING, STEADY, Case, Outcome, PhaseClocks, Quantities
 from .body import Body, HalfSpace, Step, step_tolerance, take_step
+from .heating import Heating
+from .hot_relaxation import hot_relaxation
+from .hot_sliding import slide_with_heat
 from .instant import friction_jumps, initial_rates
 from .patches import real_contact, samples_per_patch
-from .sliding_body import SlidingBody, slide_steadily
+from .sliding_body import SlidingBody
 from .surface import Surface
 from .tiles import TILE_SUMS, quadratic_density, tile_sums
 
@@ -36,7 +39,9 @@ def run_case(
         form_of(case.spectrum, case.scheme), surface, case.load, stiffness, case.effects.layer
     )
     variables = _kept_variables(space, case, requested)
-    one = slide_steadily(space, case.spectrum, case.speed, None, variables)
+    heating = _heating(space, case)
+    one_hot = slide_with_heat(space, case.spectrum, heating, case.speed, None, variables)
+    one = one_hot.sliding
     passes = one.passes
     clock.lap_phase(STEADY)
     count = len(case.ratios)
@@ -47,7 +52,7 @@ def run_case(
         sums[:, 1:3] = _steady_sums(space, one, case.tiles)
     if requested.jump and case.ratios:
         jumps, used, sums[:, 5] = friction_jumps(
-            space, case.spectrum, one, case.speed, case.ratios, case.tiles
+            space, case.spectrum, one, case.speed * one_hot.slowing, case.ratios, case.tiles
         )
         passes += used
     if requested.initial_rate and case.ratios:
@@ -58,14 +63,21 @@ def run_case(
     for k, ratio in enumerate(case.ratios):
         if not (requested.steady or requested.relaxation):
             continue
-        two = slide_steadily(space, case.spectrum, ratio * case.speed, one.body, 0)
+        two_hot = slide_with_heat(space, case.spectrum, heating, ratio * case.speed, one_hot, 0)
+        two = two_hot.sliding
         passes, mu_2[k] = passes + two.passes, two.mu
         if case.tiles:
             sums[k, 3:5] = _steady_sums(space, two, case.tiles)
         clock.lap_phase(STEADY)
         if requested.relaxation:
-            curve, used = _relaxation(space, case, one.body, two, case.kept_steps[k])
-            curves.append(two.mu + (curve - two.step_mu))
+            if heating is None:
+                curve, used = _relaxation(space, case, one.body, two, case.kept_steps[k])
+                curves.append(two.mu + (curve - two.step_mu))
+            else:
+                ends, speed = (one_hot, two_hot), ratio * case.speed
+                march = space, case.spectrum, heating, ends, speed, case.kept_steps[k]
+                curve, used = hot_relaxation(*march)
+                curves.append(curve)
             passes += used
             clock.lap_phase(MARCHING)
     return Outcome(
@@ -81,6 +93,15 @@ def run_case(
         rates,
         sums if case.tiles else None,
     )
+
+
+def _heating(space: HalfSpace, case: Case) -> Heating | None:
+    """Return the heating of a case, which resolves its shortest steps, or None without heat."""
+    if case.effects.heat is None:
+        return None
+    fastest = max(1.0, *map(abs, case.ratios)) * abs(case.speed)
+    min_step = 1.0 / (space.surface.steps_per_spacing * fastest)
+    return Heating.of(space, case.effects.heat, min_step)
 
 
 def _steady_sums(space: HalfSpace, sliding: SlidingBody, tiles: int) -> list[np.ndarray]:

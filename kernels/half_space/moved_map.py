@@ -21,8 +21,9 @@ from ..scene.records import record_snapshot
 from ..scene.scene_case import SceneCase
 from .body import Body, HalfSpace, body_after, rest_on, try_step
 from .contact import ElasticContact
+from .heating import Heating, Warmth
+from .hot_sliding import slide_with_heat
 from .patches import samples_per_patch
-from .sliding_body import slide_steadily
 
 
 class MovedMap(NamedTuple):
@@ -74,14 +75,16 @@ def moved_map(
     position: Callable,
     tolerance: Callable,
     carried: CarriedBranches | None = None,
-) -> tuple[MovedMap, MapState, Forces]:
-    """Return (map, state, Forces of the step before) at the start of a scene.
+    heating: Heating | None = None,
+) -> tuple[MovedMap, MapState, Forces, Warmth | None]:
+    """Return (map, state, Forces of the step before, warmth if heated) at the start of a scene.
 
     carried : branches that the motion carries along from a start at rest, if any.
     """
+    warmth = heating.cold() if heating else None
     if scene.start == "steady":
         speed = speed_at_start(scene.programme)
-        one = slide_steadily(space, scene.spectrum, speed)
+        one, warmth, *_ = slide_with_heat(space, scene.spectrum, heating, speed)
         body, passes, lag = _with_zero_offset(one.body), one.passes, one.step.law.lag
         earlier = np.roll(space.surface.slope, -1 if speed > 0.0 else 1, axis=1)
     elif carried is not None:
@@ -96,7 +99,7 @@ def moved_map(
     weight = space.surface.slope + lag * (earlier - space.surface.slope)
     acting = _forces_of(space, body.p, weight)
     state = MapState(body.d, body.d, passes, body, None)
-    return MovedMap.of(space, position, tolerance), state, acting
+    return MovedMap.of(space, position, tolerance), state, acting, warmth
 
 
 def _carried_body(space: HalfSpace, scene: SceneCase, carried: CarriedBranches) -> tuple[Body, int]:

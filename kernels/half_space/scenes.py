@@ -1,23 +1,28 @@
 """Scenes on a half-space, moved by a programme or pulled through a spring."""
 
+from collections.abc import Callable
 from functools import partial
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
-from ..body.step import patch_width
+from ..body.step import Forces, patch_width
 from ..drive.pulled_slider import pull_through, recorded_times
 from ..drive.spring import Drive
+from ..motion.legs import Steps
 from ..rheology.forms import form_of
-from ..scene.carried import carried_branches
+from ..scene.carried import CarriedBranches, carried_branches
 from ..scene.march_body import march_track
 from ..scene.recorders import Recorders
 from ..scene.records import record_snapshot
 from ..scene.scene_case import SavedState, SceneCase, check_scene, scene_steps
 from .body import STEP_TOLERANCE, HalfSpace, step_tolerance
+from .heated_map import HeatedMap, heated_map
+from .heating import Heating
 from .moved_map import PressureFrames, moved_map
 from .surface import Surface
 
+SLIP_STEP_SHARE = 0.1  # shortest step of a slider that its temperature resolves, over the drive's
 HALF_SPACE_QUANTITIES = ("trace", "cycle_mean", "snapshots")
 
 
@@ -57,7 +62,9 @@ def run_scene_on_half_space(
     tolerance = partial(step_tolerance, scene.spectrum)
     elements = surface.z.shape[1] / surface.steps_per_spacing
     carried = carried_branches(scene.start, scene.spectrum, scene.programme, elements)
-    body, moved, acting = moved_map(space, scene, positions.__getitem__, tolerance, carried)
+    body, moved, acting = _at_start(
+        space, scene, positions.__getitem__, tolerance, steps, scene.recorded, carried
+    )
     times = np.cumsum(np.append(0.0, steps.dt))
     path = SurfacePath(positions / surface.steps_per_spacing, times, steps.dt)
     frames = PressureFrames(np.empty((scene.frames.size, *surface.z.shape)))
@@ -67,6 +74,7 @@ def run_scene_on_half_space(
         record_snapshot(frames, 0, body, moved, 0)
     moved = march_track(body, moved, path, 0, *recorders.arguments())
     values = recorders.values() | {"updates": np.array(float(moved.passes * surface.z.size))}
+    values |= _temperatures(body, values)
     if "snapshots" in scene.requested:
         values["snapshot_pressure"] = frames.pressure
     return values
@@ -83,7 +91,40 @@ def run_pulled_on_half_space(
     space = HalfSpace.under(
         form_of(scene.spectrum, scene.scheme), surface, scene.load, stiffness, scene.effects.layer
     )
-    body, state, acting = moved_map(space, scene, float, lambda law: STEP_TOLERANCE)
+    steps = scene_steps(scene, surface.steps_per_spacing)
+    body, state, acting = _at_start(space, scene, float, lambda law: STEP_TOLERANCE, steps, None)
     width = patch_width(body, state)
     values, state, _ = pull_through(body, state, surface, acting, width, drive, scene, times)
-    return values | {"updates": np.array(float(state.passes * surface.z.size))}
+    values |= {"updates": np.array(float(state.passes * surface.z.size))}
+    return values | _temperatures(body, values)
+
+
+def _at_start(
+    space: HalfSpace,
+    scene: SceneCase,
+    position: Callable,
+    tolerance: Callable,
+    steps: Steps,
+    recorded: np.ndarray | None,
+    carried: CarriedBranches | None = None,
+) -> tuple[Any, Any, Forces]:
+    """Return (body, state, Forces of the step before), heated if the scene requests it.
+
+    steps : of the programme. recorded : numbers of the recorded steps, or None for all. carried : as
+    for ``moved_map``.
+    """
+    heat = scene.effects.heat
+    if heat is None:
+        return moved_map(space, scene, position, tolerance, carried)[:3]
+    # A slider may slip faster than its drive moves.
+    min_step = float(steps.dt.min()) * (1.0 if recorded is not None else SLIP_STEP_SHARE)
+    heating = Heating.of(space, heat, min_step)
+    moved, state, acting, warmth = moved_map(space, scene, position, tolerance, carried, heating)
+    kept = None if recorded is None else frozenset(recorded.tolist())
+    return *heated_map(moved, state, heating, warmth, kept), acting
+
+
+def _temperatures(body: Any, values: dict[str, np.ndarray]) -> dict[str, np.ndarray]:
+    """Return the traces of the temperatures of a heated map, by name, if there is a trace."""
+    heated = isinstance(body, HeatedMap) and "trace_time" in values
+    return body.traces(values["trace_time"]) if heated else {}

@@ -5,6 +5,7 @@ A disabled effect is None and costs nothing.
 
 from typing import NamedTuple
 
+from ..heat.heat import Heat
 from .layer import Layer
 from .shear import ShearLaw
 
@@ -14,6 +15,7 @@ class Effects(NamedTuple):
 
     shear: ShearLaw | None = None
     layer: Layer | None = None  # None: the half-space is deep
+    heat: Heat | None = None
 
 
 NO_EFFECTS = Effects()

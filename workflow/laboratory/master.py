@@ -6,7 +6,8 @@ from typing import NamedTuple
 import numpy as np
 
 from ..ground import UserError
-from ..study import Arrhenius, Moduli, ShiftTable, Wlf
+from ...kernels import Arrhenius, ShiftTable, Wlf
+from ..study import Moduli
 from .estimate import Estimate
 from .sentences import shown
 from .shift_fit import ShiftFit, fit_shifts

@@ -10,7 +10,14 @@ from typing import NamedTuple
 import numpy as np
 from scipy.optimize import minimize_scalar
 
-from ..study import GAS_CONSTANT, Arrhenius, ShiftLaw, ShiftTable, Wlf, inverse_temperature
+from ...kernels import (
+    GAS_CONSTANT,
+    Arrhenius,
+    ShiftLaw,
+    ShiftTable,
+    Wlf,
+    inverse_temperature,
+)
 
 POLES = np.log(np.geomspace(1.0, 2000.0, 80))  # log of K below the coldest sweep: trial T_0
 MIN_TEMPERATURES = {"wlf": 4, "arrhenius": 3}  # two more than there are constants

@@ -13,14 +13,15 @@ from typing import Any
 import numpy as np
 import xarray as xr
 
+from ...kernels import Wlf
 from ..study import (
     COMMON_AXES,
     FOUNDATION,
     INCOMPRESSIBLE,
     MAX_SHIFT_DECADES,
-    Wlf,
     changed_material,
     shift_law_of,
+    shift_refusal,
 )
 
 SCALING_VARIABLES = ("mu_1", "rms_slope", "tau", "q_max", "shear_modulus", "length", "speed_ratio")
@@ -135,7 +136,7 @@ def _temperatures(
         return _stops(words, "°C", data.temperature.values, factors, float(first.temperature))
     else:
         law, words, unit, reference = UNIVERSAL_WLF, "temperature above Ts", "K", 0.0
-    degrees = [d for step in SLIDER_DEGREES if not law.outside(d := reference + step)]
+    degrees = [d for step in SLIDER_DEGREES if not shift_refusal(law, d := reference + step)]
     decades = np.array([law.decades(d) for d in degrees]) - law.decades(reference)
     allowed = np.abs(decades) <= MAX_SHIFT_DECADES
     return _stops(words, unit, np.array(degrees)[allowed], 10.0 ** decades[allowed], reference)

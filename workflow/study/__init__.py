@@ -13,13 +13,11 @@ if TYPE_CHECKING:
     from .columns import ColumnSpec, describe_columns, find_column, select_columns
     from .effects import (
         FOUNDATION,
-        GAS_CONSTANT,
         HALF_SPACE,
         MAX_SHIFT_DECADES,
         PROGRAMME_AXES,
         QUANTITIES,
         SHIFT_KEYS,
-        Arrhenius,
         FromFile,
         HoldSegment,
         Material,
@@ -27,17 +25,14 @@ if TYPE_CHECKING:
         RampSegment,
         Scene,
         Segment,
-        ShiftLaw,
-        ShiftTable,
         SlideSegment,
         Spring,
         Velocity,
-        Wlf,
         accuracy_estimates,
-        inverse_temperature,
         sampled_motion,
         shift_law_of,
         shift_of,
+        shift_refusal,
         unavailable_reason,
     )
     from .measured import Measured

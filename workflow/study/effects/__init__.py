@@ -34,16 +34,11 @@ if TYPE_CHECKING:
     from .segment_keys import DRIVE, SEGMENTS
     from .shifting import (
         ARRHENIUS,
-        GAS_CONSTANT,
         MAX_SHIFT_DECADES,
         SHIFT_KEYS,
         SHIFTS,
         WLF,
-        Arrhenius,
-        ShiftLaw,
-        ShiftTable,
-        Wlf,
-        inverse_temperature,
+        shift_refusal,
     )
 
 __all__, __getattr__, __dir__ = public_names(__name__, __file__)

@@ -10,7 +10,7 @@ from functools import partial
 from pathlib import Path
 from typing import Any, NamedTuple
 
-from ....kernels import BACKINGS, Layer, Spectrum
+from ....kernels import BACKINGS, Arrhenius, Layer, ShiftLaw, ShiftTable, Spectrum, Wlf
 from ...ground import UserError
 from ..settings import (
     POSITIVE,
@@ -29,10 +29,6 @@ from .branches import read_branches
 from .shifting import (
     SHIFT_KEYS,
     SHIFTS,
-    Arrhenius,
-    ShiftLaw,
-    ShiftTable,
-    Wlf,
     check_shift,
     read_shift_table,
 )

@@ -1,35 +1,21 @@
-"""Shift of relaxation times with the temperature: laws and measured tables of log10 a_T.
-
-One factor a_T multiplies all times (thermorheologically simple material). It is given by
-
-    log10 a_T = -c1 (T - T_ref)/(c2 + T - T_ref)        Williams, Landel and Ferry
-    log10 a_T = E_a/(R ln 10) (1/T - 1/T_ref)           Arrhenius, T in K
-    log10 a_T over T, interpolated                      a measured table
-
-The law of Vogel, Fulcher and Tammann, ln a_T = B/(T - T_0) - B/(T_ref - T_0), is the first one
-with c2 = T_ref - T_0 and c1 = B/(c2 ln 10).
-Source: M. L. Williams, R. F. Landel, J. D. Ferry, J. Am. Chem. Soc. 77, 3701 (1955),
-doi:10.1021/ja01619a008.
-"""
+"""Shift of relaxation times with the temperature: keys, tables in files, and their checks."""
 
 import math
 import re
 from itertools import pairwise
 from pathlib import Path
-from typing import NamedTuple, TypeVar
 
 import numpy as np
 
+from ....kernels import ZERO_CELSIUS, Arrhenius, ShiftLaw, ShiftTable, Wlf
 from ...ground import UserError
-from ...text_tables import ZERO, read_text_table
+from ...text_tables import read_text_table
 from ..columns import ColumnSpec, describe_columns, select_columns
 from ..settings import NUMBER, Key, as_text, number, pair, positive, read_table, two_numbers
 
 SHIFT_KEYS = ("wlf", "arrhenius", "shifts")  # keys of [material]
 MAX_SHIFT_DECADES = 30.0
 KELVIN_SUSPICION = 230.0  # degrees above the reference, from which a value is taken to be in K
-GAS_CONSTANT = 8.314462618  # J/(mol K)
-Numbers = TypeVar("Numbers", float, np.ndarray)
 SHIFT_HEADER_ADVICE = 'a header "temperature [°C], log a_T"'
 TEMPERATURE_COLUMN = ColumnSpec(
     "a temperature", "temperature", r"temp|^T([\W_]|$)", "°C", SHIFT_HEADER_ADVICE
@@ -37,69 +23,20 @@ TEMPERATURE_COLUMN = ColumnSpec(
 DECADES = ColumnSpec("log10 a_T", "number", r"a_?T|shift|log", "1", SHIFT_HEADER_ADVICE)
 
 
-class Wlf(NamedTuple):
-    """The law of Williams, Landel and Ferry."""
-
-    c1: float
-    c2: float  # K
-    reference: float  # °C
-
-    def decades(self, temperature: float) -> float:
-        """Return log10 a_T at a temperature (°C) above reference - c2."""
-        above = temperature - self.reference
-        return -self.c1 * above / (self.c2 + above)
-
-    def outside(self, temperature: float) -> str:
-        """Return the reason why a temperature (°C) is out of range, or ""."""
-        least = self.reference - self.c2
-        if temperature <= least:
-            return f"must be above reference - c2 = {least:g}, the pole of the WLF shift"
-        return _in_kelvin(temperature, self.reference)
-
-
-def inverse_temperature(temperature: Numbers, reference: float) -> Numbers:
-    """Return 1/T - 1/T_ref (1/K) of temperatures in °C."""
-    return 1.0 / (temperature + ZERO) - 1.0 / (reference + ZERO)
-
-
-class Arrhenius(NamedTuple):
-    """The law of Arrhenius."""
-
-    activation_energy: float  # J/mol
-    reference: float  # °C
-
-    def decades(self, temperature: float) -> float:
-        """Return log10 a_T at a temperature (°C)."""
-        decades = self.activation_energy / (GAS_CONSTANT * math.log(10.0))
-        return decades * inverse_temperature(temperature, self.reference)
-
-    def outside(self, temperature: float) -> str:
-        """Return the reason why a temperature (°C) is out of range, or ""."""
-        if min(temperature, self.reference) <= -ZERO:
-            return f"it and the reference {self.reference:g} must be above {-ZERO:g}"
-        return _in_kelvin(temperature, self.reference)
-
-
-class ShiftTable(NamedTuple):
-    """A measured table with linear interpolation."""
-
-    rows: tuple[tuple[float, float], ...]  # temperature (°C), log10 a_T; temperatures ascending
-    told: str = ""  # description of its file
-
-    def decades(self, temperature: float) -> float:
-        """Return log10 a_T at a temperature (°C) within the table."""
-        return float(np.interp(temperature, *np.transpose(self.rows)))
-
-    def outside(self, temperature: float) -> str:
-        """Return the reason why a temperature (°C) is out of range, or ""."""
-        low, high = self.rows[0][0], self.rows[-1][0]
-        if low <= temperature <= high:
-            return ""
+def shift_refusal(law: ShiftLaw, temperature: float) -> str:
+    """Return the reason why a temperature (°C) is out of the range of a law, or ""."""
+    low, high = law.limits
+    if isinstance(law, ShiftTable):
         hint = "; give it in °C, not K" if temperature > high + KELVIN_SUSPICION else ""
-        return f"must lie within the table of shifts, {low:g} to {high:g} °C{hint}"
-
-
-ShiftLaw = Wlf | Arrhenius | ShiftTable
+        inside = low <= temperature <= high
+        return (
+            "" if inside else f"must lie within the table of shifts, {low:g} to {high:g} °C{hint}"
+        )
+    if isinstance(law, Wlf) and temperature <= low:
+        return f"must be above reference - c2 = {low:g}, the pole of the WLF shift"
+    if min(temperature, law.reference) <= low:
+        return f"it and the reference {law.reference:g} must be above {low:g}"
+    return _in_kelvin(temperature, law.reference)
 
 
 def _in_kelvin(temperature: float, reference: float) -> str:
@@ -128,7 +65,7 @@ def read_shift_table(key: str, path: Path) -> ShiftTable:
                 f"{key} = {path.name!r}: a_T must be greater than zero; give {SHIFT_HEADER_ADVICE}"
             )
         values = np.log10(values)
-    rows = np.stack([temperature.values - ZERO, values], axis=1).tolist()
+    rows = np.stack([temperature.values - ZERO_CELSIUS, values], axis=1).tolist()
     return _shift_table(key, rows)._replace(told=describe_columns(table, (temperature, shift)))
 
 
@@ -166,7 +103,7 @@ def check_shift(where: str, laws: dict[str, ShiftLaw | None], value: float | Non
     if value is None:
         raise UserError(f"{where}.temperature: missing; {where}.{key} needs it")
     assert law is not None
-    reason = law.outside(value)
+    reason = shift_refusal(law, value)
     if not reason and not abs(law.decades(value)) <= MAX_SHIFT_DECADES:
         reason = (
             f"shifts times by {law.decades(value):.3g} decades; at most {MAX_SHIFT_DECADES:g} are "

@@ -1,0 +1,124 @@
+"""Heat of friction on a map: flux, contact temperature, and steps at the rates of that temperature.
+
+The flux into the surface is mu v p, or (mu p + tau_f) v with the shear of the contact spread as the
+pressures. One temperature acts in a step: the mean over the contact, weighted with p, halfway
+between its values before and after the step.
+"""
+
+from collections.abc import Callable
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from ..heat.field import (
+    HeatContent,
+    HeatedSurface,
+    cold_content,
+    heat,
+    heated_surface,
+    steady_heat,
+)
+from ..heat.heat import Heat
+from ..root_search import new_secant_search, next_secant_guess
+from .body import HalfSpace
+from .waves import two_sided, wave_numbers
+
+TEMPERATURE_TOLERANCE = (
+    0.5  # K, of the temperature of a step; one that warms by 1 K is not repeated
+)
+FIRST_WARMING = 100.0  # K, limit of the first change of an assumed temperature
+MIN_WARMING = 1e-9  # K, of changes by secants
+
+
+class Warmth(NamedTuple):
+    """Temperature of a surface at the end of a step."""
+
+    content: HeatContent  # of the field, in the frame of the sliding surface
+    rise: np.ndarray  # modes of the rise over the temperature of the scene, in K
+    contact: float  # mean over the contact, in °C
+
+
+class Heating(NamedTuple):
+    """Constants of the heating of a map."""
+
+    heat: Heat
+    surface: HeatedSurface
+    shape: tuple[int, int]  # of the map
+    steps_per_spacing: int
+
+    @classmethod
+    def of(cls, space: HalfSpace, heat: Heat, min_step: float) -> "Heating":
+        """Return the heating of a map; min_step : shortest step to resolve, in tau."""
+        shape, m = space.surface.z.shape, space.surface.steps_per_spacing
+        q_y, q_x = wave_numbers(shape, m)
+        field = heated_surface(q_y, q_x, heat.diffusivity, heat.block, min_step)
+        return cls(heat, field, shape, m)
+
+    def cold(self) -> Warmth:
+        """Return the warmth of a surface at the temperature of the scene."""
+        rise = np.zeros((self.shape[0], self.shape[1] // 2 + 1), complex)
+        return Warmth(cold_content(self.surface), rise, self.heat.temperature)
+
+    def steady(self, p: np.ndarray, friction: float, speed: float) -> Warmth:
+        """Return the warmth of steady sliding; friction : over the normal force, in h/dx.
+
+        p : pressures at the samples. speed : vbar, signed.
+        """
+        modes = np.fft.rfft2(p)
+        content, rise = steady_heat(self.surface, friction * speed * modes, speed)
+        return self._warmth(content, rise, modes)
+
+    def after_step(self, warmth: Warmth, sliding: "SlidingContact", dt: float) -> Warmth:
+        """Return the warmth after a step of length dt (tau)."""
+        modes = np.fft.rfft2(sliding.p)
+        if sliding.fraction:
+            n = self.shape[1]
+            modes *= np.exp(2j * np.pi / n * np.arange(n // 2 + 1) * sliding.fraction)
+        moved = sliding.moved / self.steps_per_spacing
+        flux = sliding.friction * moved / dt * modes
+        content, rise = heat(self.surface, warmth.content, flux, moved, dt)
+        return self._warmth(content, rise, modes)
+
+    def _warmth(self, content: HeatContent, rise: np.ndarray, p: np.ndarray) -> Warmth:
+        """Return the Warmth of a field; p : modes of the pressures."""
+        rise *= self.heat.warming
+        products = (rise.real * p.real + rise.imag * p.imag).sum(axis=0)
+        samples = self.shape[0] * self.shape[1]
+        mean = float((products * two_sided(self.shape)).sum()) / (float(p[0, 0].real) * samples)
+        return Warmth(content, rise, self.heat.temperature + mean)
+
+    def flash(self, warmth: Warmth) -> float:
+        """Return the highest temperature of the surface, in °C."""
+        return self.heat.temperature + float(np.fft.irfft2(warmth.rise, self.shape).max())
+
+
+class SlidingContact(NamedTuple):
+    """Contact of an attempted step."""
+
+    result: Any  # of the body
+    p: np.ndarray  # pressures at the samples, shape (rows, n)
+    friction: float  # over the normal force, in h/dx, with the sign of the motion
+    moved: float  # by the surface, in samples, signed
+    fraction: float  # of a sample, by which the surface lies further than the samples
+
+
+def heated_step(
+    heating: Heating, warmth: Warmth, dt: float, attempt: Callable[[float, float], SlidingContact]
+) -> tuple[SlidingContact, Warmth, float]:
+    """Return (contact, warmth, temperature in °C) of a step of length dt, in tau.
+
+    attempt : (duration over a_T, temperature) -> SlidingContact. Raises ValueError for a temperature
+    out of the range of the shift.
+    """
+    before = warmth.contact
+    secants = new_secant_search(before, FIRST_WARMING, 1.0)
+    while True:
+        assumed = secants.search.x
+        sliding = attempt(dt * float(np.exp(heating.heat.log_rate(assumed))), assumed)
+        after = heating.after_step(warmth, sliding, dt)
+        excess = assumed - 0.5 * (before + after.contact)
+        secants = next_secant_guess(secants, assumed, excess, TEMPERATURE_TOLERANCE, MIN_WARMING)
+        if secants.search.ended:
+            speed = sliding.moved / heating.steps_per_spacing / dt
+            heating.heat.check(after.contact, speed)
+            return sliding, after, assumed
