@@ -107,8 +107,8 @@ def heated_step(
 ) -> tuple[SlidingContact, Warmth, float]:
     """Return (contact, warmth, temperature in °C) of a step of length dt, in tau.
 
-    attempt : (duration over a_T, temperature) -> SlidingContact. Raises ValueError for a temperature
-    out of the range of the shift.
+    attempt : (duration over a_T, temperature) -> SlidingContact. Raises ValueError for a
+    temperature out of the range of the shift.
     """
     before = warmth.contact
     secants = new_secant_search(before, FIRST_WARMING, 1.0)

@@ -13,7 +13,7 @@ from typing import NamedTuple
 
 from ..rheology.spectrum import Spectrum
 from ..root_search import new_secant_search, next_secant_guess
-from .body import Body, HalfSpace
+from .body import HalfSpace
 from .heating import Heating, Warmth
 from .sliding_body import SlidingBody, slide_steadily
 
@@ -48,8 +48,8 @@ def slide_with_heat(
     """Return the state of steady sliding at a signed speed (vbar), with its temperature.
 
     start : the state at another speed, from which the search begins. variables : as for
-    ``slide_steadily``. Raises ValueError without convergence, and for a temperature out of the range
-    of the shift.
+    ``slide_steadily``. Raises ValueError without convergence, and for a temperature out of the
+    range of the shift.
     """
     body, passes, solutions = start.sliding.body if start else None, 0, 0
     if heating is None:

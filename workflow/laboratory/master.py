@@ -5,8 +5,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ..ground import UserError
 from ...kernels import Arrhenius, ShiftTable, Wlf
+from ..ground import UserError
 from ..study import Moduli
 from .estimate import Estimate
 from .sentences import shown

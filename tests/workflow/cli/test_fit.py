@@ -5,10 +5,10 @@ import tomllib
 import numpy as np
 import pytest
 
+from elastomer_friction.kernels import Wlf
 from elastomer_friction.workflow import laboratory
 from elastomer_friction.workflow.cli import command_line
 from elastomer_friction.workflow.study.effects.material import MATERIAL, read_material
-from elastomer_friction.kernels import Wlf
 from elastomer_friction.workflow.study.settings import checked
 from tests.support.commands import output, refusal
 from tests.support.small import small_study

@@ -3,9 +3,9 @@
 import numpy as np
 import pytest
 
+from elastomer_friction.kernels import Arrhenius, ShiftTable, Wlf
 from elastomer_friction.workflow.laboratory.shift_fit import fit_shifts
 from elastomer_friction.workflow.laboratory.superposition import superposed
-from elastomer_friction.kernels import Arrhenius, ShiftTable, Wlf
 from tests.workflow.laboratory.test_prony_fit import moduli, sbr
 
 BRANCHES = ((3e7, 1e-3), (5e6, 2e-2), (2e6, 0.3), (4e5, 3.0), (3e5, 20.0))

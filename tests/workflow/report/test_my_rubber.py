@@ -7,11 +7,11 @@ import numpy as np
 import pytest
 import xarray as xr
 
+from elastomer_friction.kernels import Wlf
 from elastomer_friction.workflow.kinetic_law import KineticLaw
 from elastomer_friction.workflow.report.explore import explorer_page
 from elastomer_friction.workflow.report.my_rubber import scaled_friction
 from elastomer_friction.workflow.result.netcdf import open_tree, write_datasets
-from elastomer_friction.kernels import Wlf
 from tests.support.browser import in_a_browser, told_by
 from tests.support.synthetic import add, result
 

@@ -7,9 +7,9 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from elastomer_friction.kernels import Wlf
 from elastomer_friction.kernels.rheology.spectrum import complex_modulus
 from elastomer_friction.workflow.study.effects.material import MATERIAL, Material, read_material
-from elastomer_friction.kernels import Wlf
 from elastomer_friction.workflow.study.settings import checked
 from tests.support.small import FILES, small_study
 
