@@ -31,6 +31,7 @@ def hot_relaxation(
     )
     body = one.sliding.body._replace(memory=one.sliding.body.memory.copy())
     warmth, passes, mu, at = one.warmth, 0, np.empty(numbers.size), 0
+    assert warmth is not None
     dt = 1.0 / (surface.steps_per_spacing * abs(speed))
 
     def attempt(duration: float, temperature: float) -> SlidingContact:

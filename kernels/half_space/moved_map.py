@@ -24,6 +24,7 @@ from .contact import ElasticContact
 from .heating import Heating, Warmth
 from .hot_sliding import slide_with_heat
 from .patches import samples_per_patch
+from .sliding_body import slide_steadily
 
 
 class MovedMap(NamedTuple):

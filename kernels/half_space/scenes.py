@@ -110,8 +110,8 @@ def _at_start(
 ) -> tuple[Any, Any, Forces]:
     """Return (body, state, Forces of the step before), heated if the scene requests it.
 
-    steps : of the programme. recorded : numbers of the recorded steps, or None for all. carried : as
-    for ``moved_map``.
+    steps : of the programme. recorded : numbers of the recorded steps, or None for all.
+    carried : as for ``moved_map``.
     """
     heat = scene.effects.heat
     if heat is None:
@@ -120,6 +120,7 @@ def _at_start(
     min_step = float(steps.dt.min()) * (1.0 if recorded is not None else SLIP_STEP_SHARE)
     heating = Heating.of(space, heat, min_step)
     moved, state, acting, warmth = moved_map(space, scene, position, tolerance, carried, heating)
+    assert warmth is not None
     kept = None if recorded is None else frozenset(recorded.tolist())
     return *heated_map(moved, state, heating, warmth, kept), acting
 

@@ -77,7 +77,7 @@ def heated_surface(
     weight, moment = (1.0 / math.expm1(power * LOG_STEP) for power in (0.5, 1.5))
     first = np.minimum(np.searchsorted(y, SLOW_SHARE * decay), count - 1)
     widths = (first[:, None] <= np.arange(count)[None, :, None]).sum(axis=2)
-    slab = np.empty(0)
+    slab: np.ndarray = np.empty(0)
     if block > 0.0:
         modes = block / math.pi * math.sqrt(FAST_RATE / (diffusivity * min_step))
         n = np.arange(min(MAX_SLAB_MODES, math.ceil(modes)))
