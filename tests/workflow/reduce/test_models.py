@@ -126,7 +126,7 @@ def after_others(value, seed):
 
 @mostly_exhaustive("seed", [0, 1], [2, 3])
 def test_a_thread_finds_the_same_bits_as_the_main_thread(seed):
-    """And whatever lay in memory before: docs/decisions/own-least-squares.md."""
+    """And whatever lay in memory before: docs/decisions.md."""
     expected = after_others(0.0, seed)
     assert after_others(1e300, seed) == expected
     with ThreadPoolExecutor(1) as pool:
