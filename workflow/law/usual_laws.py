@@ -131,15 +131,17 @@ def read_law(source: str | Path) -> Law | LoadLaw:
         if content["format"] != FORMAT:
             raise ValueError(f"its format is {content['format']}, not {FORMAT}")
         names = [field.name for field in fields(law_class) if field.name != "validity"]
-        numbers = {
-            name: np.array(content[name], float)
-            if isinstance(content[name], list)
-            else content[name]
-            for name in names
-        }
+        numbers = {name: _checked(name, content[name]) for name in names}
         return law_class(**numbers, validity=_validity(content["validity"]))
-    except (LookupError, TypeError, ValueError) as error:
+    except (LookupError, TypeError, ValueError, ArithmeticError, RecursionError) as error:
         raise LawError(f"{place}: is not a law as JSON: {error}") from error
+
+
+def _checked(name: str, value: Any) -> Any:
+    """Return a number, or a list of them as an array. Raises ValueError or TypeError."""
+    if not isinstance(value, int | float | list) or not np.isfinite(np.array(value, float)).all():
+        raise ValueError(f"{name} = {value!r:.40}: must be finite")
+    return np.array(value, float) if isinstance(value, list) else value
 
 
 def _validity(content: Mapping[str, Any]) -> Validity:
@@ -149,6 +151,11 @@ def _validity(content: Mapping[str, Any]) -> Validity:
         for field in fields(Validity)
         if field.name not in OPTIONAL_FIELDS or field.name in content
     }
+    for name in TEXT_FIELDS:
+        if name != "motions" and not isinstance(values[name], str):
+            raise TypeError(f"validity.{name} = {values[name]!r:.40}: must be a text")
+    if values["shift"]:
+        json.loads(values["shift"])
     values["motions"] = tuple((str(name), float(rms)) for name, rms in values["motions"])
     typed: dict[str, Any] = {k: v if k in TEXT_FIELDS else float(v) for k, v in values.items()}
     return Validity(**typed)

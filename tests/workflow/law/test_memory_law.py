@@ -89,6 +89,10 @@ def test_json_keeps_every_bit(tmp_path):
     ("change", "message"),
     [
         ({"kind": "magic"}, "is not a law as JSON: 'magic'"),
+        ({"age": [np.inf] * 5}, "age = .*: must be finite"),
+        ({"age": [10**400] * 5}, "int too large"),
+        ({"age": "x"}, "age = 'x': must be finite"),
+        ({"validity": {**json.loads(LAW.to_json())["validity"], "body": 3}}, "validity.body = 3: "),
         ({"format": 2}, "its format is 2, not 1"),
         ({"speed": [0.01]}, "two speeds or more, and one value per speed"),
         ({"speed": [0.02, 0.01, 0.03, 0.04, 0.05]}, "speed must be positive and increasing"),
