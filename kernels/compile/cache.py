@@ -33,6 +33,10 @@ COMPILER = f"numba{numba.__version__}cp{sys.version_info.major}{sys.version_info
 V3 = "x86-64-v3"
 V3_FEATURES = {"avx2", "bmi", "bmi2", "f16c", "fma", "lzcnt", "movbe", "popcnt", "sse4.2", "xsave"}
 WAITING_EVENT = f"{CACHE_NAME}:waiting"  # numba event: waiting for another process to compile
+CODE_SETTINGS = (  # of numba, which change the machine code
+    *("OPT", "BOUNDSCHECK", "DEBUGINFO_DEFAULT", "LOOP_VECTORIZE", "SLP_VECTORIZE"),
+    *("DISABLE_INTEL_SVML", "LLVM_REFPRUNE_PASS", "DEBUG_NRT"),
+)
 LOCK_SECONDS, LOCK_POLL_SECONDS = 120.0, 0.05  # maximum wait and polling interval
 
 
@@ -138,7 +142,9 @@ class KernelCache(NullCache, CompileResultCacheImpl):
 
     def _file_name(self, sig: Any, codegen: Any) -> str:
         source = Path(self.function.__code__.co_filename).read_bytes()
-        key = repr((sig, codegen.magic_tuple(), self.function.__qualname__)).encode()
+        settings = [str(getattr(numba.config, name, "")) for name in CODE_SETTINGS]
+        parts = sig, codegen.magic_tuple(), self.function.__qualname__, settings
+        key = repr(parts).encode()
         name = f"{self.function.__module__}.{self.function.__name__}".rpartition("kernels.")[2]
         return f"{COMPILER}/{name}-{hashlib.sha256(key + source).hexdigest()[:20]}.bin"
 

@@ -3,6 +3,7 @@
 import os
 import shutil
 from pathlib import Path
+from types import SimpleNamespace
 
 import numba
 import pytest
@@ -230,3 +231,12 @@ def test_temporary_files_in_a_folder_of_another_user_are_no_place_for_it(
     assert home not in private.parents
     assert list(home.glob(f"{cache.CACHE_NAME}-[!0]*")) == []
     os.environ.pop("NUMBA_CACHE_DIR")
+
+
+@pytest.mark.parametrize("setting", cache.CODE_SETTINGS)
+def test_machine_code_of_other_settings_of_numba_is_another_file(monkeypatch, setting):
+    codegen = SimpleNamespace(magic_tuple=lambda: ("a processor",))
+    kernel = cache.KernelCache(edited)
+    name = kernel._file_name("a signature", codegen)
+    monkeypatch.setattr(numba.config, setting, 7)
+    assert kernel._file_name("a signature", codegen) != name
