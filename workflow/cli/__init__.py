@@ -1,5 +1,7 @@
 """The command line: elastomer-friction plan|run|status|figure|table STUDY, and other commands.
 
+Some commands are Python functions too (calls.py).
+
 It may import all other packages of the workflow; none of them may import it.
 """
 
@@ -8,6 +10,7 @@ from typing import TYPE_CHECKING
 from ..ground import public_names
 
 if TYPE_CHECKING:
+    from .calls import draw_study, plan_study, run_study
     from .command_line import command_parser, main
 
 __all__, __getattr__, __dir__ = public_names(__name__, __file__)

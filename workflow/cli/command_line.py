@@ -167,6 +167,7 @@ def _merge_options(command: argparse.ArgumentParser) -> None:
 
 def _run_options(command: argparse.ArgumentParser) -> None:
     from ..study import BATCH_SYSTEMS
+    from .run_options import MAX_FAILURES
 
     _result_options(command)
     add = command.add_argument
@@ -180,7 +181,7 @@ def _run_options(command: argparse.ArgumentParser) -> None:
     add(
         "--max-failures",
         type=int,
-        default=10,
+        default=MAX_FAILURES,
         help="largest number of failed problems (%(default)s)",
     )
     add("--retry-failed", action="store_true", help="retry problems that failed in earlier runs")

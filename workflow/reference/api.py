@@ -11,6 +11,9 @@ import elastomer_friction as ef
 PUBLIC_MODULES: dict[str, Any] = {
     "scene.run": ef.scene.run,
     "scene.animate": ef.scene.animate,
+    "plan": ef.plan,
+    "run": ef.run,
+    "figure": ef.figure,
     "open": ef.open,
     "KineticLaw": ef.KineticLaw,
     "law.fit": ef.law.fit,
