@@ -37,6 +37,10 @@ def main(arguments: list[str] | None = None) -> int:
         for part in error.errors:
             print(f"error: {part}{part.place}", file=sys.stderr)
         return WRONG
+    except MemoryError:
+        remedy = "free some of it, or reduce the grid; what is stored is kept"
+        print(f"error: the memory of this machine is full: {remedy}", file=sys.stderr)
+        return WRONG
     except KeyboardInterrupt:
         print(interruption, file=sys.stderr)
         return RESUMABLE

@@ -34,6 +34,14 @@ def test_second_ctrl_c_ends_with_the_status_of_an_interruption(capsys, study, mo
         assert ("kept" in err) == bool(said)
 
 
+def test_full_memory_is_one_line(capsys, monkeypatch):
+    def full(_):
+        raise MemoryError
+
+    monkeypatch.setitem(cli.ACTIONS, "plan", full)
+    assert "memory of this machine is full: free some" in refusal(capsys, "plan", "fig2")
+
+
 def test_a_path_that_is_not_utf_8_is_one_line_before_anything_is_computed(capsys):
     assert r"r\udce9: must be UTF-8" in refusal(capsys, "run", "fig2", "--out", "r\udce9")
 
