@@ -1,8 +1,9 @@
-"""Friction of a rigid sphere over its speed on both bodies, with reference values.
+"""Friction of a rigid sphere over its speed on both bodies and on layers, with reference values.
 
 At rest on the relaxed body the contact radius is a = (3 F_N R/(4 E*))^(1/3). For v -> 0 a Kelvin
-half-space has F_x = (4/3) E* tau v a^3/R^2, so that mu = v tau/R. The unit of length is the side of
-the cell, and E* = 1.
+half-space has F_x = (4/3) E* tau v a^3/R^2, so that mu = v tau/R, and so have layers of any
+thickness. Source: N. V. Brilliantov, T. Poeschel, Europhys. Lett. 42, 511 (1998),
+doi:10.1209/epl/i1998-00281-7. The unit of length is the side of the cell, and E* = 1.
 """
 
 from collections.abc import Callable
@@ -11,10 +12,20 @@ from functools import partial
 import numpy as np
 import xarray as xr
 
-from elastomer_friction.kernels import KELVIN, Case, Line, Quantities, Spectrum, run_case
+from elastomer_friction.kernels import (
+    BACKINGS,
+    KELVIN,
+    Case,
+    Effects,
+    Layer,
+    Line,
+    Quantities,
+    Spectrum,
+    run_case,
+)
 from elastomer_friction.kernels.half_space.cases import run_case as run_on_half_space
 from elastomer_friction.kernels.half_space.surface import Surface
-from elastomer_friction.workflow.study import Key, integer
+from elastomer_friction.workflow.study import Key, integer, positive
 
 STEADY = Quantities(jump=False, relaxation=False)
 MIN_CELL, MAX_CELL, CELL_PER_SPEED = 6.0, 24.0, 8.0  # side in contact radii at rest: see cell_at
@@ -30,13 +41,14 @@ RADIUS, FORCE, MODULUS, TIME = 0.01, 0.15, 1e6 / (1.0 - 0.3**2), 9e-3
 SETTINGS = {  # documented in docs/reference/measures.md
     "side": Key(partial(integer, least=16)),
     "speeds": Key(partial(integer, least=2)),
+    "thickness": Key(positive),
     "published": Key(partial(integer, least=0)),
 }
 
 
 def outline(settings: dict) -> tuple[list[str], float]:
     """Return a description of the measurement, and the predicted seconds of one core."""
-    count = settings["speeds"] + 3 * settings["published"]
+    count = (1 + len(BACKINGS)) * settings["speeds"] + 3 * settings["published"]
     side = settings["side"]
     lines = [f"cell        {side} x {side} samples, {MIN_CELL:g} to {MAX_CELL:g} radii a side"]
     return lines, SECONDS_PER_SAMPLE * count * side**2
@@ -45,13 +57,17 @@ def outline(settings: dict) -> tuple[list[str], float]:
 def measure(settings: dict, seed: int, advance: Callable[[float], None]) -> dict[str, xr.Dataset]:
     """Return friction over the speed, and the published points with computed values."""
     speeds = np.geomspace(MIN_SPEED, MAX_SPEED, settings["speeds"])
-    frictions, seconds = [], SECONDS_PER_SAMPLE * settings["side"] ** 2
+    side, seconds = settings["side"], SECONDS_PER_SAMPLE * settings["side"] ** 2
+    layers = [Layer(settings["thickness"], backing, poisson=0.5) for backing in BACKINGS]
+    frictions, on_layers = [], []
     for speed in speeds:
-        cell = cell_at(speed, settings["side"])
-        ours = _both(settings["side"], speed, KELVIN, cell)
-        frictions.append([mu * _radius(cell) / _radius(MIN_CELL) for mu in ours])
-        advance(seconds)
-    known = {"closed": speeds / _radius(MIN_CELL)}  # v tau/R from v tau/a
+        cell = cell_at(speed, side)
+        ratio = _radius(cell) / _radius(MIN_CELL)
+        frictions.append([mu * ratio for mu in _both(side, speed, KELVIN, cell)])
+        on_layers.append([_on_map(side, speed, KELVIN, cell, layer) * ratio for layer in layers])
+        advance((1 + len(layers)) * seconds)
+    known = dict(zip(BACKINGS, np.transpose(on_layers), strict=True))
+    known["closed"] = speeds / _radius(MIN_CELL)  # v tau/R from v tau/a
     groups = {"": _over_speed(speeds, frictions, known, "v tau over the radius of contact at rest")}
     if settings["published"]:
         groups["published"] = _published(settings["side"])
@@ -74,20 +90,35 @@ def _radius(cell: float) -> float:
 
 def _both(side: int, speed: float, spectrum: Spectrum, cell: float) -> tuple[float, float]:
     """Return mu of half-space and foundation. speed : v tau/a, cell : side in contact radii a."""
-    radius = _radius(cell)
-    x = cell * ((np.arange(side) + 0.5) / side - 0.5)
-    map_heights = (x[:, None] ** 2 + x**2) / (2.0 * radius)
-    # Fbar = F_N/(E* L h) with F_N = (4/3) E* a^3/R and h = 1 contact radius.
-    load = 4.0 / (3.0 * radius) / cell
-    per_radius = side / cell  # elements per contact radius
-    case = Case(load, speed * per_radius, (), (), "exponential", spectrum, refine=False)
-    # Slopes of a paraboloid in heights per element, one-sided at the seam.
-    surface = Surface.from_samples(map_heights, np.gradient(map_heights, axis=-1), 1)
-    half = run_on_half_space(surface, case, STEADY).mu_1
-    heights = x**2 / radius
+    heights = _places(side, cell) ** 2 / _radius(cell)
     line = Line.from_samples(heights, np.gradient(heights), 1)
-    foundation = run_case(line, case, STEADY).mu_1
-    return half * per_radius, foundation * per_radius
+    foundation = run_case(line, _case(side, speed, spectrum, cell), STEADY).mu_1
+    return _on_map(side, speed, spectrum, cell), foundation * side / cell
+
+
+def _on_map(
+    side: int, speed: float, spectrum: Spectrum, cell: float, layer: Layer | None = None
+) -> float:
+    """Return mu of a half-space or a layer, whose thickness is in contact radii; cf. ``_both``."""
+    x, case = _places(side, cell), _case(side, speed, spectrum, cell)
+    heights = (x[:, None] ** 2 + x**2) / (2.0 * _radius(cell))
+    # Slopes of a paraboloid in heights per element, one-sided at the seam.
+    surface = Surface.from_samples(heights, np.gradient(heights, axis=-1), 1)
+    if layer is not None:
+        scaled = layer._replace(thickness=layer.thickness * side / cell)
+        case = case._replace(effects=Effects(layer=scaled))
+    return run_on_half_space(surface, case, STEADY).mu_1 * side / cell
+
+
+def _places(side: int, cell: float) -> np.ndarray:
+    """Return the places of the samples of a side of the cell from its centre, in contact radii."""
+    return cell * ((np.arange(side) + 0.5) / side - 0.5)
+
+
+def _case(side: int, speed: float, spectrum: Spectrum, cell: float) -> Case:
+    """Return the case of a sphere, with Fbar = F_N/(E* L h), F_N = (4/3) E* a^3/R and h = a."""
+    load = 4.0 / (3.0 * _radius(cell)) / cell
+    return Case(load, speed * side / cell, (), (), "exponential", spectrum, refine=False)
 
 
 def _published(side: int) -> xr.Dataset:

@@ -233,7 +233,7 @@ SCENES = {
         "trace does not start with steady sliding or mu_1 was not asked for",
     ),
     "trace_remembered": Variable(
-        "share of the first contact that the slowest branch still holds after one period",
+        "share of the first contact that a branch still holds after one period",
         comment="0: none, as the motion covers no period or starts with steady sliding; otherwise "
         "the trace repeats its first contact every period: take a longer line, or start steady",
     ),

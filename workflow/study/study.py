@@ -79,10 +79,7 @@ class Study(AnyStudy):
     @property
     def body_choice(self) -> str:
         """The body of the study itself and the reason for it, in words."""
-        material, layer = self.material, ""
-        if material.thickness is not None:
-            layer = f"; a layer of {material.thickness:g} m, {material.backing} on a rigid base"
-        return f"{self.surface.body}: {self.body_reason}{layer}"
+        return f"{self.surface.body}: {self.body_reason}"
 
     @property
     def axes(self) -> tuple[str, ...]:
@@ -182,7 +179,7 @@ def read_grid_study(
         materials=materials,
         surfaces=surfaces,
         pressures=given["grid"].get("normal_pressure", ()),
-        body_reason=choice.reason,
+        body_reason=choice.reason + materials[""].depth_in_words,
         cluster=cluster,
     )
 

@@ -68,6 +68,13 @@ class Material(NamedTuple):
         return Layer(self.thickness / spacing, self.backing, self.poisson)
 
     @property
+    def depth_in_words(self) -> str:
+        """The layer in words, to be appended to a reason; "" for a deep elastomer."""
+        if self.thickness is None:
+            return ""
+        return f"; a layer of {self.thickness:g} m, {self.backing} on a rigid base"
+
+    @property
     def tau(self) -> float:
         """The time scale (s): relaxation_time + sum_b g_b t_b / G, with shifted times."""
         branches = sum(g * t for g, t in self.branches) / self.shear_modulus
