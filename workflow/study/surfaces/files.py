@@ -43,7 +43,12 @@ def read_lines(file: LineFile) -> Lines:
 
 
 def _read_npy(file: LineFile) -> RawLines:
-    values = np.load(file.path, mmap_mode="r", allow_pickle=False)  # read on access
+    try:
+        values = np.load(file.path, mmap_mode="r", allow_pickle=False)  # read on access
+    except (OSError, ValueError):
+        raise
+    except Exception as error:  # a forged header can cause any exception
+        raise ValueError(f"its header is not that of an array: {error}") from error
     if not isinstance(values, np.ndarray):
         raise ValueError("holds several arrays")
     columns = file.columns or (DEFAULT_COLUMNS if file.step is None else (0,))
@@ -55,7 +60,8 @@ def _read_npy(file: LineFile) -> RawLines:
             f"{KEY} = {file.name!r}: holds an array of shape {values.shape} and type "
             f"{values.dtype}: must be numbers, a row per sample, with columns {list(columns)}"
         )
-    table = values[:, columns].T.astype(float)
+    with np.errstate(invalid="ignore"):  # NaN of single precision
+        table = values[:, columns].T.astype(float)
     if file.step is not None:
         return RawLines(table, None, np.empty(0), file.step, (), f"columns {list(columns)}")
     precision = np.full(table.shape[1], rounding(values[:, columns[0]]))

@@ -120,6 +120,11 @@ def test_arrays_that_are_no_table_are_refused(tmp_path):
         np.save(path, array)
         with pytest.raises(UserError, match="must be numbers, a row per sample"):
             read(path)
+    for old, new in ((b"(16,)", b"(16,("), (b"(16,)", b"(-1,)"), (b"'<f8'", b"|O   ")):
+        np.save(path, X)
+        path.write_bytes(path.read_bytes().replace(old, new))
+        with pytest.raises(UserError, match="cannot be read: "):
+            read(path)
     np.savez(tmp_path / "l", a=X, b=X)
     (tmp_path / "l.npz").rename(path)
     with pytest.raises(UserError, match="holds several arrays"):
