@@ -207,6 +207,8 @@ def _prony_options(command: argparse.ArgumentParser) -> None:
     add("--reference", type=float, help="reference temperature of the master curve, in °C (middle)")
     add("--law", choices=SHIFT_KEYS, help="law of the shifts (default: the best fit)")
     add("--vertical", action="store_true", help="shift moduli too, by b_T")
+    text = "time in s at which a relaxation test begins to count (all above 0)"
+    add("--from", dest="start", type=float, metavar="TIME", help=text)
     add("--frequency", choices=FREQUENCIES, help="unit of frequencies (header, else rad/s)")
     add("--modulus", choices=MODULI, help="unit of moduli (header, else Pa)")
     add("--poisson", type=float, default=INCOMPRESSIBLE, help="ratio, for moduli E (0.5)")

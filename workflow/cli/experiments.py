@@ -17,13 +17,15 @@ def run_prony(options: argparse.Namespace) -> int:
         raise UserError(f"--branches {options.branches}: must be at least 1")
     if not -1.0 < options.poisson <= INCOMPRESSIBLE:
         raise UserError(f"--poisson {options.poisson:g}: must lie between -1 and 0.5")
+    if options.start is not None and not 0.0 < options.start < math.inf:
+        raise UserError(f"--from {options.start:g}: must be greater than zero")
     source, out = Path(options.file), Path(options.out) if options.out else None
     if out and out.exists() and source.exists() and out.samefile(source):
         raise UserError(f"--out {options.out}: is the measurement itself; name another file")
     units = options.frequency, options.modulus
     columns = columns_of(options.columns, (2, 3)) if options.columns else None
     temperatures = _temperatures(options.temperatures) if options.temperatures else ()
-    measured = read_moduli(source, *units, columns, options.poisson, temperatures)
+    measured = read_moduli(source, *units, columns, options.poisson, temperatures, options.start)
     measured, keys = _at_one_temperature(options, measured)
     fit = laboratory.fit_material(options.file, measured, options.branches)
     described = laboratory.describe_material(measured, fit, options.branches)

@@ -16,6 +16,7 @@ import numpy as np
 from ..ground import UserError
 from ..text_tables import TextTable, read_text_table
 from .columns import Column, ColumnSpec, describe_columns, find_column, select_columns
+from .side_by_side import below_one_another
 from .sweeps import temperatures_of
 
 FREQUENCIES = ("rad/s", "Hz")
@@ -46,6 +47,7 @@ RELAXATION_TIME = ColumnSpec("a time", "time", r"time|^t([\W_]|$)", "s")
 RELAXATION_MODULUS = ColumnSpec(
     "a relaxation modulus", "pressure", r"modul|relax|^[GE]([\W_]|$)", "Pa", "--modulus"
 )
+OSCILLATORY = (FREQUENCY, LOSS_MODULUS, LOSS_FACTOR)
 YOUNG_NAME = re.compile(
     rf"\bE({PRIME}|{DOUBLE_PRIME}|_|[12p]\b|\b)|young|tens|extens|bend|flex", re.I
 )
@@ -53,6 +55,7 @@ SHEAR_NAME = re.compile(rf"\bG({PRIME}|{DOUBLE_PRIME}|_|[12p]\b|\b)|shear|torsio
 TENSILE_LOADING = re.compile(r"tension|tensile|cantilever|bending|compression", re.I)
 # Names of moduli that are neither G' nor G''.
 OTHER_MODULUS_NAME = re.compile(r"\*|\||complex|complian|dynamic", re.IGNORECASE)
+STRAIN_NAME = r"strain|amplitude|dehnung|deform|verform|gamma|\u03b3"
 MIN_MODULI_ROWS = 4
 FREQUENCY_RATIO = 1.005  # frequencies closer than this count as equal
 MODULUS_RATIO = 1.15  # limit of the ratio of moduli at one frequency and temperature
@@ -81,21 +84,27 @@ def read_moduli(
     columns: Sequence[int] | None = None,
     poisson: float = INCOMPRESSIBLE,
     temperatures: Sequence[float] = (),
+    start: float | None = None,
 ) -> Moduli:
     """Return the moduli of a text file: frequency, G' and G'' or tan delta; or time and G(t).
 
     frequency, modulus : units that replace those of the file; rad/s and Pa if neither states them.
     columns : column numbers, from 0: three, or two for a relaxation test. poisson : Poisson's
     ratio, to convert Young's moduli. temperatures : temperature (°C) of each sweep in the order of
-    the file, in place of those of the file.
+    the file, in place of those of the file. start : time (s) of a relaxation test before which
+    samples are left out.
 
     Raises UserError for a file that cannot be read or does not determine the columns, for sweeps
     at unknown temperatures, and for unphysical values.
     """
     table = read_text_table("prony", path)
+    if columns is None:
+        table = _with_sweeps_in_blocks(table, temperatures)
     selected = _moduli_columns(table, frequency, modulus, columns)
+    if start is not None and len(selected) > 2:
+        raise UserError(f"--from {start:g}: is a time of a relaxation test; {path} is none")
     temperature, description = temperatures_of(table, selected[0].values, temperatures)
-    values, complete, left_out = _complete_rows(path, table, selected, temperature)
+    values, complete, left_out = _complete_rows(path, table, selected, temperature, start)
     description = [describe_columns(table, selected), *left_out, *description]
     omega, storage, *loss = values
     if loss and selected[2].spec.family == "number":
@@ -113,8 +122,9 @@ def read_moduli(
     if temperature is not None:
         temperature = temperature[complete][order]
     levels = () if temperature is None else np.unique(temperature)
-    for rows in [slice(None)] if temperature is None else [temperature == t for t in levels]:
-        _check_single_temperature(path, omega[rows], measured[rows])
+    row = np.flatnonzero(complete)[order]
+    for at in [slice(None)] if temperature is None else [temperature == t for t in levels]:
+        _check_single_sweep(path, table, selected, omega[at], measured[at], row[at])
     if not loss and temperature is None and omega.size > MAX_RELAXATION_SAMPLES:
         omega, measured = _decade_means(omega, measured)
         description.append(f"means over 1/{MEANS_PER_DECADE} of a decade of time: {omega.size}")
@@ -136,10 +146,18 @@ def _is_relaxation_test(table: TextTable, columns: Sequence[int] | None) -> bool
         return len(columns) == 2
     if len(table.numeric) == 2:
         return True
-    lossy = any(
-        find_column(table, spec) is not None for spec in (LOSS_MODULUS, LOSS_FACTOR, FREQUENCY)
-    )
+    lossy = any(find_column(table, spec) is not None for spec in OSCILLATORY)
     return not lossy and find_column(table, RELAXATION_TIME) is not None
+
+
+def _with_sweeps_in_blocks(table: TextTable, temperatures: Sequence[float]) -> TextTable:
+    """Return a table whose sweeps stand below one another even if they stand side by side."""
+    titles = [table.title(column) for column in table.numeric]
+    if not any(spec.fits_name(one) for spec in OSCILLATORY for one in titles):
+        return below_one_another(table, RELAXATION_TIME, (RELAXATION_MODULUS,), temperatures)
+    for loss in (LOSS_MODULUS, LOSS_FACTOR):
+        table = below_one_another(table, FREQUENCY, (STORAGE_MODULUS, loss), temperatures)
+    return table
 
 
 def _moduli_columns(
@@ -185,19 +203,24 @@ def _moduli_columns(
 
 
 def _complete_rows(
-    path: Path, table: TextTable, columns: tuple[Column, ...], temperatures: np.ndarray | None
+    path: Path,
+    table: TextTable,
+    columns: tuple[Column, ...],
+    temperatures: np.ndarray | None,
+    start: float | None,
 ) -> tuple[np.ndarray, np.ndarray, list[str]]:
     """Return the values of the complete rows, shape (columns, n), their row mask, and notes.
 
-    For a relaxation test, rows with t <= 0 are left out and noted. Raises UserError for too few
-    rows, for frequencies, G' and G(t) that are not positive, and for negative G''.
+    For a relaxation test, rows with t <= 0 or t < start are left out and noted. Raises UserError
+    for too few rows, for frequencies, G' and G(t) that are not positive, and for negative G''.
     """
     values = np.array([column.values for column in columns])
     complete = np.isfinite(values).all(axis=0) & (temperatures is None or np.isfinite(temperatures))
     notes = []
-    if len(columns) == 2 and np.any(values[0, complete] <= 0.0):
-        early = complete & (values[0] <= 0.0)
-        notes.append(f"left out: {early.sum()} samples up to t = 0")
+    if len(columns) == 2:
+        early = complete & (values[0] <= 0.0 if start is None else values[0] < start)
+        ends = "up to t = 0" if start is None else f"before {start:g} s"
+        notes += [f"left out: {early.sum()} samples {ends}"] if early.any() else []
         complete &= ~early
     if complete.sum() < MIN_MODULI_ROWS:
         raise UserError(f"prony {path}: holds {complete.sum()} rows; a fit needs {MIN_MODULI_ROWS}")
@@ -209,8 +232,19 @@ def _complete_rows(
                 f"prony {path}: line {table.lines[row]} holds {table.row(row)[column.number]} as "
                 f"{column.spec.meaning}; must "
                 + ("be greater than zero" if positive else "not be negative")
+                + (_later_start(values[0, complete], bad[complete]) if len(columns) == 2 else "")
             )
     return values[:, complete], complete, notes
+
+
+def _later_start(times: np.ndarray, bad: np.ndarray) -> str:
+    """Return the remedy for moduli of a relaxation test that are not positive, as they ring."""
+    later = times[times > times[bad].max()]
+    if 2 * later.size > times.size:
+        return (
+            f": if it rings after the step, give --from {later.min():g}, the first time (s) later"
+        )
+    return ": leave out such samples if they are noise"
 
 
 def _decade_means(omega: np.ndarray, values: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
@@ -221,18 +255,42 @@ def _decade_means(omega: np.ndarray, values: np.ndarray) -> tuple[np.ndarray, np
     return np.exp(sums[0] / counts), sums[1] / counts
 
 
-def _check_single_temperature(path: Path, omega: np.ndarray, values: np.ndarray) -> None:
-    """Raise UserError if one frequency has several moduli, as at several temperatures."""
+def _check_single_sweep(
+    path: Path,
+    table: TextTable,
+    columns: tuple[Column, ...],
+    omega: np.ndarray,
+    values: np.ndarray,
+    rows: np.ndarray,
+) -> None:
+    """Raise UserError if one frequency, or one time, has several moduli. rows : of the table."""
     magnitude = np.abs(values)
     ratio = magnitude[1:] / magnitude[:-1]
     differs = np.maximum(ratio, 1.0 / ratio) > MODULUS_RATIO
-    conflicts = np.flatnonzero((omega[1:] <= FREQUENCY_RATIO * omega[:-1]) & differs)
+    over_time = not np.iscomplexobj(values)
+    near = 1.0 if over_time else FREQUENCY_RATIO  # late samples of a test are close to each other
+    conflicts = np.flatnonzero((omega[1:] <= near * omega[:-1]) & differs)
     if conflicts.size:
         place = conflicts[0]
         low, high = sorted(magnitude[place : place + 2])
-        subject = f"{omega[place]:.4g} rad/s has" if np.iscomplexobj(values) else "one time has"
+        subject = "one time has" if over_time else f"{omega[place]:.4g} rad/s has"
+        used = [column.number for column in columns]
         raise UserError(
-            f"prony {path}: {subject} several moduli, |G*| from {low:.3g} to {high:.3g} Pa, as at "
-            "several temperatures: give --temperatures, one for each sweep in order, to shift "
-            "them to one curve"
+            f"prony {path}: {subject} several moduli, |G*| from {low:.3g} to {high:.3g} Pa"
+            + _changed_condition(table, used, rows[place : place + 2])
         )
+
+
+def _changed_condition(table: TextTable, used: Sequence[int], rows: np.ndarray) -> str:
+    """Return which strain differs between two rows, or what else may, with the remedy."""
+    for column in set(table.numeric) - set(used):
+        title, ends = table.title(column), np.sort(table.values(column)[rows])
+        if re.search(STRAIN_NAME, title.name, re.I) and ends[1] > MODULUS_RATIO * ends[0]:
+            return (
+                f", as column {column} {title.name!r} changes from {ends[0]:g} to {ends[1]:g} "
+                f"{title.unit}: keep the rows of one strain"
+            )
+    return (
+        ": keep the rows of one sweep, or give --temperatures, one for each sweep in order, to "
+        "shift them to one curve"
+    )

@@ -43,7 +43,7 @@ def temperatures_of(
     elif (named := _temperature_column(table)) is not None:
         per_row, source = _sweep_means(table, named), f"temperatures: column {named.number}"
     else:
-        headed = [_temperature_in(table.block_header(n)) for n in range(len(blocks))]
+        headed = [temperature_in(table.block_header(n)) for n in range(len(blocks))]
         if len(blocks) < 2 or None in headed:
             return None, []
         per_row = _over_rows([t for t in headed if t is not None], blocks)
@@ -96,7 +96,7 @@ def _sweep_means(table: TextTable, column: Column) -> np.ndarray:
     return means
 
 
-def _temperature_in(lines: Sequence[str]) -> float | None:
+def temperature_in(lines: Sequence[str]) -> float | None:
     """Return the temperature (°C) stated above a block, or None."""
     for number, text in TEMPERATURE_TEXT.findall("\n".join(lines))[::-1]:
         unit = unit_of(text)

@@ -91,7 +91,19 @@ def cells_of(text: str) -> Cells:
     if not starts:
         raise ValueError("holds no row of numbers")
     cells.between.append((len(starts), pending))
-    return cells._replace(plain=plain)
+    cells = cells._replace(plain=plain)
+    _move_head_row(cells)
+    return cells
+
+
+def _move_head_row(cells: Cells) -> None:
+    """Move a first row that is mostly empty and stands above a line of titles to the head."""
+    at, titles = cells.between[0]
+    if at == 1 < len(cells.lines) and 2 * sum(map(is_numeral, cells.row(0))) < len(cells.numeric):
+        cells.above.extend([cells.text[cells.starts[0] : cells.ends[0]], *titles])
+        for rows in (cells.starts, cells.ends, cells.lines, cells.between):
+            del rows[0]
+        cells.between[:] = [(row - 1, lines) for row, lines in cells.between]
 
 
 def _lines(text: str) -> Iterator[tuple[int, str]]:

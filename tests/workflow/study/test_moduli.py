@@ -91,6 +91,10 @@ def test_rows_in_which_a_value_is_missing_are_passed_over_and_counted(tmp_path):
     assert "1 value missing" in found.description[0]
 
 
+STRAINED = "Strain (%);f (Hz);G' (Pa);G'' (Pa)\n0.1;1;9;3\n1;1;8;3\n10;1;5;2\n99;1;2;1\n"
+SIDES = "".join(f"{row} {' '.join(row.split()[1:])}\n" for row in ROWS.splitlines())
+
+
 @pytest.mark.parametrize(
     ("text", "answer"),
     [
@@ -106,6 +110,9 @@ def test_rows_in_which_a_value_is_missing_are_passed_over_and_counted(tmp_path):
         (f"t (s) G' (MPa) G'' (MPa)\n{ROWS}", "is in 's', not a unit of a frequency"),
         (f"f (furlong) G' (MPa) G'' (MPa)\n{ROWS}", "'furlong' of a frequency is not known"),
         (ROWS + "1 2.5 0.3\n", "1 rad/s has several moduli, |G*| from 2.02 to 2.52 Pa"),
+        (STRAINED, "column 0 'Strain' changes from 1 to 10 %: keep the rows of one strain"),
+        (f"w G' G'' G' G''\n{SIDES}", "2 sweeps side by side: give --temperatures"),
+        (f"w [Hz] G' [Pa] G'' [Pa] G' [kPa] G'' [kPa]\n{SIDES}", "give the columns of one"),
     ],
 )
 def test_what_is_no_material_or_unclear_is_refused(tmp_path, text, answer):
@@ -137,6 +144,26 @@ def test_a_relaxation_test_is_taken_over_the_inverse_time(tmp_path, text, column
     np.testing.assert_allclose(found.omega, [0.1, 1.0, 10.0, 100.0])
     np.testing.assert_allclose(found.values, unit * np.array([1.0, 2.0, 3.0, 4.0]))
     assert text[0] != "-" or "left out: 2 samples up to t = 0" in found.description
+
+
+RINGING = "t (s);G (Pa)\n0.001;-3\n0.002;9\n0.003;-1\n0.01;4\n0.1;3\n1;2\n10;1\n"
+
+
+def test_a_relaxation_test_begins_where_it_is_asked_to(tmp_path):
+    found = read(tmp_path, RINGING, start=0.01)
+    np.testing.assert_allclose(found.omega, [0.1, 1.0, 10.0, 100.0])
+    assert "left out: 3 samples before 0.01 s" in found.description
+    with pytest.raises(UserError, match=r"line 2 holds -3 .* give --from 0\.01, the first time"):
+        read(tmp_path, RINGING)
+    with pytest.raises(UserError, match=r"line 8 holds 0 .* leave out such samples if they are noi"):
+        read(tmp_path, RINGING.replace("10;1", "10;0"), start=0.01)
+    with pytest.raises(UserError, match=r"--from 0\.01: is a time of a relaxation test"):
+        read(tmp_path, ROWS, start=0.01)
+
+
+def test_late_samples_are_close_in_time_and_scatter(tmp_path):
+    found = read(tmp_path, "0.1 4\n1 2\n10 1\n100 0.4\n100.1 0.5\n")
+    assert found.values.tolist() == [0.5, 0.4, 1.0, 2.0, 4.0]
 
 
 def test_samples_at_equal_steps_of_time_are_averaged_by_parts_of_a_decade(tmp_path):
@@ -200,6 +227,41 @@ def test_each_row_has_the_temperature_of_its_sweep(tmp_path, text, given):
     assert any("temperatures" in line for line in found.description)
 
 
+@pytest.mark.parametrize(
+    ("head", "given"),
+    [
+        ("w,Gp,Gpp,Gp,Gpp", (5.0, 40.0)),
+        (",5,,40,\nw,Gp,Gpp,Gp,Gpp", (5.0, 40.0)),
+        (",5 °C,,40 °C,\nw,G',G'',G',G''\nrad/s,Pa,Pa,Pa,Pa", ()),
+        ("T [°C],5,,40,\nw [rad/s],G' [Pa],G'' [Pa],G' [Pa],G'' [Pa]", ()),
+        (",278.15 K,,313.15 K,\nw,G',tan delta,G',tan delta\nrad/s,Pa,,Pa,", ()),
+    ],
+)
+def test_sweeps_side_by_side_are_those_below_one_another(tmp_path, head, given):
+    ratio = "tan" in head
+    rows = [
+        ",".join(map(str, [w, *(n for v in (cold, 2.0 * cold) for n in parts(v, ratio))]))
+        for w, cold in zip((0.1, 1.0, 10.0, 100.0), VALUES, strict=True)
+    ]
+    found = read(tmp_path, "\n".join([head, *rows, ",,,,", ""]), temperatures=given)
+    np.testing.assert_allclose(found.temperatures, [5, 40] * 4)
+    np.testing.assert_allclose(found.omega, np.repeat([0.1, 1.0, 10.0, 100.0], 2))
+    np.testing.assert_allclose(found.values, np.stack([VALUES, 2.0 * VALUES], axis=1).ravel())
+
+
+def parts(value, ratio):
+    """Return G' and G'', or their ratio."""
+    return value.real, value.imag / value.real if ratio else value.imag
+
+
+def test_relaxation_tests_side_by_side_share_their_times(tmp_path):
+    rows = "".join(f"{row},{2 * int(row[-1])}\n" for row in RELAXING.replace(" ", ",").split())
+    found = read(tmp_path, f",5 °C,40 °C\nt [s],G [Pa],G [Pa]\n{rows}")
+    assert found.over_time
+    np.testing.assert_allclose(found.temperatures, [5, 40] * 4)
+    np.testing.assert_allclose(found.values, [1, 2, 2, 4, 3, 6, 4, 8])
+
+
 def test_a_row_without_a_temperature_is_left_out(tmp_path):
     found = read(tmp_path, f"T (°C), {HEADER}\n{with_column(5, 5, '-', 40, 40, 40)}")
     assert found.omega.size == 5
@@ -214,7 +276,7 @@ def test_a_column_of_one_temperature_is_one_sweep(tmp_path):
 @pytest.mark.parametrize(
     ("text", "given", "answer"),
     [
-        (f"{HEADER}\n{COLD}{WARM}", (), "several moduli, |G*| from 1e+06 to 2.06e+06 Pa, as at"),
+        (f"{HEADER}\n{COLD}{WARM}", (), "several moduli, |G*| from 1e+06 to 2.06e+06 Pa: keep"),
         (f"{HEADER}\n{COLD}{WARM}", (5, 20, 40), "3 are given, but"),
         (
             f"T (°C), {HEADER}\n{with_column(5, 6, 7, 8, 9, 10)}",
