@@ -155,7 +155,7 @@ def test_a_relaxation_test_begins_where_it_is_asked_to(tmp_path):
     assert "left out: 3 samples before 0.01 s" in found.description
     with pytest.raises(UserError, match=r"line 2 holds -3 .* give --from 0\.01, the first time"):
         read(tmp_path, RINGING)
-    with pytest.raises(UserError, match=r"line 8 holds 0 .* leave out such samples if they are noi"):
+    with pytest.raises(UserError, match=r"line 8 holds 0 .* leave out such samples if they are n"):
         read(tmp_path, RINGING.replace("10;1", "10;0"), start=0.01)
     with pytest.raises(UserError, match=r"--from 0\.01: is a time of a relaxation test"):
         read(tmp_path, ROWS, start=0.01)
