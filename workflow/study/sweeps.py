@@ -15,7 +15,7 @@ from .columns import Column, ColumnSpec, find_column, select_columns
 
 TEMPERATURE = ColumnSpec("a temperature", "temperature", r"temp(?!(o|s|us)([\W_]|$))|^T[s]?$", "°C")
 TEMPERATURE_TEXT = re.compile(
-    r"([-+]?\d+(?:[.,]\d+)?)\s*([°º]\s?[CF]|[CK]\b|deg\.?\s?C|celsius)", re.I
+    r"((?<![\d.,])[-+]?\d+(?:[.,]\d+)?)\s*([°º]\s?[CF]|[CK]\b|deg\.?\s?C|celsius)", re.I
 )
 MAX_SWEEP_SPREAD = 2.0  # K, within one sweep
 MIN_SWEEP_GAP = 1.0  # K, between two sweeps

@@ -19,6 +19,8 @@ LEADING_ZERO = re.compile(r"0\d+")  # occurs in the decimals of 1,05, not in int
 # Limits of the sample of lines, from the start and the middle, used to find the delimiter.
 MAX_SAMPLE_LINES, MIN_SAMPLE_LINES, MAX_SAMPLE_CHARACTERS = 250, 20, 50_000
 END_OF_LINE = re.compile("\r\n|[\n\r\v\f\x1c-\x1e\x85\u2028\u2029]")  # as in str.splitlines
+# Limits of the lines that are not rows, since some patterns take quadratic time.
+MAX_REMARK_CHARACTERS, MAX_TITLE_CHARACTERS, MAX_WORD_CHARACTERS = 10_000, 200, 100_000
 
 
 class Cells(NamedTuple):
@@ -92,6 +94,7 @@ def cells_of(text: str) -> Cells:
         raise ValueError("holds no row of numbers")
     cells.between.append((len(starts), pending))
     cells = cells._replace(plain=plain)
+    _check_words(cells)
     _move_head_row(cells)
     return cells
 
@@ -133,6 +136,18 @@ def _sample_of(text: str) -> list[str]:
     return [_line_at(text, start) for start in starts[:count] + starts[middle:][:count]]
 
 
+def _check_words(cells: Cells) -> None:
+    """Raise ValueError if the lines that are not rows exceed the limits."""
+    sizes = [len(line.strip()) for _, lines in ((0, cells.above), *cells.between) for line in lines]
+    titles = cells.width * MAX_TITLE_CHARACTERS
+    for size, limit, place in (
+        (max(sizes, default=0), MAX_REMARK_CHARACTERS + titles, "a line without numbers"),
+        (sum(sizes), MAX_WORD_CHARACTERS + titles, "the lines that are not rows of numbers"),
+    ):
+        if size > limit:
+            raise ValueError(f"holds {size} characters in {place}, more than {limit}: shorten them")
+
+
 def _plain_row_pattern(delimiter: str | None, width: int) -> re.Pattern[str]:
     """Return the pattern of a row of `width` decimal numbers; for 0 it never matches."""
     if not width:
@@ -144,7 +159,7 @@ def _plain_row_pattern(delimiter: str | None, width: int) -> re.Pattern[str]:
 
 def _is_row(line: str, number: int, table: Cells) -> bool:
     """Return whether a line is a row, not a comment or words. Raises ValueError."""
-    if is_comment(line):
+    if not line.strip() or is_comment(line):
         return False
     untrimmed = split(TRAILING_REMARK.sub("", line), table.delimiter)
     cells = _trimmed(untrimmed)

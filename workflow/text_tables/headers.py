@@ -7,10 +7,11 @@ columns without a unit are refused.
 """
 
 import re
+from collections.abc import Sequence
 from itertools import pairwise
 from typing import NamedTuple
 
-from .cells import is_comment, split
+from .cells import MAX_TITLE_CHARACTERS, is_comment, split
 from .numerals import NUMERAL_TEXT, is_numeral
 from .units import unit_of
 
@@ -36,7 +37,7 @@ LINE_PATTERNS = (
     HeaderPattern(r",", "x [mm], z [um]", "commas between titles"),
     HeaderPattern(r"(?<=[\])>}])\s+", "Raw x [mm] Raw z [um]", "a bracket ends each title"),
     HeaderPattern(
-        r"(?<!\s/)(?<!\sin)\s+(?!/\s|in\s|[\[(<{])(?![^\[(<{]*[\])>}])",
+        r"(?<!\s/)(?<!\sin)(?<!\s)\s++(?!/\s|in\s|[\[(<{])(?![^\[(<{]{0,60}[\])>}])",
         "x [mm] z_um",
         "names of one word",
     ),
@@ -53,7 +54,7 @@ TITLE_PATTERNS = (
 )
 SEPARATOR = re.compile("|".join(f"({pattern.separator})" for pattern in TITLE_PATTERNS))
 TITLE_WITH_BRACKETS = re.compile(
-    r"(.*?)\s*(?:\[([^\[\]]*)\]|\(([^()]*)\)|<([^<>]*)>|\{([^{}]*)\})([^\[\](){}<>]*)"
+    r"(.*?)(?:\[([^\[\]]*)\]|\(([^()]*)\)|<([^<>]*)>|\{([^{}]*)\})([^\[\](){}<>]*)"
 )
 ARGUMENT = re.compile(r"(?<=\S)\((t|ω|omega|w|f|x|y|q|T|i|a|τ|delta|δ|aT|a_T)\)")  # E(t), G'(ω)
 BRACKETED = re.compile(r"[\[(<{].*[\])>}]")
@@ -79,7 +80,7 @@ class Header(NamedTuple):
     unread: str = ""  # line with units or names that no title contains
 
 
-def header_of(above: list[str], delimiter: str | None, width: int) -> Header:
+def header_of(above: Sequence[str], delimiter: str | None, width: int) -> Header:
     """Return the header of a table from the lines above its rows.
 
     The last MAX_TITLE_LINES lines may hold titles. A line of units belongs to the names above it,
@@ -144,12 +145,12 @@ def _titles_in(cells: list[str]) -> tuple[Title, ...]:
 def title_of(cell: str) -> Title | None:
     """Return name and unit of a title; None for other texts such as "T = 25" or "tip 2 µm"."""
     text = cell.strip()
-    if "=" in text or text.endswith(":") or _holds_quantity(text) or is_numeral(text):
+    if len(text) > MAX_TITLE_CHARACTERS or _is_remark(text) or is_numeral(text):
         return None
     bracket = TITLE_WITH_BRACKETS.fullmatch(text)
     if bracket and not ARGUMENT.match(text, bracket.end(1)):
         inside = next(part for part in bracket.groups()[1:5] if part is not None).strip()
-        return Title(f"{bracket[1]} {bracket[6]}".strip(), inside, stated=bool(inside))
+        return Title(f"{bracket[1].strip()} {bracket[6]}".strip(), inside, stated=bool(inside))
     if len(text) > 1 and unit_of(text):
         return Title("", text, stated=True)
     for match in SEPARATOR.finditer(text):  # the first match leaves the longest unit
@@ -162,11 +163,16 @@ def title_of(cell: str) -> Title | None:
     return Title(text)
 
 
-def _holds_quantity(text: str) -> bool:
-    """Return whether a text contains a number with a unit, such as "2 µm" or "02:10 PM"."""
-    return any(
-        re.fullmatch(NUMERAL_TEXT, one) and (unit_of(other.strip(",;")) or other in ("AM", "PM"))
-        for one, other in pairwise(text.split())
+def _is_remark(text: str) -> bool:
+    """Return whether a text is a label or contains a quantity, such as "2 µm" or "02:10 PM"."""
+    return (
+        "=" in text
+        or text.endswith(":")
+        or any(
+            re.fullmatch(NUMERAL_TEXT, one)
+            and (unit_of(other.strip(",;")) or other in ("AM", "PM"))
+            for one, other in pairwise(text.split())
+        )
     )
 
 
@@ -195,7 +201,7 @@ def contains_unit(word: str) -> bool:
     return title is not None and (title.stated or len(title.unit) > 1) and bool(unit_of(title.unit))
 
 
-def _unread_line(above: list[str], near: list[str], used: list[str]) -> str:
+def _unread_line(above: Sequence[str], near: list[str], used: list[str]) -> str:
     """Return the last line with units that no title contains; "" without one.
 
     near : lines above the rows, the last one first. used : those with the titles. A unit after a
@@ -220,4 +226,4 @@ def _words(line: str) -> list[str]:
 
 def _may_be_names(line: str, width: int) -> bool:
     """Return whether a line may name ``width`` columns: enough words, and not a remark."""
-    return len(_words(line)) >= width and title_of(line) is not None and ":" not in line
+    return len(_words(line)) >= width and ":" not in line and not _is_remark(line.strip())

@@ -70,9 +70,10 @@ def is_numeral(word: str) -> bool:
     """Return whether a word is a number, with any separators."""
     if not NUMERAL.fullmatch(word):
         return False
-    several = word.count(".") > 1 or word.count(",") > 1  # grouped digits, or a date
-    mantissa = EXPONENT_MARK.split(word, maxsplit=1)[0]
-    return not several or bool(COMMA_GROUPS.fullmatch(mantissa) or POINT_GROUPS.fullmatch(mantissa))
+    if word.count(".") < 2 and word.count(",") < 2:
+        return True
+    mantissa = EXPONENT_MARK.split(word, maxsplit=1)[0]  # of grouped digits, or a date
+    return bool(COMMA_GROUPS.fullmatch(mantissa) or POINT_GROUPS.fullmatch(mantissa))
 
 
 def is_missing(word: str) -> bool:

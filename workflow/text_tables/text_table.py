@@ -56,7 +56,8 @@ class TextTable:
 
     def _check_blocks(self) -> None:
         """Raise UserError if titles below the first row state other units or another order."""
-        for at, lines in self.between[:-1]:
+        firsts = {tuple(lines): at for at, lines in self.between[-2::-1] if any(lines)}
+        for lines, at in firsts.items():
             titles = header_of(lines, self.delimiter, self.width).titles
             names = [[title.name for title in header] for header in (titles, self.titles)]
             units = [[unit_of(title.unit) for title in header] for header in (titles, self.titles)]

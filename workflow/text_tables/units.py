@@ -9,6 +9,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+MAX_UNIT_CHARACTERS = 60
 Dimension = tuple[int, int, int, int, int]  # of length, mass, time, temperature, angle
 
 FAMILIES: dict[Dimension, str] = {
@@ -120,6 +121,8 @@ def unit_of(text: str) -> Unit | None:
     Products and quotients of known units are known, of the family "other" if their dimension is
     not in FAMILIES. Letter case matters only if it distinguishes units, such as mPa and MPa.
     """
+    if len(text) > MAX_UNIT_CHARACTERS:
+        return None
     scaled = SCALED_UNIT.fullmatch(text.strip().strip("[](){}<>"))
     if scaled:
         base = None if SCALED_UNIT.fullmatch(scaled[2]) else unit_of(scaled[2])

@@ -7,7 +7,7 @@ from ...ground import UserError
 from ...text_tables import NUMERAL_TEXT, TextTable, is_numeral, split
 from .raw_lines import KEY, LineFile, metres
 
-REMARK = re.compile(r"[#%/!;\s]*([^:=;\t]+?)\s*[:=]\s*(.*?)\s*[;,\t]*")  # Width: 96 µm
+REMARK = re.compile(r"([^:=;\t]+)[:=](.*)")  # Width: 96 µm
 QUANTITY_TEXT = re.compile(rf"({NUMERAL_TEXT})\s*(\S.*)?")
 PITCH_REMARK = re.compile(
     r"(pitch|step|(sampl\w*|point|data|x|lateral)?[-_ ]*(spacing|step|interval|increment|pitch)"
@@ -36,10 +36,10 @@ def remarks_of(table: TextTable) -> dict[str, str]:
         few = len(cells) == 2 or (len(cells) == 3 and is_numeral(cells[1]))
         if few and len(cells) != table.width and all(cells):
             remarks.setdefault(cells[0].lower(), " ".join(cells[1:]))
-        for part in re.split(r"[,;\t]\s*(?=[^\W\d])", line.strip()):
-            match = REMARK.fullmatch(part.strip())
-            if match and match[2]:
-                remarks.setdefault(match[1].strip().lower(), match[2].strip('" '))
+        for part in re.split(r"[,;\t]\s{0,8}(?=[^\W\d])", line.strip()):
+            match = REMARK.fullmatch(part.lstrip("#%/!; \t").rstrip(" ;,\t"))
+            if match and match[1].strip():
+                remarks.setdefault(match[1].strip().lower(), match[2].strip('" \t'))
     return remarks
 
 
