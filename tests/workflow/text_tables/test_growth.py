@@ -85,9 +85,9 @@ def patterns():
 
 
 def seconds(pattern, text):
-    """Return the least CPU time of two tries of a match and a search."""
+    """Return the least CPU time of three tries of a match and a search."""
     times = []
-    for _ in range(2):
+    for _ in range(3):
         begin = time.process_time()
         pattern.fullmatch(text)
         pattern.search(text)
@@ -123,8 +123,8 @@ def test_the_time_of_a_pattern_grows_as_the_square_of_the_length_at_most(pattern
             short = seconds(compiled, text)
             if short > 2e-4:  # more than linear
                 text = (unit * CHARACTERS * 4)[: 4 * CHARACTERS] + end
-                power = math.log(seconds(compiled, text) / short, 4.0)
-                assert power < MAX_POWER, f"{unit!r} {end!r}"
+                powers = (math.log(seconds(compiled, text) / short, 4.0) for _ in range(3))
+                assert any(power < MAX_POWER for power in powers), f"{unit!r} {end!r}"
 
 
 @pytest.mark.parametrize("unit", UNITS)
