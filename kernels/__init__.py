@@ -64,6 +64,6 @@ from .scene import (
     run_scene,
     scene_steps,
 )
-from .velocity_step.case import Case, Outcome, Quantities, Seconds
+from .velocity_step.case import Case, ContactAreas, Outcome, Quantities, Seconds
 from .velocity_step.cases import run_case, run_cases, run_prepared
 from .velocity_step.prepared import Prepared, prepare

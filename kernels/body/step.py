@@ -16,6 +16,7 @@ class Move(NamedTuple):
     after: Any
     number: int  # from 1 on; a prescribed indentation is given by number
     final: bool  # whether this step is accepted without another attempt
+    dt: float  # duration, in tau
 
 
 class Forces(NamedTuple):

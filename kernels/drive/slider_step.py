@@ -121,7 +121,7 @@ def expected_speed(motion, dt):
 @jitable
 def attempt_step(pulled, state, leg, motion, trip, dt):
     """Attempt a Trip in a time dt; return the BalancedStep."""
-    law, step = law_in_step(pulled.body, state, dt), Move(trip.before, trip.after, 0, False)
+    law, step = law_in_step(pulled.body, state, dt), Move(trip.before, trip.after, 0, False, dt)
     state = attempt(pulled.body, state, law, step)
     acting = forces(pulled.body, state, law, step)
     pulled.memory[0]["tries"] += 1

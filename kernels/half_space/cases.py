@@ -8,7 +8,16 @@ import numpy as np
 from ..model.friction import mean_slope
 from ..rheology.forms import form_of
 from ..rheology.retardation import Retardation
-from ..velocity_step.case import JUMP, MARCHING, STEADY, Case, Outcome, PhaseClocks, Quantities
+from ..velocity_step.case import (
+    JUMP,
+    MARCHING,
+    STEADY,
+    Case,
+    ContactAreas,
+    Outcome,
+    PhaseClocks,
+    Quantities,
+)
 from .body import Body, HalfSpace, Step, step_tolerance, take_step
 from .heating import Heating
 from .hot_relaxation import hot_relaxation
@@ -45,16 +54,18 @@ def run_case(
     passes = one.passes
     clock.lap_phase(STEADY)
     count = len(case.ratios)
-    jumps, rates, mu_2 = np.full((3, count), np.nan)
+    jumps, rates, mu_2, final = np.full((4, count), np.nan)
+    contact = real_contact(one.body.p, one.viscous)
+    areas = ContactAreas(contact, np.full(count, contact), final, [])
     sums = np.full((count, len(TILE_SUMS), case.tiles, case.tiles), np.nan)
     if case.tiles:
         sums[:, 0] = tile_sums(one.body.p > 0.0, case.tiles)
         sums[:, 1:3] = _steady_sums(space, one, case.tiles)
     if requested.jump and case.ratios:
-        jumps, used, sums[:, 5] = friction_jumps(
+        jumps, grown, used, sums[:, 6] = friction_jumps(
             space, case.spectrum, one, case.speed * one_hot.slowing, case.ratios, case.tiles
         )
-        passes += used
+        areas, passes = areas._replace(after=contact + grown), passes + used
     if requested.initial_rate and case.ratios:
         rates, used = initial_rates(space, case.spectrum, one, case.speed, case.ratios)
         passes += used
@@ -66,13 +77,16 @@ def run_case(
         two_hot = slide_with_heat(space, case.spectrum, heating, ratio * case.speed, one_hot, 0)
         two = two_hot.sliding
         passes, mu_2[k] = passes + two.passes, two.mu
+        final[k] = real_contact(two.body.p, two.viscous)
         if case.tiles:
-            sums[k, 3:5] = _steady_sums(space, two, case.tiles)
+            sums[k, 3] = tile_sums(two.body.p > 0.0, case.tiles)
+            sums[k, 4:6] = _steady_sums(space, two, case.tiles)
         clock.lap_phase(STEADY)
         if requested.relaxation:
             if heating is None:
-                curve, used = _relaxation(space, case, one.body, two, case.kept_steps[k])
+                curve, area, used = _relaxation(space, case, one.body, two, case.kept_steps[k])
                 curves.append(two.mu + (curve - two.step_mu))
+                areas.curves.append(area)
             else:
                 ends, speed = (one_hot, two_hot), ratio * case.speed
                 march = space, case.spectrum, heating, ends, speed, case.kept_steps[k]
@@ -83,7 +97,7 @@ def run_case(
     return Outcome(
         one.mu,
         one.body.d,
-        real_contact(one.body.p, one.viscous),
+        contact,
         samples_per_patch(one.body.p),
         mu_2,
         jumps,
@@ -92,6 +106,7 @@ def run_case(
         clock.seconds(),
         rates,
         sums if case.tiles else None,
+        areas if requested.areas else None,
     )
 
 
@@ -127,14 +142,19 @@ def _kept_variables(space: HalfSpace, case: Case, requested: Quantities) -> int 
 
 def _relaxation(
     space: HalfSpace, case: Case, start: Body, two: SlidingBody, numbers: np.ndarray
-) -> tuple[np.ndarray, int]:
-    """Return (mu at the given steps after the jump to the speed of ``two``, passes)."""
+) -> tuple[np.ndarray, np.ndarray, int]:
+    """Return (mu, real contact at the given steps after the jump to the speed of ``two``, passes).
+
+    The force and the contact of a step are those of its pressures.
+    """
     body, passes = start._replace(memory=start.memory.copy()), 0
-    mu, at, tolerance = np.empty(numbers.size), 0, step_tolerance(case.spectrum, two.step.law)
+    (mu, areas), at = np.empty((2, numbers.size)), 0
+    tolerance = step_tolerance(case.spectrum, two.step.law)
     for number in range(1, int(numbers[-1]) + 1):
         body, used = take_step(space, body, two.step, tolerance)
         passes += used
         if number == numbers[at]:
             mu[at] = mean_slope(body.p, two.step.weight)
+            areas[at] = real_contact(body.p, two.viscous)
             at += 1
-    return mu, passes
+    return mu, areas, passes

@@ -16,6 +16,7 @@ from ..model.friction import mean_slope
 from ..rheology.spectrum import Spectrum
 from .body import CONTACT_TOLERANCE, HalfSpace, at_samples, lasting_depth
 from .contact import MAX_PASSES, ElasticContact, press
+from .patches import real_contact
 from .sliding_body import SlidingBody
 from .tiles import quadratic_density, tile_sums
 
@@ -27,20 +28,23 @@ def friction_jumps(
     speed: float,
     ratios: tuple[float, ...],
     tiles: int = 0,
-) -> tuple[np.ndarray, int, np.ndarray]:
-    """Return (jumps of mu in h/dx, passes, sums over tiles), from ``speed`` to each ratio of it.
+) -> tuple[np.ndarray, np.ndarray, int, np.ndarray]:
+    """Return (jumps of mu in h/dx, of the real contact, passes, sums over tiles) to each ratio.
+
+    The jumps are those from ``speed`` to each ratio of it; the contact is that over L^2.
 
     one : steady sliding at ``speed`` (vbar, signed); with a dashpot its memory must be complete.
     tiles : per side. With constant contacts A dp = -eta dv dz/dx + const, so that the jump is a
     quadratic form of dp (tiles.py). The sums have the shape (ratios, tiles, tiles).
     """
     if spectrum.viscosity == 0.0:
-        return np.zeros(len(ratios)), 0, np.zeros((len(ratios), tiles, tiles))
+        none = np.zeros(len(ratios))
+        return none, none, 0, np.zeros((len(ratios), tiles, tiles))
     body, slope = one.body, space.surface.slope
     viscosity, lasting = lasting_depth(space.form, body.memory)
     lasting = at_samples(lasting, body.offset, slope.shape)
     touching = body.p > 0.0
-    mu, passes, pressures = [], 0, []
+    mu, areas, passes, pressures = [], [], 0, []
     contact = ElasticContact(body.p, at_samples(body.depth, body.offset, slope.shape), 0.0, 0)
     for ratio in (1.0, *ratios):
         gap = -(lasting + viscosity * ratio * speed * slope)
@@ -48,12 +52,13 @@ def friction_jumps(
         contact = press(gap, space.pressure, space.operator, start, CONTACT_TOLERANCE, touching)
         passes += contact.passes
         mu.append(mean_slope(contact.p, slope))
+        areas.append(real_contact(contact.p, one.viscous))
         pressures += [contact.p.copy()] if tiles else []
     sums = np.empty((len(ratios), tiles, tiles))
     for k, after in enumerate(pressures[1:]):
         change = quadratic_density(after - pressures[0], space.operator.compliance)
         sums[k] = tile_sums(change, tiles)
-    return np.array(mu[1:]) - mu[0], passes, sums
+    return np.array(mu[1:]) - mu[0], np.array(areas[1:]) - areas[0], passes, sums
 
 
 def initial_rates(

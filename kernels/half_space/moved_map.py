@@ -10,11 +10,12 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from ..body.step import Forces, accept, attempt, end_leg, forces, patch_width
+from ..body.step import Forces, Move, accept, attempt, end_leg, forces, patch_width
 from ..model.friction import mean_slope
 from ..motion.fourier import FractionalShifts
 from ..motion.legs import speed_at_start
 from ..rheology.forms import form_of
+from ..rheology.spectrum import Spectrum
 from ..scene.carried import CarriedBranches, carried_memory
 from ..scene.initial_state import charge_branches, glassy_stiffness
 from ..scene.records import record_snapshot
@@ -23,8 +24,8 @@ from .body import Body, HalfSpace, body_after, rest_on, try_step
 from .contact import ElasticContact
 from .heating import Heating, Warmth
 from .hot_sliding import slide_with_heat
-from .patches import samples_per_patch
-from .sliding_body import slide_steadily
+from .patches import real_contact, samples_per_patch
+from .sliding_body import jump_weight, slide_steadily
 
 
 class MovedMap(NamedTuple):
@@ -34,11 +35,14 @@ class MovedMap(NamedTuple):
     shifts: Callable  # fraction of a sample -> heights and slopes
     position: Callable  # place of a step -> position of the surface, in samples
     tolerance: Callable  # law of a step -> tolerance of its contact
+    spectrum: Spectrum  # of the material
 
     @classmethod
-    def of(cls, space: HalfSpace, position: Callable, tolerance: Callable) -> "MovedMap":
+    def of(
+        cls, space: HalfSpace, position: Callable, tolerance: Callable, spectrum: Spectrum
+    ) -> "MovedMap":
         """Return a map whose samples are given at position zero."""
-        return cls(space, FractionalShifts(*space.surface[:3]).at, position, tolerance)
+        return cls(space, FractionalShifts(*space.surface[:3]).at, position, tolerance, spectrum)
 
     @property
     def form(self) -> Any:
@@ -83,10 +87,12 @@ def moved_map(
     carried : branches that the motion carries along from a start at rest, if any.
     """
     warmth = heating.cold() if heating else None
+    sudden = 0.0
     if scene.start == "steady":
         speed = speed_at_start(scene.programme)
         one, warmth, *_ = slide_with_heat(space, scene.spectrum, heating, speed)
         body, passes, lag = _with_zero_offset(one.body), one.passes, one.step.law.lag
+        sudden = one.viscous
         earlier = np.roll(space.surface.slope, -1 if speed > 0.0 else 1, axis=1)
     elif carried is not None:
         (body, passes), lag = _carried_body(space, scene, carried), 0.0
@@ -98,9 +104,9 @@ def moved_map(
         charge_branches(space.form, body.memory)
         lag, earlier = 0.0, space.surface.slope
     weight = space.surface.slope + lag * (earlier - space.surface.slope)
-    acting = _forces_of(space, body.p, weight)
+    acting = _forces_of(space, body.p, weight, sudden)
     state = MapState(body.d, body.d, passes, body, None)
-    return MovedMap.of(space, position, tolerance), state, acting, warmth
+    return MovedMap.of(space, position, tolerance, scene.spectrum), state, acting, warmth
 
 
 def _carried_body(space: HalfSpace, scene: SceneCase, carried: CarriedBranches) -> tuple[Body, int]:
@@ -122,12 +128,15 @@ def _with_zero_offset(body: Body) -> Body:
     return body._replace(memory=fields[0], depth=fields[1][0], offset=0)
 
 
-def _forces_of(space: HalfSpace, p: np.ndarray, weight: np.ndarray) -> Forces:
-    """Return the Forces of pressures at slopes; the load is divided by the side of the map."""
+def _forces_of(space: HalfSpace, p: np.ndarray, weight: np.ndarray, sudden: float) -> Forces:
+    """Return the Forces of pressures at slopes; the load is divided by the side of the map.
+
+    sudden : as for ``real_contact``, which is the contact fraction.
+    """
     side = space.surface.z.shape[1] / space.surface.steps_per_spacing
     mu = mean_slope(p, weight)
-    touching = np.count_nonzero(p > 0.0) / p.size
-    return Forces(mu, float(p.mean()) * side, space.pressure * side * mu, touching)
+    area = real_contact(p, sudden)
+    return Forces(mu, float(p.mean()) * side, space.pressure * side * mu, area)
 
 
 @attempt.register(MovedMap)
@@ -145,7 +154,14 @@ def _attempt(body, state, law, step):
 def _forces(body, state, law, step):
     _, contact, offset = state.attempted
     before, after = (body.slopes_over(place, offset) for place in (step.before, step.after))
-    return _forces_of(body.space, contact.p, after + law.lag * (before - after))
+    weight = after + law.lag * (before - after)
+    return _forces_of(body.space, contact.p, weight, _sudden_edges(body, step))
+
+
+def _sudden_edges(body: MovedMap, step: Move) -> float:
+    """Return the share of leading edges with a jump of pressure, times the samples of the step."""
+    moved = abs(body.position(step.after) - body.position(step.before))
+    return jump_weight(body.spectrum, moved / step.dt) * min(moved, 1.0)
 
 
 @accept.register(MovedMap)

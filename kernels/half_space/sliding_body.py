@@ -94,7 +94,7 @@ def slide_steadily(
     modulus = complex_modulus(spectrum, q * speed)
     squares = exact * np.abs(response) ** 2 + (1.0 - exact) / np.abs(modulus) ** 2
     dissipative_mu = _mu_by_dissipation(space, modulus, squares, body.p)
-    viscous = _jump_weight(spectrum, surface.steps_per_spacing * speed)
+    viscous = jump_weight(spectrum, surface.steps_per_spacing * speed)
     mu = dissipative_mu + viscous * (step_mu - dissipative_mu)
     # The sum may have the wrong sign if contacts consist of single samples.
     if full or mu * dissipative_mu <= 0.0:
@@ -103,8 +103,8 @@ def slide_steadily(
     return SlidingBody(body, step, mu, step_mu, viscous, passes, loss)
 
 
-def _jump_weight(spectrum: Spectrum, steps: float) -> float:
-    """Return the weight of pressure jumps, from 0 to 1; steps : number per tau, signed."""
+def jump_weight(spectrum: Spectrum, steps: float) -> float:
+    """Return the weight of pressure jumps, from 0 to 1; steps : samples per tau, signed."""
     if spectrum.viscosity == 0.0:
         return 0.0
     modulus = complex(complex_modulus(spectrum, np.array(abs(steps))))

@@ -10,7 +10,7 @@ import numpy as np
 
 # Sums of a tile: number of touching samples, normal force and dissipated power at v1, then at v2,
 # and the jump. The unit of each is arbitrary: errors are relative.
-TILE_SUMS = ("touching", "load", "power", "load_2", "power_2", "jump")
+TILE_SUMS = ("touching", "load", "power", "touching_2", "load_2", "power_2", "jump")
 
 
 def tile_sums(density: np.ndarray, tiles: int) -> np.ndarray:

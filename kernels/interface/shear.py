@@ -38,17 +38,20 @@ class ShearLaw(NamedTuple):
     curve: Bell | ShearTable
     creep_velocity: float = 0.0  # below it the stress is that at it, in dx/tau
     activation: float = 0.0  # E_a/R, in K
-    reference: float = 1.0  # T_ref, in K
+    reference: float = 1.0  # T_ref, in K: the temperature of the scene
 
 
-def shear_stress(law: ShearLaw, speed: np.ndarray, temperature: float | np.ndarray) -> np.ndarray:
+def shear_stress(
+    law: ShearLaw, speed: float | np.ndarray, temperature: float | None = None
+) -> np.ndarray:
     """Return the shear stress of the real contact, in E* (h/dx)^2, not negative.
 
-    speed : of sliding, in dx/tau, of either sign. temperature : in K; broadcasts with ``speed``.
-    Raises ValueError beyond the last row of a table.
+    speed : of sliding, in dx/tau, of either sign. temperature : in K; None: the reference. Raises
+    ValueError beyond the last row of a table.
     """
-    shift = np.exp(law.activation * (1.0 / temperature - 1.0 / law.reference))
-    reduced = np.maximum(np.abs(speed), law.creep_velocity) * shift
+    reduced = np.maximum(np.abs(speed), law.creep_velocity)
+    if temperature is not None:
+        reduced = reduced * np.exp(law.activation * (1.0 / temperature - 1.0 / law.reference))
     with np.errstate(divide="ignore"):  # at rest, a bell without a creep velocity vanishes
         logs = np.log10(reduced)
     curve = law.curve

@@ -43,7 +43,7 @@ def march_track(
         if durations[s] != dt:
             dt = durations[s]
             law = law_in_step(body, state, dt)
-        step = Move(s, s + 1, number, True)
+        step = Move(s, s + 1, number, True, dt)
         if energies is not None:
             before = elements_of(body, state)
         state = attempt(body, state, law, step)

@@ -17,6 +17,7 @@ class Quantities(NamedTuple):
     relaxation: bool = True
     indentation_rate: bool = True  # whether the force includes d' (eq. 3 as printed drops it)
     initial_rate: bool = False  # d mu/dt just after the velocity step
+    areas: bool = False  # the real contact of a half-space at v2 and after the velocity step
 
     @property
     def anything(self) -> bool:
@@ -55,6 +56,15 @@ class Seconds(NamedTuple):
 STEADY, JUMP, MARCHING = range(len(Seconds._fields))
 
 
+class ContactAreas(NamedTuple):
+    """Real contact area of a half-space over L^2, for every velocity jump."""
+
+    before: float  # at v1
+    after: np.ndarray  # just after the jump, shape (ratios,)
+    final: np.ndarray  # in steady sliding at v2, shape (ratios,)
+    curves: list[np.ndarray]  # per ratio: at the recorded steps
+
+
 class Outcome(NamedTuple):
     """Results of a case; mu in h/dx, indentation in h over the mean line."""
 
@@ -69,6 +79,7 @@ class Outcome(NamedTuple):
     seconds: Seconds
     initial_rate: np.ndarray  # shape (ratios,): d mu/dt at t0+, per tau; NaN unless requested
     tiles: np.ndarray | None = None  # shape (ratios, sums, tiles, tiles), see half_space/tiles.py
+    areas: ContactAreas | None = None
 
 
 class PhaseClocks:

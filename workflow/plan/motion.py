@@ -213,12 +213,15 @@ def kernel_quantities(study: Study) -> Quantities:
     """Return the quantities requested from the kernels; a relaxation includes the jump."""
     requested = study.scene.quantities
     curve = any(name in requested for name in ("relaxation", "peak", "rate_state"))
+    sheared = any(effects.shear for effects in study.effects.values())
     return Quantities(
         steady="steady" in requested,
         jump="jump" in requested or curve,
         relaxation=curve,
         indentation_rate=study.scene.indentation_rate,
-        initial_rate="peak" in requested and not all(m.jumps for m in study.materials.values()),
+        initial_rate="peak" in requested
+        and not (sheared or all(m.jumps for m in study.materials.values())),
+        areas=sheared,
     )
 
 

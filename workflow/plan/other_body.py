@@ -12,6 +12,7 @@ from ..study import (
     HALF_SPACE,
     Numerics,
     Profile,
+    SceneEffects,
     Study,
     Surface,
     rows_of_map,
@@ -83,10 +84,11 @@ def _with_surface(
     forces = tuple(share * force for force in study.grid["normal_force"])
     return replace(
         study,
-        scene=study.scene._replace(quantities=("steady",)),
+        scene=study.scene._replace(quantities=("steady",), effects=SceneEffects()),
         grid=study.grid | {"normal_force": forces},
         surfaces={"": surface, MODEL_LABEL: surface},
         materials={"": study.material, MODEL_LABEL: study.material},
+        effects=dict.fromkeys(("", MODEL_LABEL), SceneEffects()),
         variants={MODEL_LABEL: numerics},
         realizations_requested=realizations,
         realizations=realizations,

@@ -21,6 +21,7 @@ from ..kinetic_law import relaxation_rate
 from ..simulate import Problem
 from ..study import FOUNDATION, HALF_SPACE, Material, Parts, Study, axes_of, check_load
 from .motion import Scale, canonical, line_modes, rounded, with_scene
+from .scaled_effects import check_shear_range, scaled_effects
 
 LEAST_CHANGE = 1e-13  # |dv/v1| vbar; below it rounding is over 1e-3 of the jump
 TYPICAL_HURST = 0.8  # assumed for measured lines, in predictions alone
@@ -58,6 +59,7 @@ def distinct_problems(study: Study, label: str = "") -> tuple[list[Problem], np.
         problem = bases[setting]._replace(hurst=hurst, elements=elements, load=load)
         if not problem.programme:  # a programme has its own speeds
             problem = problem._replace(speed=speed, ratio=ratio)
+        check_shear_range(f"compare.{label}" if label else "scene", problem)
         problems.append(problem)
     return problems, np.array(index).reshape(study.shape)
 
@@ -93,8 +95,10 @@ def _settings(
     length : total length of the lines that one drive pulls, m.
     """
     names = ["elements"]
+    if parts.scene.programme or any(parts.scene.effects):
+        names += ["dx", "roughness"]
     if parts.scene.programme:
-        names += ["dx", "velocity", "roughness"]
+        names += ["velocity"]
         names += ["prescribed_indentation"] if "prescribed_indentation" in points else []
     rows = np.stack([points[name].ravel() for name in names], axis=1)
     different, inverse = np.unique(rows, axis=0, return_inverse=True)
@@ -114,6 +118,8 @@ def _settings(
         scale = Scale(*units, at("velocity", nan), stiffness)
         depth = at("prescribed_indentation", nan)
         problem = with_scene(plain[int(row[0])], parts.scene, scale, depth)
+        effects = scaled_effects(parts.scene.effects, parts.material, scale, problem.effects)
+        problem = problem._replace(effects=effects)
         index.append(indices.setdefault(problem, len(indices)))
     return np.array(index)[inverse].reshape(points["elements"].shape)
 

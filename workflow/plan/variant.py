@@ -88,7 +88,8 @@ def problems_of(study: Study) -> dict[str, Problems]:
         same = (
             other
             for other in problems
-            if (material, study.surfaces[label]) == (study.materials[other], study.surfaces[other])
+            if (material, study.surfaces[label], study.effects[label])
+            == (study.materials[other], study.surfaces[other], study.effects[other])
         )
         other = next(same, None)
         problems[label] = _distinct(study, label) if other is None else problems[other]
@@ -98,9 +99,25 @@ def problems_of(study: Study) -> dict[str, Problems]:
 def _distinct(study: Study, label: str) -> Problems:
     problems, points = distinct_problems(study, label)
     # Many problems share the fields after the first five, so these are converted to text once.
-    settings = {rest: repr(rest).encode() for rest in {problem[5:] for problem in problems}}
+    settings = {
+        problem[5:]: repr(problem._replace(effects=problem.kernel_effects)[5:]).encode()
+        for problem in problems
+    }
     key_bytes = [PROBLEM_BYTES.pack(*p[:5]) + settings[p[5:]] for p in problems]
+    _number_equals(key_bytes)
     return Problems(problems, key_bytes, points, stack_problems(problems))
+
+
+def _number_equals(key_bytes: list[bytes]) -> None:
+    """Add a number to each of the bytes that occurred before, in place.
+
+    Problems that differ only in effects of the reduction have records of their own in one variant.
+    """
+    counts: dict[bytes, int] = {}
+    for row, own in enumerate(key_bytes):
+        counts[own] = counts.get(own, -1) + 1
+        if counts[own]:
+            key_bytes[row] += b"%d" % counts[own]
 
 
 class Sizes(NamedTuple):

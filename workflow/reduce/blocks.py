@@ -21,6 +21,7 @@ from ..simulate import (
 from ..study import Numerics
 from .jackknife import standard_error
 from .point_quantities import carried_estimates
+from .shear_sums import Parts, add_shear
 
 Estimates = dict[str, np.ndarray]
 
@@ -39,6 +40,7 @@ class Blocks(NamedTuple):
     legs: np.ndarray = np.empty((0, 0))  # of the trace samples, NaN after the last, (tasks, events)
     negligible: float = 0.0  # relaxation below this share of the jump is negligible
     carried: tuple[str, ...] = ()  # scalars whose replicates enter the estimates
+    parts: Parts | None = None  # of totals, by names such as mu_1_shear; None without shear
 
 
 class Reduction(NamedTuple):
@@ -96,6 +98,8 @@ def blocks_of(how: Reduction, tasks: list[Task], scalars: np.ndarray, rows: np.n
     }
     if "tiles" in values and how.copies > 1:
         values["tiles"] = _folded(values["tiles"])
+    legs = _legs(how, tasks)
+    scalars, values, shear_parts = add_shear(tasks, scalars, values, legs)
     speeds = [(t.problem.speed, t.problem.speed * t.problem.ratio) for t in tasks]
     slopes = [line_slope(t.problem, how.normalisation) for t in tasks]
     return Blocks(
@@ -107,9 +111,10 @@ def blocks_of(how: Reduction, tasks: list[Task], scalars: np.ndarray, rows: np.n
         how.jumps,
         np.array(speeds),
         tuple(task.problem.programme for task in tasks),
-        _legs(how, tasks),
+        legs,
         how.numerics.negligible,
         how.carried,
+        shear_parts or None,
     )
 
 

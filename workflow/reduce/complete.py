@@ -11,12 +11,14 @@ from ..plan import (
     line_slope,
     speed_ratio,
 )
+from ..simulate import Task
 from ..study import accuracy_estimates
 from .blocks import Estimates, columns, enter
 from .fits import FITTED
 from .model_ratio import model_ratios
 from .persson_estimates import persson_estimates
 from .resolution import UNRESOLVED, resolution, trace_resolution
+from .shear_sums import per_contact
 
 
 def completed(
@@ -47,6 +49,8 @@ def completed(
     }
     if "persson" in plan.study.scene.quantities:
         spread |= persson_estimates(tasks, variant.lines)
+        if tasks[0].problem.effects.shear is not None:
+            spread |= _theoretical_totals(tasks, spread)
     if variant is plan.variants[0] and "mu_1" in names:
         spread |= model_ratios(plan, spread, other)
     slopes = [line_slope(task.problem, variant.lines.normalisation) for task in tasks]
@@ -56,6 +60,14 @@ def completed(
         "speed_ratio": np.array([speed_ratio(task.problem) for task in tasks]),
         "steps_per_spacing": np.array([t.steps_per_spacing for t in tasks], np.int32),
     }
+
+
+def _theoretical_totals(tasks: list[Task], theory: Estimates) -> Estimates:
+    """Return the shear of the contact area by Persson's theory, and the sum with its friction."""
+    problems = [task.problem for task in tasks]
+    shear = per_contact(problems, [problem.ends[0] for problem in problems])
+    shear *= theory["area_persson"]
+    return {"mu_persson_shear": shear, "mu_persson_total": theory["mu_persson"] + shear}
 
 
 def exponents_of(plan: Plan, variant: Variant, estimates: Estimates) -> Estimates:

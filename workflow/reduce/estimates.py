@@ -33,8 +33,6 @@ def reduce_blocks(blocks: Blocks) -> Estimates:
             enter(estimates, name, values[name])
     for name in blocks.carried:
         estimates[f"{name}_replicates"] = padded(values[name], JACKKNIFE_GROUPS)
-    if "tiles" in blocks.values:
-        enter_tile_errors(estimates, blocks)
     if "curve" in blocks.values:
         start = values["mu_1"] + values["jump"]
         curves = np.concatenate([start[..., None], replicates(blocks.values["curve"], 1)], axis=2)
@@ -48,6 +46,11 @@ def reduce_blocks(blocks: Blocks) -> Estimates:
             _relaxations(estimates, blocks, deviation[:, :, 1:])
         reduce_steps(estimates, blocks, time, curves, values)
     reduce_programmes(estimates, blocks)
+    for name, part in (blocks.parts or {}).items():
+        if name.rpartition("_")[0] in estimates:
+            enter(estimates, name, replicates(part, 1))
+    if "tiles" in blocks.values:
+        enter_tile_errors(estimates, blocks)
     if "steady" in requested and "cycle_mean" in requested:
         mean = replicates(blocks.values["mu_cycle_mean"], 1)
         enter(estimates, "mu_cycle_share", mean / values["mu_1"])

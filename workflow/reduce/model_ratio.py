@@ -52,8 +52,9 @@ def _measured(plan: Plan, estimates: Estimates, other: Estimates) -> Estimates:
         height = 1.0 if profile is None else profile.roughness  # unit of heights on either body
         power = 1.0 if variant.lines.body == FOUNDATION else -1.0
         with np.errstate(all="ignore"):
-            ratio *= (values["mu_1"] * height) ** power
-            squares += (values["mu_1_error"] / values["mu_1"]) ** 2
+            name = _viscoelastic(values)
+            ratio *= (values[name] * height) ** power
+            squares += (values[f"{name}_error"] / values[name]) ** 2
         if variant.lines.body == HALF_SPACE:
             steps = [equivalent_steps(t.problem, t.steps_per_spacing) for t in variant.tasks]
             bias = map_error("mu_1", np.array(steps), np.nan)
@@ -63,6 +64,11 @@ def _measured(plan: Plan, estimates: Estimates, other: Estimates) -> Estimates:
         "model_ratio_error": np.abs(ratio) * np.sqrt(squares),
         "model_realizations": other["realizations"][rows],
     }
+
+
+def _viscoelastic(values: Estimates) -> str:
+    """Return the name of the viscoelastic part of mu_1, which both bodies have."""
+    return "mu_1_viscoelastic" if "mu_1_viscoelastic" in values else "mu_1"
 
 
 def _rows_of_points(ours: Variant, theirs: Variant) -> np.ndarray:

@@ -87,6 +87,7 @@ def resolution(
             bias[row] = rate_error(problem, steps, samples[row], rates[row])
             if first_order:
                 bias[row] += first_order_rate_error(problem, steps, rates[row])
+        bias *= _excess_of_parts(estimates, name)
         biases[f"{name}_bias"] = np.minimum(bias, MAX_RELATIVE_BIAS)
     biases["bias_bound"] = np.fmax.reduce(list(biases.values()))
     # On maps and on lines without an error law, the width of contacts does not bound the error.
@@ -96,6 +97,21 @@ def resolution(
         samples, biases["bias_bound"] if bounded else 0.0, _max_bias(tasks)
     )
     return biases
+
+
+def _excess_of_parts(estimates: Estimates, name: str) -> np.ndarray | float:
+    """Return the sum of the sizes of the parts of an estimate over its size; 1 without shear.
+
+    The law of the viscoelastic part bounds the error of the contact area too. A rate b that is
+    fitted to a sum has no law: NaN.
+    """
+    parts = [estimates.get(f"{name}_{part}") for part in ("viscoelastic", "shear")]
+    if name == "relaxation_rate" and "mu_shear" in estimates:
+        return np.nan
+    if parts[0] is None or parts[1] is None:
+        return 1.0
+    with np.errstate(all="ignore"):
+        return (np.abs(parts[0]) + np.abs(parts[1])) / np.abs(estimates[name])
 
 
 def _on_maps(tasks: list[Task]) -> bool:

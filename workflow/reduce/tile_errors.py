@@ -21,6 +21,11 @@ TILE_RATIOS = {  # estimate: sums of its ratio
     "jump": ("jump", "load"),
     "contact_fraction": ("touching", "load"),
 }
+SHEAR_RATIOS = {  # of the shear parts
+    "mu_1": ("touching", "load"),
+    "mu_2": ("touching_2", "load_2"),
+    "jump": ("touching", "load"),
+}
 MIN_LOADED_TILES = 2.0  # effective number
 MIN_PATCHES = 3.0  # of contact: fewer are no sample of a rough surface, such as a single sphere
 MAX_PARTIAL_CONTACT = 0.5  # contact fraction up to which the number of patches counts
@@ -42,12 +47,21 @@ def enter_tile_errors(estimates: Estimates, blocks: Blocks) -> None:
         sampled = (patches >= MIN_PATCHES) | (scalars["contact_fraction"] > MAX_PARTIAL_CONTACT)
         sampled &= loaded >= MIN_LOADED_TILES
         widening = np.where(sampled, stdtrit(loaded - 1.0, ndtr(1.0)), np.nan)
-        for name, (part, load) in TILE_RATIOS.items():
+
+        def spread(value: np.ndarray, part: str, load: str) -> np.ndarray:
+            """Return the value and its replicates over tiles, with the scatter of a ratio."""
             ratio = replicates(sums[part], 1) / replicates(sums[load], 1)
-            spread = widening[:, None] * (ratio[:, 1:] / ratio[:, :1] - 1.0)
-            value = scalars[name][:, None]
-            values = np.hstack([value, np.where(value == 0.0, 0.0, value * (1.0 + spread))])
-            if name in estimates:
-                estimates[f"{name}_error"] = standard_error(values, 1)
+            change = widening[:, None] * (ratio[:, 1:] / ratio[:, :1] - 1.0)
+            return np.hstack([value, np.where(value == 0.0, 0.0, value * (1.0 + change))])
+
+        parts = blocks.parts or {}
+        for name, ratio in TILE_RATIOS.items():
+            values = {name: spread(scalars[name][:, None], *ratio)}
+            if f"{name}_shear" in parts:
+                own = {f"{name}_viscoelastic": ratio, f"{name}_shear": SHEAR_RATIOS[name]}
+                values = {part: spread(parts[part], *sides) for part, sides in own.items()}
+                values[name] = np.sum(list(values.values()), axis=0)
+            for part in values.keys() & estimates.keys():
+                estimates[f"{part}_error"] = standard_error(values[part], 1)
             if name in blocks.carried:
-                estimates[f"{name}_replicates"] = padded(values, JACKKNIFE_GROUPS)
+                estimates[f"{name}_replicates"] = padded(values[name], JACKKNIFE_GROUPS)

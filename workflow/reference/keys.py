@@ -14,6 +14,7 @@ INTRODUCTIONS = {
     "scene.programme": "A segment may also follow a file, as "
     '`[[scene.programme]]` with `file = "NAME"`.',
     "scene.drive": "The spring and damper between the drive and the line, for segments `pull`.",
+    "scene.shear": "The shear stress of the real contact, as `[scene.shear]`; a half-space only.",
     "numerics": "The discretisation and the requested accuracy.",
     "cluster": "The workers that compute the study. Results do not depend on this table.",
 }

@@ -39,6 +39,11 @@ BIAS_COMMENT = (
 )
 
 
+SHEAR_COMMENT = (
+    "the real contact area falls as 1/rms_slope, which depends on the shortest wave, 2 pi/q_max"
+)
+
+
 class Variable(NamedTuple):
     """Declaration of one variable."""
 
@@ -82,6 +87,10 @@ VARIABLES = {
     "model_realizations": Variable(
         "number of realizations of the other body in model_ratio", dtype=COUNT_DTYPE
     ),
+    "mu_persson_shear": Variable(
+        "shear of area_persson over the normal force at v1", SLOPE_SCALE, comment=SHEAR_COMMENT
+    ),
+    "mu_persson_total": Variable("mu_persson + mu_persson_shear", SLOPE_SCALE),
     "jump": Variable("instantaneous jump of the coefficient of friction", SLOPE_SCALE),
     "relaxation_rate": Variable(
         "relaxation rate b of eq. 6, per tau", comment="fit with mu_2 known"
@@ -335,6 +344,11 @@ AUXILIARY = (
     "trace_distance",
 )
 
+PARTS = {
+    "shear": "shear of the real contact in the",
+    "viscoelastic": "viscoelastic part of the",
+}
+
 FLAGS = {
     "slip_event_kind": "slip_begins slip_ends reversal",
     "rate_state_status": STATUS_MEANINGS,
@@ -347,15 +361,24 @@ FLAGS = {
 
 
 def declared(name: str) -> Variable:
-    """Return the declaration of a variable; NAME_error and NAME_bias derive from NAME."""
+    """Return the declaration of a variable.
+
+    Those of NAME_error, NAME_bias and of the parts NAME_shear and NAME_viscoelastic derive from
+    that of NAME.
+    """
     if name in VARIABLES:
         return VARIABLES[name]
+    total, _, part = name.rpartition("_")
+    if part in PARTS and total in VARIABLES:
+        variable = VARIABLES[total]
+        comment = SHEAR_COMMENT if part == "shear" else variable.comment
+        return variable._replace(long_name=f"{PARTS[part]} {variable.long_name}", comment=comment)
     if name.endswith("_bias"):
         quantity = VARIABLES[name.removesuffix("_bias")].long_name
         return Variable(
             f"bound of the relative discretisation error of {quantity}", comment=BIAS_COMMENT
         )
-    variable = VARIABLES[name.removesuffix("_error")]
+    variable = declared(total) if part == "error" else VARIABLES[name]
     return variable._replace(
         long_name=f"standard error of {variable.long_name}", comment=ERROR_COMMENT
     )

@@ -29,6 +29,10 @@ def row_layout(task: Task, quantities: Quantities, scheme: str, recording: Recor
         shapes["curve"] = (recording.samples - 1,)
     if quantities.initial_rate:
         shapes["initial_rate"] = ()
+    if quantities.areas and task.problem.surface.body == "half-space":
+        shapes["contact_2"], shapes["contact_step"] = (), (2,)  # at v2; before and after the jump
+        if quantities.relaxation:
+            shapes["contact_curve"] = (recording.samples - 1,)
     if recording.tiles and quantities.anything:
         shapes["tiles"] = len(TILE_SUMS), recording.tiles, recording.tiles
     if recording.refined_blocks:

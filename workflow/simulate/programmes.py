@@ -12,7 +12,7 @@ from .layout import CONTACT_LENGTH_EDGES, Layout
 from .recorded_steps import trace_steps
 from .tasks import SCALARS, Batch, Recording, Task
 
-STEADY_ONLY = Quantities(steady=True, jump=False, relaxation=False)
+STEADY_ONLY = Quantities(steady=True, jump=False, relaxation=False, areas=True)
 
 
 def add_programme(
@@ -53,14 +53,14 @@ def scene_of(task: Task, scheme: str, recording: Recording) -> SceneCase:
         recorded=recorded,
         edges=CONTACT_LENGTH_EDGES,
         frames=recorded if "snapshots" in recording.requested else np.empty(0, np.int64),
-        effects=problem.effects,
+        effects=problem.kernel_effects,
     )
 
 
 def steady_ends(batch: Batch, line: Any, task: Task) -> dict[str, Any]:
     """Return the steady values at the first and the last slide of a programme, by scalar name.
 
-    A single map also has "tiles", the sums over its tiles.
+    A map also has "areas", the real contact, and a single one "tiles", the sums over its tiles.
 
     Empty if these are the speeds before and after the velocity step, which the case computes.
     """
@@ -78,11 +78,13 @@ def steady_ends(batch: Batch, line: Any, task: Task) -> dict[str, Any]:
         batch.scheme,
         problem.spectrum,
         tiles=batch.recording.tiles,
-        effects=problem.effects,
+        effects=problem.kernel_effects,
     )
     body = body_of(batch)
     ((outcome,),) = body.run([line], body.prepare([case], task.steps_per_spacing, STEADY_ONLY))
     values = {name: getattr(outcome, name) for name in SCALARS if name not in ("mu_2", "jump")}
     if outcome.tiles is not None:
         values["tiles"] = outcome.tiles[0]
+    if outcome.areas is not None:
+        values["areas"] = outcome.areas
     return values | {"mu_2": float(outcome.mu_2[0])}

@@ -9,7 +9,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from ...kernels import MOTION_TRACES, Case, Outcome, Quantities
+from ...kernels import MOTION_TRACES, Case, ContactAreas, Outcome, Quantities
 from ...kernels.compile.clock import computing_seconds
 from ..system import keep_memory, peak_bytes, this_maker
 from .bodies import BODIES, CaseGroup, body_of
@@ -178,7 +178,7 @@ def _case(batch: Batch, rows: list[int], refinement: int) -> Case:
         spectrum=tasks[0].problem.spectrum,
         refine=batch.refine,
         tiles=batch.recording.tiles,
-        effects=tasks[0].problem.effects,
+        effects=tasks[0].problem.kernel_effects,
     )
 
 
@@ -191,6 +191,9 @@ def _add_outcome(
     """
     scalars, values, _ = sums
     numbers = scalars_of(outcome)
+    areas_at_ends = ends.pop("areas", None)
+    if outcome.areas is not None:
+        _add_areas(outcome.areas, k, areas_at_ends, places, values)
     if outcome.tiles is not None:
         first, shape = places["tiles"]
         tiles = outcome.tiles[k].copy()
@@ -202,9 +205,24 @@ def _add_outcome(
     # Arrays have one entry for each velocity jump.
     scalars += [number[k] if isinstance(number, np.ndarray) else number for number in numbers]
     if outcome.curves:
-        first, (size,) = places["curve"]
-        curve = outcome.curves[k]
-        values[first : first + curve.size] += curve
-        values[first + curve.size : first + size] = np.nan
+        _add_curve(outcome.curves[k], places["curve"], values)
     if "initial_rate" in places:
         values[places["initial_rate"][0]] += outcome.initial_rate[k]
+
+
+def _add_areas(
+    areas: ContactAreas, k: int, ends: ContactAreas | None, places: Layout, values: np.ndarray
+) -> None:
+    """Add the real contact of velocity jump k to a row; ends : of the slides of a programme."""
+    values[places["contact_2"][0]] += areas.final[k] if ends is None else ends.final[0]
+    first = places["contact_step"][0]
+    values[first : first + 2] += areas.before, areas.after[k]
+    if "contact_curve" in places:
+        _add_curve(areas.curves[k], places["contact_curve"], values)
+
+
+def _add_curve(curve: np.ndarray, place: tuple[int, tuple[int, ...]], values: np.ndarray) -> None:
+    """Add a curve to its place in a row; the rest of the place is NaN."""
+    first, (size,) = place
+    values[first : first + curve.size] += curve
+    values[first + curve.size : first + size] = np.nan

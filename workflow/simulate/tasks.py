@@ -51,7 +51,16 @@ class Problem(NamedTuple):
     start: str = "steady"
     indentation: float | ScaledHistory | None = None  # in h over the mean line; None: a given load
     drive: Drive | None = None  # None: the programme moves the line itself
-    effects: Effects = NO_EFFECTS  # on which the record depends
+    effects: Effects = NO_EFFECTS
+
+    @property
+    def kernel_effects(self) -> Effects:
+        """Return the effects on which the record depends.
+
+        The shear of a prescribed motion without heat is added when points are reduced.
+        """
+        known = self.drive is not None or self.effects.heat is not None
+        return self.effects if known else self.effects._replace(shear=None)
 
     def samples(self, steps_per_spacing: Any) -> Any:
         """Return the number of samples of the line or map.
@@ -76,7 +85,7 @@ class Problem(NamedTuple):
 Record = tuple[str, int]  # (key of a task, block of realizations)
 
 # SCALARS : fields of an outcome with a column each; layout.py lays out the rest of a record.
-OTHER_FIELDS = ("curves", "work", "seconds", "initial_rate", "tiles")
+OTHER_FIELDS = ("curves", "work", "seconds", "initial_rate", "tiles", "areas")
 SCALARS = tuple(name for name in Outcome._fields if name not in OTHER_FIELDS)
 
 PHASES = ("surfaces", *Seconds._fields)  # of the work on a line, without the cost of calls

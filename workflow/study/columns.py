@@ -206,7 +206,8 @@ def _read_column(table: TextTable, spec: ColumnSpec, column: int, option: str) -
         raise UserError(
             f"{prefix}: holds logarithms, not {spec.meaning}: write the numbers themselves"
         )
-    if spec.family == "pressure" and re.search(STRESS_NAME, title.name, re.IGNORECASE):
+    is_stress = spec.family == "pressure" and re.search(STRESS_NAME, title.name, re.IGNORECASE)
+    if is_stress and not re.search(spec.names, "stress"):
         raise UserError(f"{prefix}: holds a stress, not {spec.meaning}: divide it by the strain")
     unit, source = _unit_of_column(table, spec, title, prefix, option)
     angular = re.search(ANGULAR_NAME, title.name, re.IGNORECASE)

@@ -1,5 +1,6 @@
 """JSON schema of study.toml, derived from the tables of keys."""
 
+from .effects import EFFECT_TABLES, compared_effect_schema
 from .settings import TEXT, Schema, schema_of, table_of
 from .tables import ALL_TABLES
 from .variants import COMPARE
@@ -10,6 +11,7 @@ def study_schema() -> Schema:
     tables = {name: _table(name) for name in ALL_TABLES if "." not in name}
     properties = {**tables["material"]["properties"], **tables["surface"]["properties"]}
     properties |= tables["numerics"]["properties"] | tables["scene"]["properties"]
+    properties |= {name: compared_effect_schema(properties[name]) for name in EFFECT_TABLES}
     compared = table_of({key: properties[key] for key in COMPARE})
     tables["compare"] = _by_name(compared, "^[A-Za-z]\\w*$")
     tables["measure"] = {"type": "object"}

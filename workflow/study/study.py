@@ -18,7 +18,9 @@ from .effects import (
     PROGRAMME_AXES,
     Material,
     Scene,
+    SceneEffects,
     check_quantities,
+    read_effects,
     read_scene_table,
 )
 from .grid import read_grid
@@ -26,7 +28,13 @@ from .numerics import Numerics
 from .settings import filled
 from .surfaces import Profile, Surface, read_surface
 from .tables import ONE_POINT, STUDY, checked_tables
-from .variants import check_bodies, check_layers, check_numerics, read_variants
+from .variants import (
+    check_all_effects,
+    check_bodies,
+    check_layers,
+    check_numerics,
+    read_variants,
+)
 
 MAX_BLOCKS = 100_000  # per problem; the block means of several problems are in memory together
 
@@ -62,6 +70,7 @@ class Study(AnyStudy):
     variants: dict[str, Numerics]  # by label: "" is the study itself, others are comparisons
     materials: dict[str, Material]  # by label
     surfaces: dict[str, Surface]  # by label; all have the same length, spacing and roughness
+    effects: dict[str, SceneEffects]  # by label
     pressures: tuple[float, ...] = ()  # Pa, nominal; empty if forces are given
     body_reason: str = ""  # for the body of the study, in words
     cluster: Cluster = THIS_MACHINE  # not part of the identity of results
@@ -93,6 +102,7 @@ class Study(AnyStudy):
         for material in self.materials.values():
             shifts = material.shifts.told if material.shifts else ""
             rows += [("branches", material.description), ("shifts", shifts)]
+        rows += [("shear", e.shear.description) for e in self.effects.values() if e.shear]
         rows += [("programme", history) for history in self.scene.sampled]
         rows.append(("indentation", self.scene.indentation_description))
         return [row for row in dict.fromkeys(rows) if row[1]]
@@ -102,7 +112,8 @@ class Study(AnyStudy):
 
         The last axis varies fastest. Other axes have their first value.
         """
-        parts = Parts(self.materials[label], self.surfaces[label], self.scene)
+        scene = self.scene._replace(effects=self.effects[label])
+        parts = Parts(self.materials[label], self.surfaces[label], scene)
         return parts_at(parts, self.grid, axes)
 
     def force_share(self, label: str) -> float:
@@ -154,7 +165,9 @@ def read_grid_study(
     variants, materials, surfaces = read_variants(given, folder, surface)
     surface = surfaces[""]
     _check_other_values(given, several, folder, surface)
+    effects = read_effects(given["scene"], given["compare"], folder)
     scene = read_scene_table(given["scene"], folder, materials.values())
+    scene = scene._replace(effects=effects[""])
     parts = Parts(materials[""], surface, scene)
     grid = read_grid(given["grid"], written.get("grid", {}), parts, several)
     requested = given["study"].get("realizations")
@@ -167,6 +180,7 @@ def read_grid_study(
     check_quantities(scene, materials, single_line)
     check_bodies(scene, surfaces)
     check_layers(materials, surfaces)
+    check_all_effects(effects, materials, scene, surfaces)
     check_numerics(variants, materials, scene, surfaces)
     for axis, values in grid.items() if one_point else ():
         if len(values) > 1 and axis not in PROGRAMME_AXES:
@@ -178,6 +192,7 @@ def read_grid_study(
         variants=variants,
         materials=materials,
         surfaces=surfaces,
+        effects=effects,
         pressures=given["grid"].get("normal_pressure", ()),
         body_reason=choice.reason + materials[""].depth_in_words,
         cluster=cluster,

@@ -8,7 +8,7 @@ from typing import Any
 from ..ground import ErrorCollector, UserError
 from .axes import with_lists
 from .cluster import CLUSTER
-from .effects import ARRHENIUS, DRIVE, MATERIAL, SCENE, SEGMENTS, WLF
+from .effects import ARRHENIUS, DRIVE, EFFECT_TABLES, MATERIAL, SCENE, SEGMENTS, WLF
 from .grid import GRID
 from .numerics import NUMERICS
 from .settings import Key, as_table, as_text, check_keys, checked, integer
@@ -68,6 +68,7 @@ SUBTABLES: dict[str, dict[str, Keys]] = {
     "material": {"material.wlf": WLF, "material.arrhenius": ARRHENIUS},
     "scene": {
         "scene.drive": DRIVE,
+        **{f"scene.{name}": keys for name, (keys, _) in EFFECT_TABLES.items()},
         **{f"scene.programme.{kind}".removesuffix(".file"): SEGMENTS[kind] for kind in SEGMENTS},
     },
 }

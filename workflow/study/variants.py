@@ -7,6 +7,7 @@ from typing import Any
 
 from ..ground import UserError
 from .effects import (
+    EFFECT_TABLES,
     ELEMENT_QUANTITIES,
     FORCE,
     FOUNDATION,
@@ -16,6 +17,9 @@ from .effects import (
     SHIFTS,
     Material,
     Scene,
+    SceneEffects,
+    check_effects,
+    compared_effect_key,
     read_material,
 )
 from .numerics import DEFAULTS, NUMERICS, Numerics, read_numerics
@@ -24,6 +28,7 @@ from .surfaces import LINE_KIND_KEYS, Surface, lines_like
 # Not the temperature: it is an axis of the grid, which all variants share.
 COMPARE = NUMERICS | {key: MATERIAL[key] for key in MATERIAL if key != "temperature"}
 COMPARE |= LINE_KIND_KEYS | {"body": SCENE["body"]}
+COMPARE |= {name: compared_effect_key(name) for name in EFFECT_TABLES}
 MIN_LAYER_SHARE = 1e-3  # thickness over the period; thinner layers lose digits of stiffness
 ALTERNATIVES = (("branches", "branches_file"), tuple(SHIFTS))  # keys of a group exclude each other
 
@@ -105,6 +110,24 @@ def check_layers(materials: Mapping[str, Material], surfaces: Mapping[str, Surfa
             )
 
 
+def check_all_effects(
+    effects: Mapping[str, SceneEffects],
+    materials: Mapping[str, Material],
+    scene: Scene,
+    surfaces: Mapping[str, Surface],
+) -> None:
+    """Raise UserError for effects that a variant or a requested quantity does not support."""
+    for label, own in effects.items():
+        where = f"compare.{label}" if label else "scene"
+        on_half_space = surfaces[label].body != FOUNDATION
+        check_effects(where, own, materials[label], scene.rests, on_half_space)
+        if own.shear and "cycle_mean" in scene.quantities:
+            raise UserError(
+                'scene.quantities: "cycle_mean": is not available with scene.shear; request "loop" '
+                'or "trace" instead'
+            )
+
+
 def check_numerics(
     variants: dict[str, Numerics],
     materials: dict[str, Material],
@@ -121,6 +144,11 @@ def check_numerics(
             )
         if not numerics.accuracy:
             continue
+        if any(scene.effects):
+            raise UserError(
+                f"{where}.accuracy = {numerics.accuracy!r}: no law predicts the scatter with "
+                "scene.shear; give steps_per_spacing and study.realizations instead"
+            )
         surface = surfaces[label]
         of_maps = surface.body != FOUNDATION
         bounded = surface.cutoff or (surface.rolloff and not of_maps)

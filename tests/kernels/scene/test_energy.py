@@ -122,7 +122,7 @@ def test_a_step_dissipates_the_integral_of_the_rates(name, dt):
     track = Track(z, z, here, here, np.array([dt]), np.zeros(2), np.zeros(2))
     body, _ = element_line(form, ConstantForce(1.0), track, before)
     record = EnergyRecord(np.empty((4, 0)), np.zeros(3))
-    add_step_energies(body, law, record, Move(0, 1, 1, True), dt, before, after)
+    add_step_energies(body, law, record, Move(0, 1, 1, True, dt), dt, before, after)
     sums = record.sums
     begun = law.linear * p + (1.0 - law.linear) * new
     expected = 0.0

@@ -33,7 +33,7 @@ def test_the_dissipated_power_of_all_tiles_is_friction(sliding):
 
 def test_the_sums_of_tiles_are_proportional_to_the_jumps(sliding):
     space, one = sliding
-    jumps, _, sums = friction_jumps(space, KELVIN, one, 0.2, (1.1, 2.0), TILES)
+    jumps, _, _, sums = friction_jumps(space, KELVIN, one, 0.2, (1.1, 2.0), TILES)
     shares = sums.sum(axis=(1, 2)) / jumps / np.array([0.1, 1.0])
     assert shares[0] == pytest.approx(shares[1], rel=0.1)  # contacts hardly change
 

@@ -25,6 +25,8 @@ OF_BODIES = {
     "model_realizations",
     "mu_persson",
     "area_persson",
+    "mu_persson_shear",
+    "mu_persson_total",
     "mean_contact_pressure",
 }
 ACCURACY = {"accuracy_reached", "accuracy_status"}  # run/test_rounds.py

@@ -17,7 +17,16 @@ from tests.support.small import TEXT, small_study
 
 ROOT = Path(__file__).resolve().parents[3]
 STUDY = ("axes", "cluster", "grid", "numerics", "read", "settings", "study", "tables", "variants")
-EFFECTS = ("branches", "material", "quantities", "scene", "segments", "shifting")
+EFFECTS = (
+    "branches",
+    "material",
+    "quantities",
+    "scene",
+    "scene_effects",
+    "segments",
+    "shearing",
+    "shifting",
+)
 DOCUMENT = ROOT / "tests" / "refusals.md"
 SURFACES = ("raw_lines", "files", "gaps", "positions", "profile", "table", "text_lines")
 ROOMS = {
@@ -27,6 +36,7 @@ ROOMS = {
 }
 CHECKED = (
     "plan/problems",
+    "plan/scaled_effects",
     "simulate/recorded_steps",
     *(f"{room}/{name}" for room, names in ROOMS.items() for name in names),
 )

@@ -31,7 +31,16 @@ if TYPE_CHECKING:
         unavailable_reason,
     )
     from .scene import FOUNDATION, HALF_SPACE, SCENE, read_scene_table
+    from .scene_effects import (
+        EFFECT_TABLES,
+        SceneEffects,
+        check_effects,
+        compared_effect_key,
+        compared_effect_schema,
+        read_effects,
+    )
     from .segment_keys import DRIVE, SEGMENTS
+    from .shearing import Shear
     from .shifting import (
         ARRHENIUS,
         MAX_SHIFT_DECADES,

@@ -4,6 +4,8 @@ import math
 from itertools import pairwise
 from typing import Any, NamedTuple
 
+from .scene_effects import SceneEffects
+
 FORCE, INDENTATION = "force", "indentation"  # controls
 STEADY, RELAXED, FRESH = "steady", "relaxed", "fresh"  # starts
 PROGRAMME_AXES = ("hold", "velocity_amplitude", "frequency")  # axes with values in a segment
@@ -112,11 +114,18 @@ class Scene(NamedTuple):
     indentation_history: History | None = None  # d(t) (s, m), constant beyond its ends
     drive: Spring | None = None  # None: the programme moves the line itself
     indentation_description: str = ""  # of the file of the indentation
+    effects: SceneEffects = SceneEffects()  # of one variant of the study
 
     @property
     def segments(self) -> Programme:
         """The programme with its repetitions."""
         return self.programme * self.repeat
+
+    @property
+    def rests(self) -> bool:
+        """Return whether the line may be at rest: in a hold, or on a spring."""
+        held = any(isinstance(segment, HoldSegment) for segment in self.programme)
+        return self.drive is not None or held
 
     @property
     def sampled(self) -> tuple[str, ...]:

@@ -20,10 +20,10 @@ def _required(is_met: Callable[[Scene, bool], bool], reason: str) -> Requirement
     return lambda scene, _, single_line: "" if is_met(scene, single_line) else reason
 
 
-def _dashpot(_: Scene, materials: Materials, __: bool) -> str:
-    """Return a message that names a material without a dashpot, or ""."""
+def _jump(scene: Scene, materials: Materials, _: bool) -> str:
+    """Return a message that names a material without a dashpot, if no shear jumps, or ""."""
     for label, material in materials.items():
-        if not material.jumps:
+        if not (material.jumps or scene.effects.shear):
             where = f"compare.{label}" if label else "material"
             return f"{where} has no dashpot: mu does not jump; request peak instead"
     return ""
@@ -87,7 +87,7 @@ QUANTITIES = {
         "jump at t0+ (no relaxation is marched)",
         ("jump",),
         accuracy_estimate="jump",
-        requirements=(CONSTANT_FORCE, VELOCITY_STEP, _dashpot),
+        requirements=(CONSTANT_FORCE, VELOCITY_STEP, _jump),
     ),
     "relaxation": Quantity(
         "relaxation after the jump (time marching)",

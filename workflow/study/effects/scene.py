@@ -11,6 +11,7 @@ from .histories import INDENTATION_COLUMN, read_history
 from .material import Material
 from .programme import FORCE, FRESH, INDENTATION, RELAXED, STEADY, Scene, Spring
 from .quantities import QUANTITIES, read_quantities
+from .scene_effects import EFFECT_TABLES, effect_key
 from .segment_keys import DRIVE
 from .segments import MAX_SEGMENTS, is_pulled, read_programme
 
@@ -27,7 +28,8 @@ def read_scene_table(
     materials : those of the study and its comparisons, which determine the default quantities.
     """
     given = filled("scene", table, SCENE)
-    del given["body"]  # a property of the surfaces (study/variants.py)
+    for name in ("body", *EFFECT_TABLES):  # of each variant (study/variants.py)
+        del given[name]
     segments, history = given.pop("programme"), given.pop("indentation_file")
     programme = () if segments is None else read_programme("scene.programme", segments, folder)
     drive = _drive(given.pop("drive"), is_pulled("scene.programme", segments or []))
@@ -195,6 +197,11 @@ SCENE = {
         default=None,
         values="a table, `[scene.drive]`",
         usual="none: the programme moves the line itself",
+    ),
+    "shear": effect_key(
+        "shear",
+        "The shear stress τ_f of the real contact of a half-space. Friction is then the sum of the "
+        "viscoelastic part and τ_f times the real contact area.",
     ),
     "programme": Key(
         lambda _, value: [value] if isinstance(value, dict) else value,

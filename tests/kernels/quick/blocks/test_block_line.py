@@ -115,11 +115,11 @@ def test_memory_is_released():
 @kernel
 def elements_after(body, state, durations):
     """Return the elements after a step that is attempted with several durations, and one before."""
-    first, law = Move(0.0, 1.0, 0, False), law_in_step(body, state, 0.1)
+    first, law = Move(0.0, 1.0, 0, False, 0.1), law_in_step(body, state, 0.1)
     state = accept(body, attempt(body, state, law, first), law)
     for dt in durations:
         law = law_in_step(body, state, dt)
-        state = attempt(body, state, law, Move(1.0, 2.0, 0, False))
+        state = attempt(body, state, law, Move(1.0, 2.0, 0, False, 0.1))
     return elements_of(body, accept(body, state, law))
 
 

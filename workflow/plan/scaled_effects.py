@@ -1,0 +1,87 @@
+"""Effects of a scene in the dimensionless units of the kernels, and their limits."""
+
+import math
+
+from ...kernels import (
+    GAS_CONSTANT,
+    Arrhenius,
+    Bell,
+    Effects,
+    Hold,
+    Leg,
+    Oscillation,
+    Ramp,
+    Sampled,
+    ShearLaw,
+    ShearTable,
+    Slide,
+)
+from ..ground import UserError
+from ..simulate import Problem
+from ..study import Material, SceneEffects, Shear
+from ..text_tables import ZERO
+from .motion import Scale, rounded
+
+
+def scaled_effects(
+    effects: SceneEffects, material: Material, scale: Scale, others: Effects
+) -> Effects:
+    """Return the effects of a scene for the kernels, beside others of the same problem."""
+    shear = effects.shear
+    return others._replace(shear=shear and _shear_law(shear, material, scale))
+
+
+def _shear_law(shear: Shear, material: Material, scale: Scale) -> ShearLaw:
+    """Return the law of the shear stress, with the temperature of the material as reference."""
+    stress_unit = material.contact_modulus * (scale.roughness / scale.spacing) ** 2
+    speed_unit, activation, reference = scale.spacing / scale.tau, 0.0, 1.0
+    own_speed_unit = speed_unit  # of the speeds of the law
+    if shear.activation_energy is not None and shear.reference is not None:
+        assert material.temperature is not None
+        shift = Arrhenius(shear.activation_energy, shear.reference)
+        own_speed_unit *= 10.0 ** shift.decades(material.temperature)
+        activation = shear.activation_energy / GAS_CONSTANT
+        reference = material.temperature + ZERO
+    curve: Bell | ShearTable
+    if shear.rows:
+        speeds, stresses = zip(*shear.rows, strict=True)
+        curve = ShearTable(
+            tuple(rounded(speed / own_speed_unit) for speed in speeds),
+            tuple(rounded(stress / stress_unit) for stress in stresses),
+        )
+    elif shear.velocity is None or shear.width is None:
+        curve = ShearTable((math.inf,), (rounded((shear.stress or 0.0) / stress_unit),))
+    else:
+        maximum = rounded((shear.stress or 0.0) / stress_unit)
+        curve = Bell(maximum, rounded(shear.velocity / own_speed_unit), shear.width)
+    creep = rounded((shear.creep_velocity or 0.0) / speed_unit)
+    return ShearLaw(curve, creep, activation, reference)
+
+
+def check_shear_range(where: str, problem: Problem) -> None:
+    """Raise UserError if a motion is faster than the last row of a table of the shear stress."""
+    law = problem.effects.shear
+    if law is None or not isinstance(law.curve, ShearTable):
+        return
+    speeds = [problem.speed, problem.speed * problem.ratio, *map(_fastest, problem.programme)]
+    excess = max(map(abs, speeds)) / law.curve.speeds[-1]
+    if excess > 1.0 + 1e-9:
+        raise UserError(
+            f"{where}.shear.file: its last velocity lies below that of the motion, which is "
+            f"{excess:.3g} times as fast; add rows, or slide more slowly"
+        )
+
+
+def _fastest(leg: Leg) -> float:
+    """Return the largest speed of a leg, in dx/tau."""
+    match leg:
+        case Hold():
+            return 0.0
+        case Slide():
+            return abs(leg.speed)
+        case Ramp():
+            return max(abs(leg.first), abs(leg.last))
+        case Sampled():
+            return max(map(abs, leg.speeds))
+        case Oscillation():
+            return abs(leg.speed) + 2.0 * math.pi * leg.frequency * leg.amplitude

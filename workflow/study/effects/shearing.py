@@ -1,0 +1,170 @@
+"""The table [scene.shear]: shear stress of the real contact over the sliding speed, in SI units.
+
+It is a bell over the logarithm of the speed, a constant, or a measured table (kernels/interface).
+"""
+
+from collections.abc import Mapping
+from functools import partial
+from pathlib import Path
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from ...ground import UserError
+from ...text_tables import read_text_table
+from ..columns import STRESS_NAME, ColumnSpec, describe_columns, select_columns
+from ..settings import Key, as_text, filled, number, positive, within
+
+MAX_SHEAR_STRESS = 1e12  # Pa
+SHEAR_HEADER_ADVICE = 'a header "velocity [m/s], stress [Pa]"'
+SPEED_COLUMN = ColumnSpec(
+    "a velocity", "velocity", r"vel|speed|^v([_ ]|$)", "m/s", SHEAR_HEADER_ADVICE
+)
+STRESS_COLUMN = ColumnSpec(
+    "a shear stress", "pressure", rf"{STRESS_NAME}|^(tau|\u03c4)", "Pa", SHEAR_HEADER_ADVICE
+)
+
+
+class Shear(NamedTuple):
+    """Shear stress of the real contact; a bell has a velocity, a table has rows."""
+
+    stress: float | None = None  # Pa, the maximum of a bell
+    velocity: float | None = None  # m/s, of the maximum
+    width: float | None = None  # decades
+    creep_velocity: float | None = None  # m/s
+    activation_energy: float | None = None  # J/mol
+    reference: float | None = None  # °C
+    rows: tuple[tuple[float, float], ...] = ()  # speed (m/s), stress (Pa); speeds increasing
+    description: str = ""  # of the file
+
+    def in_words(self) -> str:
+        """Return a description of the law."""
+        if self.rows:
+            return f"table over {self.rows[0][0]:g} to {self.rows[-1][0]:g} m/s"
+        if self.velocity is None:
+            return f"{self.stress:g} Pa at any speed"
+        return f"up to {self.stress:g} Pa at {self.velocity:g} m/s, {self.width:g} decades wide"
+
+
+def read_shear(where: str, table: Mapping[str, Any], folder: Path) -> Shear:
+    """Return the law of the checked values of a table. Raises UserError.
+
+    where : name of the table, for messages. folder : folder of the file that it names.
+    """
+    given = filled(where, table, SHEAR)
+    file = given.pop("file")
+    if (given["stress"] is None) == (not file):
+        raise UserError(
+            f"{where}.file: give either it or {where}.stress"
+            if file
+            else f"{where}.stress: missing; give the shear stress of the real contact in Pa, or a "
+            f"table of it over the speed as {where}.file"
+        )
+    _check_together(where, given, "velocity", "width")
+    _check_together(where, given, "activation_energy", "reference")
+    bell = given["velocity"] is not None
+    for name, allowed in (
+        ("velocity", not file),
+        ("creep_velocity", bell),
+        ("activation_energy", bell or bool(file)),
+    ):
+        if given[name] is not None and not allowed:
+            kind = "a table" if file else "a constant stress, without velocity and width,"
+            raise UserError(f"{where}.{name} = {given[name]:g}: {kind} has none; omit it")
+    if not file:
+        return Shear(**given)
+    rows, description = _read_rows(f"{where}.file", folder / file)
+    return Shear(**given, rows=rows, description=description)
+
+
+def _check_together(where: str, given: Mapping[str, Any], *names: str) -> None:
+    """Raise UserError if one of two keys is given without the other."""
+    missing = [name for name in names if given[name] is None]
+    if len(missing) == 1:
+        other = next(name for name in names if name not in missing)
+        raise UserError(f"{where}.{missing[0]}: missing; {where}.{other} needs it")
+
+
+def _read_rows(key: str, path: Path) -> tuple[tuple[tuple[float, float], ...], str]:
+    """Return rows (speed in m/s, stress in Pa) of a file, and a description. Raises UserError."""
+    table = read_text_table(key, path, path.name)
+    columns = select_columns(table, (SPEED_COLUMN, STRESS_COLUMN), None, SHEAR_HEADER_ADVICE)
+    speeds, stresses = (column.values for column in columns)
+    where = f"{key} = {path.name!r}"
+    for values, least, meaning in ((speeds, 5e-324, "a velocity"), (stresses, 0.0, "a stress")):
+        bad = np.flatnonzero(~((values >= least) & np.isfinite(values)))
+        if bad.size:
+            raise UserError(
+                f"{where}: row {bad[0] + 1} holds {meaning} of {values[bad[0]]:g}; give positive "
+                "velocities, and stresses that are not negative"
+            )
+    if np.any(np.diff(speeds) <= 0.0):
+        row = int(np.argmax(np.diff(speeds) <= 0.0))
+        raise UserError(
+            f"{where}: velocity {speeds[row + 1]:g} m/s does not come after {speeds[row]:g} m/s; "
+            "velocities must increase"
+        )
+    rows = zip(speeds.tolist(), stresses.tolist(), strict=True)
+    return tuple(rows), describe_columns(table, columns)
+
+
+SHEAR = {
+    "stress": Key(
+        partial(within, least=0.0, most=MAX_SHEAR_STRESS),
+        "The shear stress τ₀ of the real contact: the maximum of a bell over the velocity, or a "
+        "constant. Measure it with a smooth sphere or on smooth glass, where nothing else acts.",
+        "Doubled, the shear part of the friction doubles.",
+        "Pa",
+        default=None,
+        usual="required unless `file` is given",
+    ),
+    "velocity": Key(
+        positive,
+        "The velocity v₀ at the maximum of the bell τ₀ exp(−(log₁₀(v a'/v₀)/w)²).",
+        "Doubled, the bell moves to twice the velocity.",
+        "m/s",
+        default=None,
+        usual="none: a constant stress",
+    ),
+    "width": Key(
+        positive,
+        "The width w of the bell, after which τ_f has fallen to 1/e; c = 1/w² in the literature.",
+        "Doubled, the stress falls half as fast over the logarithm of the velocity.",
+        "decades",
+        default=None,
+        usual="required with `velocity`",
+    ),
+    "creep_velocity": Key(
+        positive,
+        "The velocity below which the stress of a bell remains that at it. A bell vanishes at "
+        "rest, so that nothing would stick. It is the static stress after a hold.",
+        "Doubled, the static stress is that at twice the velocity.",
+        "m/s",
+        default=None,
+        usual="required for a bell with a hold or a drive",
+    ),
+    "activation_energy": Key(
+        positive,
+        "The activation energy E_a in a' = exp(E_a/R (1/T − 1/T_ref)), which shifts the velocity.",
+        "Doubled, the bell shifts by twice as many decades.",
+        "J/mol",
+        default=None,
+        usual="required for a bell if `material.temperature` is given",
+    ),
+    "reference": Key(
+        number,
+        "The temperature to which the bell, or the table, belongs.",
+        "Doubling degrees Celsius has no meaning.",
+        "°C",
+        default=None,
+        usual="required with `activation_energy`",
+    ),
+    "file": Key(
+        as_text,
+        "A text file in the folder of `study.toml` with columns v (m/s) and τ_f (Pa), or in the "
+        "units and order of its header. It is linear over the logarithm of v. Below its first row "
+        "it keeps the first stress; a velocity beyond the last row is refused.",
+        default="",
+        values="the name of a file",
+    ),
+}
