@@ -29,6 +29,7 @@ from .slider_step import (
     follow_leg,
 )
 from .spring import Drive, DriveLeg, SliderState
+from .sticking import StickingSlider
 
 PULLED_TRACES = (*TRACES, "trace_drive_force")
 SLIPS = ("drive_swing", "slip_period", "peak_velocity")  # in the second half of the last leg
@@ -118,7 +119,8 @@ def pull_through(
     min_step_time = MIN_FREE_STEPS * min_step(scene.spectrum)
     limits = min_step_time, FORCE_TOLERANCE * scale, hold_step_ratio(m)
     memory = np.zeros(1, SEARCH_MEMORY)
-    pulled = PulledSlider(body, m, drive, *limits, record, memory)
+    slider = PulledSlider if scene.effects.shear is None else StickingSlider
+    pulled = slider(body, m, drive, *limits, record, memory)
     motion = initial_motion(scene.programme, m, moment)
     record_between(record, moment, moment, 0.0)
     drive_speed = motion.speed

@@ -15,7 +15,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from ..body.step import Forces, Move, accept, attempt, forces, law_in_step, patch_width
-from ..compile.jit import jitable, kernel
+from ..compile.jit import dispatch_on_type, jitable, kernel
 from ..motion.path import MIN_PARTIAL_STEP, SNAP_TOLERANCE
 from ..root_search import new_secant_search, next_secant_guess
 from .slider_record import Moment, SliderRecord, next_time_is_due, record_between
@@ -103,7 +103,7 @@ def follow_leg(pulled: PulledSlider, leg: DriveLeg, progress: SliderProgress) ->
                 continue
             progress = SliderProgress(step.state, motion, progress.moment, pace)
         dt = min(pulled.hold_growth * pace, left)
-        progress = creep(pulled, leg, progress, place, edges, dt)
+        progress = advance_slowly(pulled, leg, progress, place, edges, dt)
     return progress
 
 
@@ -149,6 +149,16 @@ def slide_step(pulled, state, leg, motion, trip, longest, guess):
             dt = np.nan if late else step.dt
             return BalancedStep(step.state, step.law, dt, step.balance, step.acting)
         state, x = step.state, min(max(secants.search.x, low), high)
+
+
+@dispatch_on_type
+def advance_slowly(pulled, leg, progress, place, edges, dt):
+    """Return the SliderProgress after a time dt, or at the next sample in a shorter time."""
+
+
+@advance_slowly.register(PulledSlider)
+def _advance_slowly(pulled, leg, progress, place, edges, dt):
+    return creep(pulled, leg, progress, place, edges, dt)
 
 
 @jitable

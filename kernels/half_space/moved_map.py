@@ -10,7 +10,9 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from ..body.step import Forces, Move, accept, attempt, end_leg, forces, patch_width
+from ..body.step import Forces, accept, attempt, end_leg, forces, patch_width
+from ..drive.sticking import static_force
+from ..interface.shear import ShearLaw
 from ..model.friction import mean_slope
 from ..motion.fourier import FractionalShifts
 from ..motion.legs import speed_at_start
@@ -25,6 +27,7 @@ from .contact import ElasticContact
 from .heating import Heating, Warmth
 from .hot_sliding import slide_with_heat
 from .patches import real_contact, samples_per_patch
+from .shear_force import static_shear, with_shear
 from .sliding_body import jump_weight, slide_steadily
 
 
@@ -36,18 +39,25 @@ class MovedMap(NamedTuple):
     position: Callable  # place of a step -> position of the surface, in samples
     tolerance: Callable  # law of a step -> tolerance of its contact
     spectrum: Spectrum  # of the material
+    shear: ShearLaw | None  # in the friction of every step; None: left to the reduction
 
     @classmethod
     def of(
-        cls, space: HalfSpace, position: Callable, tolerance: Callable, spectrum: Spectrum
+        cls, space: HalfSpace, scene: SceneCase, position: Callable, tolerance: Callable
     ) -> "MovedMap":
         """Return a map whose samples are given at position zero."""
-        return cls(space, FractionalShifts(*space.surface[:3]).at, position, tolerance, spectrum)
+        shifts = FractionalShifts(*space.surface[:3]).at
+        return cls(space, shifts, position, tolerance, scene.spectrum, scene.effects.shear)
 
     @property
     def form(self) -> Any:
         """Return the form of the material."""
         return self.space.form
+
+    @property
+    def side(self) -> float:
+        """Return the side of the map, in dx."""
+        return self.space.surface.z.shape[1] / self.space.surface.steps_per_spacing
 
     def slopes_over(self, place: Any, offset: int) -> np.ndarray:
         """Return the slopes at a place, over the elements under the samples at ``offset``."""
@@ -87,7 +97,7 @@ def moved_map(
     carried : branches that the motion carries along from a start at rest, if any.
     """
     warmth = heating.cold() if heating else None
-    sudden = 0.0
+    speed = sudden = 0.0
     if scene.start == "steady":
         speed = speed_at_start(scene.programme)
         one, warmth, *_ = slide_with_heat(space, scene.spectrum, heating, speed)
@@ -104,9 +114,9 @@ def moved_map(
         charge_branches(space.form, body.memory)
         lag, earlier = 0.0, space.surface.slope
     weight = space.surface.slope + lag * (earlier - space.surface.slope)
-    acting = _forces_of(space, body.p, weight, sudden)
+    moved = MovedMap.of(space, scene, position, tolerance)
     state = MapState(body.d, body.d, passes, body, None)
-    return MovedMap.of(space, position, tolerance, scene.spectrum), state, acting, warmth
+    return moved, state, _forces_of(moved, body.p, weight, sudden, speed), warmth
 
 
 def _carried_body(space: HalfSpace, scene: SceneCase, carried: CarriedBranches) -> tuple[Body, int]:
@@ -128,15 +138,17 @@ def _with_zero_offset(body: Body) -> Body:
     return body._replace(memory=fields[0], depth=fields[1][0], offset=0)
 
 
-def _forces_of(space: HalfSpace, p: np.ndarray, weight: np.ndarray, sudden: float) -> Forces:
+def _forces_of(
+    body: MovedMap, p: np.ndarray, weight: np.ndarray, sudden: float, speed: float
+) -> Forces:
     """Return the Forces of pressures at slopes; the load is divided by the side of the map.
 
-    sudden : as for ``real_contact``, which is the contact fraction.
+    sudden : as for ``real_contact``, which is the contact fraction. speed : signed, in dx/tau.
     """
-    side = space.surface.z.shape[1] / space.surface.steps_per_spacing
-    mu = mean_slope(p, weight)
-    area = real_contact(p, sudden)
-    return Forces(mu, float(p.mean()) * side, space.pressure * side * mu, area)
+    side, mu = body.side, mean_slope(p, weight)
+    normal, friction = float(p.mean()) * side, body.space.pressure * side * mu
+    acting = Forces(mu, normal, friction, real_contact(p, sudden))
+    return acting if body.shear is None else with_shear(acting, body.shear, side, speed)
 
 
 @attempt.register(MovedMap)
@@ -155,13 +167,16 @@ def _forces(body, state, law, step):
     _, contact, offset = state.attempted
     before, after = (body.slopes_over(place, offset) for place in (step.before, step.after))
     weight = after + law.lag * (before - after)
-    return _forces_of(body.space, contact.p, weight, _sudden_edges(body, step))
+    moved = body.position(step.after) - body.position(step.before)
+    # Pressures jump at leading edges for the samples of a step alone.
+    sudden = jump_weight(body.spectrum, moved / step.dt) * min(abs(moved), 1.0)
+    speed = moved / (body.space.surface.steps_per_spacing * step.dt)
+    return _forces_of(body, contact.p, weight, sudden, speed)
 
 
-def _sudden_edges(body: MovedMap, step: Move) -> float:
-    """Return the share of leading edges with a jump of pressure, times the samples of the step."""
-    moved = abs(body.position(step.after) - body.position(step.before))
-    return jump_weight(body.spectrum, moved / step.dt) * min(moved, 1.0)
+@static_force.register(MovedMap)
+def _static_force(body, state, acting):
+    return 0.0 if body.shear is None else static_shear(acting, body.shear, body.side)
 
 
 @accept.register(MovedMap)

@@ -9,6 +9,7 @@ import numpy as np
 from ..body.step import Forces, patch_width
 from ..drive.pulled_slider import pull_through, recorded_times
 from ..drive.spring import Drive
+from ..interface.shear import check_fastest
 from ..motion.legs import Steps
 from ..rheology.forms import form_of
 from ..scene.carried import CarriedBranches, carried_branches
@@ -95,6 +96,8 @@ def run_pulled_on_half_space(
     body, state, acting = _at_start(space, scene, float, lambda law: STEP_TOLERANCE, steps, None)
     width = patch_width(body, state)
     values, state, _ = pull_through(body, state, surface, acting, width, drive, scene, times)
+    if scene.effects.shear is not None:
+        check_fastest(scene.effects.shear, float(np.abs(values["trace_velocity"]).max()))
     values |= {"updates": np.array(float(state.passes * surface.z.size))}
     return values | _temperatures(body, values)
 

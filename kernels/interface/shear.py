@@ -46,8 +46,8 @@ def shear_stress(
 ) -> np.ndarray:
     """Return the shear stress of the real contact, in E* (h/dx)^2, not negative.
 
-    speed : of sliding, in dx/tau, of either sign. temperature : in K; None: the reference. Raises
-    ValueError beyond the last row of a table.
+    speed : of sliding, in dx/tau, of either sign. temperature : in K; None: the reference. Beyond
+    the last row of a table the last stress holds, for attempted steps; see ``check_fastest``.
     """
     reduced = np.maximum(np.abs(speed), law.creep_velocity)
     if temperature is not None:
@@ -57,9 +57,13 @@ def shear_stress(
     curve = law.curve
     if isinstance(curve, Bell):
         return curve.stress * np.exp(-(((logs - np.log10(curve.velocity)) / curve.width) ** 2))
-    if np.any(reduced > curve.speeds[-1]):
-        raise ValueError(
-            f"shear: a speed of {np.max(reduced):.4g} dx/tau at the reference temperature lies "
-            f"beyond the last row of the table, {curve.speeds[-1]:.4g} dx/tau"
-        )
     return np.interp(logs, np.log10(curve.speeds), curve.stresses)
+
+
+def check_fastest(law: ShearLaw, speed: float) -> None:
+    """Raise ValueError for a speed (dx/tau) beyond the last row of a table."""
+    if isinstance(law.curve, ShearTable) and abs(speed) > law.curve.speeds[-1]:
+        raise ValueError(
+            f"shear: a speed of {abs(speed):.4g} dx/tau lies beyond the last row of the table, "
+            f"{law.curve.speeds[-1]:.4g} dx/tau"
+        )

@@ -18,7 +18,8 @@ from ..plan import (
     predicted_errors,
     remembered_share,
 )
-from ..result import model_source
+from ..reduce import MAX_THEORY_TASKS, persson_estimates
+from ..result import contact_warning, model_source
 from ..study import HALF_SPACE, QUANTITIES, Measured, Study, unavailable_reason
 from ..system import COMPILING_MIB, core_time
 from .run_options import announced_plan
@@ -71,6 +72,7 @@ def outline_grid(study: Study, result: Path, sample_seconds: float | None = None
         *_errors(plan),
         *_model_error(plan),
         *_repeated_contact(plan),
+        *_shear(plan),
         f"material    {study.material.rheology()}",
         *(f"read        {kind}: {description}" for kind, description in study.descriptions),
         f"not simulated {', '.join(absent)} (--json gives the reasons)",
@@ -198,6 +200,23 @@ def _repeated_contact(plan: Plan) -> list[str]:
     ]
 
 
+def _shear(plan: Plan) -> Iterator[str]:
+    """Yield a line on the shear of each variant, with a warning of an unresolved surface.
+
+    The real contact area is that by Persson's theory.
+    """
+    for variant in plan.variants:
+        shear = variant.study.effects[variant.label].shear
+        if shear is None:
+            continue
+        tasks = variant.tasks[:MAX_THEORY_TASKS]
+        area = float(persson_estimates(tasks, variant.lines)["area_persson"].max())
+        warning = contact_warning(variant.lines, area)
+        yield f"shear       {variant.label or 'study'}: {shear.in_words()}"
+        if warning:
+            yield f"warning     {variant.label or 'study'}: {warning} (area by Persson's theory)"
+
+
 def _files_read(study: Study) -> list[dict[str, Any]]:
     """Return descriptions of the files read, with the sizes of measured profiles (lengths in m)."""
     files: list[dict[str, Any]] = [
@@ -224,6 +243,7 @@ def absent_effects(study: Study) -> dict[str, str]:
         ("temperature", shifted, "material.temperature and a shift law are not given"),
         ("half-space", HALF_SPACE in bodies, 'scene.body is "foundation"'),
         ("measured lines", surface.profile, "surface.file is not given"),
+        ("shear", any(e.shear for e in study.effects.values()), "scene.shear is not given"),
         ("rolloff", surface.rolloff, "surface.rolloff is not given"),
         ("cutoff", surface.cutoff, "surface.cutoff is not given"),
         ("programme", scene.programme, "there is no [[scene.programme]]; v1 steps to v2"),

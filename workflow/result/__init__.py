@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 from ..ground import public_names
 
 if TYPE_CHECKING:
-    from .body_text import body_in_words, model_in_words
+    from .body_text import body_in_words, contact_warning, model_in_words
     from .dataset import Groups, build_dataset, model_source
     from .netcdf import (
         BROKEN,

@@ -1,13 +1,46 @@
-"""Sentences on the elastic body of a result, and on the error of the model."""
+"""Sentences on the elastic body of a result, its real contact, and the error of the model."""
 
 import numpy as np
 import xarray as xr
 
+from ..study import Surface
+
+MAX_RESOLVED_AREA = 0.3  # of the real contact over the nominal one, without a cut-off
+
+
+def contact_warning(surface: Surface, area: float) -> str:
+    """Return a warning of a surface that is rougher than its waves show, or "".
+
+    area : largest real contact area over the nominal one. The real contact of a random surface
+    falls as 1/(rms slope), which grows with every shorter wave until the cut-off of the surface.
+    """
+    if surface.profile is not None or surface.cutoff or not area > MAX_RESOLVED_AREA:
+        return ""
+    return (
+        f"the real contact is {area:.2g} of the nominal area and depends on grid.spacing, as no "
+        "surface.cutoff is given: the shear is that of an unresolved surface"
+    )
+
 
 def body_in_words(data: xr.Dataset) -> str:
-    """Return a sentence on the body of a result and the reason for it; "" if it is not stated."""
+    """Return sentences on the body of a result, the reason for it and its shear; "" without."""
     facts = [data.attrs[name] for name in ("body", "body_reason") if name in data.attrs]
-    return f"Body: {', '.join(facts)}." if facts else ""
+    body = f"Body: {', '.join(facts)}." if facts else ""
+    return f"{body} {_shear_in_words(data)}".strip()
+
+
+def _shear_in_words(data: xr.Dataset) -> str:
+    """Return a sentence on the shear of a result, with the slope and the shortest wave; or ""."""
+    if "shear" not in data.attrs:
+        return ""
+    slopes, waves = data.rms_slope.values, 2.0 * np.pi / data.q_max.values
+    slope, wave = (
+        " to ".join(dict.fromkeys(f"{end:.3g}" for end in (np.nanmin(values), np.nanmax(values))))
+        for values in (slopes, waves)
+    )
+    warning = data.attrs.get("contact_warning", "")
+    text = f"Shear of the real contact: {data.attrs['shear']}; rms slope {slope}, with waves down "
+    return f"{text}to {wave} m{f'; {warning}' if warning else ''}."
 
 
 def model_in_words(data: xr.Dataset) -> str:

@@ -20,6 +20,7 @@ from ..reduce import (
 )
 from ..simulate import CONTACT_LENGTH_EDGES
 from ..study import COMMON_AXES, HALF_SPACE, axes_of
+from .body_text import contact_warning
 from .provenance import provenance
 from .variables import AUXILIARY, AXIS_ATTRIBUTES, Powers, attributes, declared
 
@@ -54,7 +55,7 @@ def build_dataset(
     coords |= _coordinates(
         plan, variant, {str(dim) for values in data.values() for dim in values.dims}
     )
-    dataset = xr.Dataset(data, coords, _facts(plan, variant))
+    dataset = xr.Dataset(data, coords, _facts(plan, variant) | _shear_facts(plan, variant, data))
     freedom = estimates["degrees_of_freedom"]
     _annotate(dataset, int(freedom[freedom >= 0].min()))
     return dataset.set_coords([name for name in AUXILIARY if name in dataset])
@@ -115,6 +116,19 @@ def _facts(plan: Plan, variant: Variant) -> dict[str, str | int | float]:
         "programme": "; ".join(plan.study.scene.sampled),
     }
     return facts | {name: description for name, description in files.items() if description}
+
+
+def _shear_facts(
+    plan: Plan, variant: Variant, data: Mapping[str, xr.DataArray]
+) -> dict[str, str | int | float]:
+    """Return the shear of the real contact in words, and the warning of an unresolved surface."""
+    shear = plan.study.effects[variant.label].shear
+    if shear is None:
+        return {}
+    areas = [data[name] for name in ("contact_fraction", "trace_contact_fraction") if name in data]
+    largest = max((float(area.max()) for area in areas), default=0.0)
+    warning = contact_warning(variant.lines, largest)
+    return {"shear": shear.in_words()} | ({"contact_warning": warning} if warning else {})
 
 
 def model_source(plan: Plan) -> str:

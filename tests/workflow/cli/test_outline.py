@@ -134,6 +134,7 @@ def test_absent_quantities_have_reasons(capsys, study):
         (("material.temperature=[0, 20]", WLF), {"temperature"}),
         (("material.temperature=50", WLF), {"temperature"}),
         (("scene.body=half-space",), {"half-space"}),
+        (("scene.body=half-space", "scene.shear.stress=1e5"), {"shear"}),
     ],
 )
 def test_effects_that_are_simulated_are_not_absent(settings, present):

@@ -5,6 +5,7 @@ import pytest
 import xarray as xr
 
 from elastomer_friction.kernels import Bell, ShearLaw, ShearTable, shear_stress
+from elastomer_friction.kernels.interface.shear import check_fastest
 from elastomer_friction.workflow.plan.plan import make_plan
 from elastomer_friction.workflow.reduce.shear_sums import add_shear
 from elastomer_friction.workflow.run.grid_run import run_plan
@@ -154,7 +155,7 @@ def test_a_table_keeps_its_first_stress_below_it_and_refuses_speeds_above_it():
     law = ShearLaw(ShearTable((1.0, 10.0), (3.0, 5.0)))
     np.testing.assert_allclose(shear_stress(law, np.array([0.0, 0.1, 10.0**0.5])), [3.0, 3.0, 4.0])
     with pytest.raises(ValueError, match="last row"):
-        shear_stress(law, 10.1)
+        check_fastest(law, -10.1)
 
 
 def test_another_stress_takes_the_stored_records(tmp_path):
@@ -181,3 +182,42 @@ def test_another_stress_takes_the_stored_records(tmp_path):
     area = once.normal_force / 1.6e-3**2
     expected = 1e4 * once.contact_fraction / area
     np.testing.assert_allclose(*xr.broadcast(once.mu_1_shear, expected), rtol=1e-9)
+
+
+PULLS = (
+    {"pull": {"velocity": 0.1, "distance": 3e-4}},
+    {"pull": {"velocity": 0.0, "duration": 1e-2}},
+    {"pull": {"velocity": -0.1, "distance": 6e-4}},
+)
+
+
+@pytest.fixture(scope="module")
+def pulled():
+    """Return a slider on a spring that is pulled, held, and pulled back."""
+    drive = {"stiffness": 2000.0}
+    asked = ["steady", "trace"]
+    return run(*PULLS, shear=BELL, drive=drive, start="relaxed", realizations=1, quantities=asked)
+
+
+def test_a_slider_at_rest_sticks_up_to_the_static_shear(pulled):
+    """The spring is stretched by k V t, and at rest friction is its force and no more."""
+    v, force = pulled.trace_velocity.values, pulled.trace_drive_force.values
+    np.testing.assert_allclose(force, pulled.trace_friction_force, atol=1e-3 * np.abs(force).max())
+    stuck = v == 0.0
+    assert 3 < stuck.sum() < v.size - 3
+    most = bell(0.0) * pulled.trace_contact_fraction.values / PRESSURE
+    shear = pulled.trace_mu_shear.values
+    assert np.all(np.abs(shear[stuck]) <= most[stuck] * (1.0 + 1e-3))
+    early = np.arange(v.size) < np.flatnonzero(~stuck)[0]
+    assert early.sum() > 1
+    stretch = 0.1 * pulled.trace_time.values[early]
+    np.testing.assert_allclose(force[early], 2000.0 * stretch, rtol=1e-6, atol=1e-9)
+
+
+def test_a_slider_that_moves_shears_at_its_own_speed_against_it(pulled):
+    v, shear = pulled.trace_velocity.values, pulled.trace_mu_shear.values
+    moves = np.abs(v) > 0.02
+    assert (v[moves] > 0.0).any()
+    assert (v[moves] < 0.0).any()
+    expected = np.sign(v) * bell(v) * pulled.trace_contact_fraction.values / PRESSURE
+    np.testing.assert_allclose(shear[moves], expected[moves], rtol=0.1)
