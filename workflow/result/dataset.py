@@ -127,8 +127,8 @@ def _shear_facts(
         return {}
     areas = [data[name] for name in ("contact_fraction", "trace_contact_fraction") if name in data]
     largest = max((float(area.max()) for area in areas), default=0.0)
-    warning = contact_warning(variant.lines, largest)
-    return {"shear": shear.in_words()} | ({"contact_warning": warning} if warning else {})
+    facts = {"shear": shear.in_words(), "contact_warning": contact_warning(variant.lines, largest)}
+    return {name: words for name, words in facts.items() if words}
 
 
 def model_source(plan: Plan) -> str:
