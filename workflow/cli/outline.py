@@ -18,7 +18,7 @@ from ..plan import (
     predicted_errors,
     remembered_share,
 )
-from ..reduce import MAX_THEORY_TASKS, persson_estimates
+from ..reduce import MAX_THEORY_TASKS, persson_values
 from ..result import contact_warning, model_source
 from ..study import HALF_SPACE, QUANTITIES, Measured, Study, unavailable_reason
 from ..system import COMPILING_MIB, core_time
@@ -210,7 +210,7 @@ def _shear(plan: Plan) -> Iterator[str]:
         if shear is None:
             continue
         tasks = variant.tasks[:MAX_THEORY_TASKS]
-        area = float(persson_estimates(tasks, variant.lines)["area_persson"].max())
+        area = float(persson_values(tasks, variant.lines)["area_persson"].max())
         warning = contact_warning(variant.lines, area)
         yield f"shear       {variant.label or 'study'}: {shear.in_words()}"
         if warning:

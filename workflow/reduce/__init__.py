@@ -33,7 +33,7 @@ if TYPE_CHECKING:
     from .jackknife import grouped_means, replicates, standard_error
     from .model_ratio import MAX_THEORY_TASKS, theory_applies
     from .models import EXPONENTIAL, MODEL_MEANINGS, STRETCHED, TWO_EXPONENTIALS
-    from .persson_estimates import persson_estimates
+    from .persson_estimates import persson_values
     from .point_quantities import GridPoints, carried_estimates, quantities_of_points
     from .portions import BlockPlace, Portion, StoredBlocks, reduce_portion
     from .rate_state import STATE_LAWS, state_change, step_law

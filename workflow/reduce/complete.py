@@ -16,7 +16,7 @@ from ..study import accuracy_estimates
 from .blocks import Estimates, columns, enter
 from .fits import FITTED
 from .model_ratio import model_ratios
-from .persson_estimates import persson_estimates
+from .persson_estimates import persson_values
 from .resolution import UNRESOLVED, resolution, trace_resolution
 from .shear_sums import per_contact
 
@@ -48,7 +48,7 @@ def completed(
         n: _spread(v, sound, len(tasks)) for n, v in estimates.items() if n not in without_error
     }
     if "persson" in plan.study.scene.quantities:
-        spread |= persson_estimates(tasks, variant.lines)
+        spread |= persson_values(tasks, variant.lines)
         if tasks[0].problem.effects.shear is not None:
             spread |= _theoretical_totals(tasks, spread)
     if variant is plan.variants[0] and "mu_1" in names:

@@ -11,7 +11,7 @@ import numpy as np
 from ..plan import Plan, Variant, equivalent_steps, map_error
 from ..study import FOUNDATION, HALF_SPACE
 from .blocks import Estimates
-from .persson_estimates import persson_estimates
+from .persson_estimates import persson_values
 
 MIN_THEORY, MAX_THEORY = 0.3, 0.94  # friction of Persson's theory over that of the half-space
 MAX_THEORY_TASKS = 2000  # a task takes about a millisecond
@@ -27,7 +27,7 @@ def model_ratios(plan: Plan, estimates: Estimates, other: Estimates | None) -> E
     if not theory_applies(plan):
         return {}
     ours = plan.variants[0]
-    theory = estimates if "mu_persson" in estimates else persson_estimates(ours.tasks, ours.lines)
+    theory = estimates if "mu_persson" in estimates else persson_values(ours.tasks, ours.lines)
     return _theoretical(estimates["mu_1"], theory["mu_persson"])
 
 

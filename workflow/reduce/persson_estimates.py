@@ -20,7 +20,7 @@ from .blocks import Estimates
 CUT_KINDS = ("measured", "random-phase")  # lines that are cuts through the rough surface
 
 
-def persson_estimates(tasks: list[Task], lines: Surface) -> Estimates:
+def persson_values(tasks: list[Task], lines: Surface) -> Estimates:
     """Return friction and contact area at v1 by Persson's theory, for the study's spectrum."""
     theory = np.empty((len(tasks), 2))
     waves_of = lru_cache(maxsize=100)(partial(_waves, lines))

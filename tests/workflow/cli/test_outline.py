@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from elastomer_friction.workflow.cli import run_options
-from elastomer_friction.workflow.cli.outline import absent_effects, steps_line
+from elastomer_friction.workflow.cli.outline import absent_effects, outline_grid, steps_line
 from elastomer_friction.workflow.plan.error_prediction import predicted_errors
 from elastomer_friction.workflow.study.effects.quantities import QUANTITIES
 from tests.support.commands import facts, output, refusal
@@ -166,3 +166,11 @@ def test_programmes_and_controls():
     assert "prescribed indentation" not in absent
     assert absent["constant normal force"] == 'scene.control is "indentation"'
     assert absent["steady"].startswith("needs a given normal force")
+
+
+def test_the_plan_states_the_shear_and_a_surface_without_a_cutoff(tmp_path):
+    own = ("scene.body=half-space", "scene.shear.stress=1e5", "grid.normal_force=1e4")
+    for cutoff, count in ((), 2), (("surface.cutoff=4e-4",), 0):
+        lines = outline_grid(small_study(*own, *cutoff), tmp_path / "small.nc")[0]
+        assert sum(line.startswith("shear       ") and "100000 Pa" in line for line in lines) == 2
+        assert sum(line.startswith("warning     ") for line in lines) == count
