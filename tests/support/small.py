@@ -103,6 +103,7 @@ FILES = {  # contents of the files beside small.toml, by name
     "heights.csv": "z (nm)\n" + "".join(f"{z}\n" for z in HEIGHTS),
     "unplaced.csv": line_text().replace("3, -1", ", -1"),
     "many.csv": "x (um), a (nm), b (nm)\n" + "".join(f"{n}, {n * n}, 1\n" for n in range(9)),
+    "channels.csv": ("1 5 2 8 3 9 4 7 1\n" * 9 + "# Phase\n") * 2,
     "packed.csv": "PK\x03\x04",
     "branches.csv": "modulus [Pa], time [s]\n5e6, 1e-2\n1e7, 1e-3\n",
     "velocity.csv": "time velocity\n0 0.1\n1e-3 0.2\n",

@@ -9,7 +9,7 @@ from .lazy import public_names
 
 if TYPE_CHECKING:
     from .errors import ErrorCollector, UserError, UserErrors, counted, did_you_mean, printable
-    from .file_kinds import archive_kind, decoded, is_text
+    from .file_kinds import decoded, foreign_content, is_text
     from .garbage import garbage_collection_paused
     from .plain_files import MAX_INPUT_BYTES, open_plain, read_plain
 

@@ -1,23 +1,41 @@
-"""Detection of the kind of a file from its bytes: archive, text in some encoding, or neither."""
+"""Detection of the kind of a file from its bytes: text in some encoding, or other content."""
 
 TEXT_BYTES = bytes(byte for byte in range(256) if byte >= 32 or byte in b"\t\n\r\f\v")
 CLEAN_BYTES = 4096  # bytes at the start of a text that hold no control character
 CONTROL_SHARE = 1e-3  # maximum share of control characters in the bytes of a text
-ARCHIVE_SIGNATURES = {
-    b"PK\x03\x04": "a zip archive",
-    b"\x1f\x8b": "a gzip archive",
-    b"BZh": "a bzip2 archive",
-    b"\xfd7zXZ": "an xz archive",
-    b"7z\xbc\xaf": "a 7z archive",
-    b"Rar!": "a rar archive",
+UNPACK = "unpack it and name one file"
+EXPORT = "export its heights as text"
+SAVE_AS_TEXT = "save the sheet as CSV"
+PICTURE = f"a picture, which has no heights in metres: {EXPORT}"
+FOREIGN_SIGNATURES = {  # first bytes, bytes that must follow, content and remedy
+    (b"PK\x03\x04", b"xl/"): f"an Excel workbook: {SAVE_AS_TEXT}",
+    (b"PK\x03\x04", b"[Content_Types].xml"): f"an Excel workbook: {SAVE_AS_TEXT}",
+    (b"PK\x03\x04", b""): f"a zip archive: {UNPACK}",
+    (b"\xd0\xcf\x11\xe0", b""): f"an Excel workbook: {SAVE_AS_TEXT}",
+    (b"\x1f\x8b", b""): f"a gzip archive: {UNPACK}",
+    (b"BZh", b""): f"a bzip2 archive: {UNPACK}",
+    (b"\xfd7zXZ", b""): f"an xz archive: {UNPACK}",
+    (b"7z\xbc\xaf", b""): f"a 7z archive: {UNPACK}",
+    (b"Rar!", b""): f"a rar archive: {UNPACK}",
+    (b"\x89PNG", b""): PICTURE,
+    (b"\xff\xd8\xff", b""): PICTURE,
+    (b"GIF8", b""): PICTURE,
+    (b"ply", b"element face"): "a mesh: export a height map or points x y z",
+    (b"solid", b"facet"): "a mesh: export a height map or points x y z",
+    (b"DSCOMPRESSED", b""): "a compressed Surf file: save it uncompressed",
+    (b"Gwyddion Simple Field", b""): f"a field of Gwyddion: {EXPORT}",
+    (b"{", b'":'): "JSON: export the table as text",
 }
+MAX_SIGNATURE_BYTES = 4096  # that are searched
 
 
-def archive_kind(data: bytes) -> str:
-    """Return the kind of archive with these first bytes, in words; "" for other files."""
+def foreign_content(data: bytes) -> str:
+    """Return the content of a file that is not read, with a remedy; "" for other files."""
     if data[257:262] == b"ustar":
-        return "a tar archive"
-    return next((kind for begin, kind in ARCHIVE_SIGNATURES.items() if data.startswith(begin)), "")
+        return f"a tar archive: {UNPACK}"
+    start = data[:MAX_SIGNATURE_BYTES]
+    kinds = FOREIGN_SIGNATURES.items()
+    return next((kind for (a, b), kind in kinds if start.startswith(a) and b in start), "")
 
 
 def is_text(data: bytes) -> bool:

@@ -17,6 +17,7 @@ LEAST_CHANGE = 0.02  # smallest detected change of log velocity
 LEAST_SAMPLES = 12  # smallest number of samples of a stretch
 CHANCE = 5.0  # standard errors by which the means of two stretches must differ
 LARGEST_SHARE_OF_NOISE = 0.05  # largest relative standard error of a velocity
+MIN_SIGN_SHARE = 0.2  # of the samples of a stretch, with friction of the other sign
 SMOOTH = 3.0  # s over the noise; the scale of velocities is linear below s
 SLOWEST = 1e-9  # smallest s over the largest speed, for velocities without noise
 
@@ -49,7 +50,14 @@ def measured_steps(record: Record, window: float | None = None) -> list[Measured
     stretches = _sliding(record)
     pairs = [(one, two) for one, two in pairwise(stretches) if one.sign * two.sign > 0.0]
     if not pairs:
-        raise UserError(_no_step(record))
+        raise UserError(_no_step(record, stretches))
+    for stretch in stretches:
+        positive = float(np.mean(record.friction[stretch.where] > 0.0)) if stretch.sign else 1.0
+        if MIN_SIGN_SHARE < positive < 1.0 - MIN_SIGN_SHARE:
+            raise UserError(
+                f"fit {record.name}: friction changes sign at one velocity, as in reciprocating "
+                "motion: holds no steady sliding; scene.run takes such a motion as its programme"
+            )
     names = [f"{record.name}, step {number}" for number in range(1, len(pairs) + 1)]
     names = names if len(pairs) > 1 else [record.name]
     return [
@@ -66,6 +74,8 @@ def no_steps_of(record: Record) -> list[str]:
     named = ((rests, "rest"), (reversals, "reversal"))
     counts = [counted(count, noun) for count, noun in named if count]
     lines = [f"left out: {' and '.join(counts)}, which are no velocity steps"] if counts else []
+    if any(s.sign > 0.0 and record.friction[s.where].mean() < 0.0 for s in stretches):
+        lines.append("friction is negative where the velocity is positive: its sign is turned")
     if backwards:
         verb = "is" if backwards == 1 else "are"
         lines.append(f"{counted(backwards, 'backward slide')} {verb} fitted as sliding forward")
@@ -125,7 +135,7 @@ def _step_between(
             f"fit needs {LEAST_SAMPLES}: give a longer --window"
         )
     half = slice((before.start + before.stop) // 2, before.stop)
-    reverse = one.sign < 0.0 and friction[before].mean() < 0.0 and friction[after].mean() < 0.0
+    reverse = friction[before].mean() < 0.0 and friction[after].mean() < 0.0
     friction = -friction if reverse else friction
     return MeasuredStep(
         name=name,
@@ -139,13 +149,20 @@ def _step_between(
     )
 
 
-def _no_step(record: Record) -> str:
+def _no_step(record: Record, stretches: list[_Stretch]) -> str:
     message = (
         f"fit {record.name}: holds no velocity step: no two stretches of {LEAST_SAMPLES} "
         f"samples or more at velocities {100 * LEAST_CHANGE:g} % apart"
     )
-    v = record.velocity
-    if np.all(np.diff(v) >= 0.0) or np.all(np.diff(v) <= 0.0):
+    v, signs = record.velocity, {stretch.sign for stretch in stretches}
+    one_way = np.all(np.diff(v) >= 0.0) or np.all(np.diff(v) <= 0.0)
+    if 0.0 in signs and len(signs) > 1:
+        message += (
+            "; it holds slides and rests at v = 0: for slide-hold-slide run segments slide and hold"
+        )
+    elif len(signs) > 1:
+        message += "; it slides to and fro: run that motion as a programme"
+    elif one_way and np.ptp(v) > 0.0 and not record.is_named:
         message += "; its column changes one way only, as a displacement does: give --displacement"
     return message
 

@@ -37,6 +37,7 @@ class Record(NamedTuple):
     velocity: np.ndarray  # m/s, of any sign
     friction: np.ndarray  # coefficient of friction, of any sign
     description: tuple[str, ...] = ()  # of the columns, in sentences
+    is_named: bool = False  # whether the file names the velocity
 
 
 def read_record(
@@ -57,6 +58,7 @@ def read_record(
     that decrease, and for displacements that are too noisy to be differenced.
     """
     table = read_text_table("fit", path)
+    _check_rotation(path, table, columns)
     second = _motion_spec(table, columns, displacement)._replace(unit=displacement or velocity)
     selected = select_columns(table, (TIME._replace(unit=time), second, FRICTION), columns)
     lines = [describe_columns(table, selected)]
@@ -78,7 +80,19 @@ def read_record(
     if second.family == PLACE.family:
         moved, width = _differenced(path, t, moved)
         lines.append(f"velocity is the difference of displacements over {width} samples")
-    return Record(path.name, t, moved, mu, tuple(lines))
+    return Record(path.name, t, moved, mu, tuple(lines), second.is_named(selected[1].title))
+
+
+def _check_rotation(path: Path, table: TextTable, columns: Sequence[int] | None) -> None:
+    """Raise UserError for a velocity in rpm or rad/s."""
+    for n in table.numeric if columns is None else columns[1:2]:
+        title = table.title(n)
+        unit = unit_of(title.unit)
+        if unit is not None and unit.family == "frequency" and VELOCITY.is_named(title):
+            raise UserError(
+                f"fit {path}: column {n} {title.name!r} is in {title.unit}: write the velocity of "
+                "the track of radius r, 2 pi r rpm/60, in its place"
+            )
 
 
 def _motion_spec(

@@ -209,6 +209,8 @@ def _read_column(table: TextTable, spec: ColumnSpec, column: int, option: str) -
     is_stress = spec.family == "pressure" and re.search(STRESS_NAME, title.name, re.IGNORECASE)
     if is_stress and not re.search(spec.names, "stress"):
         raise UserError(f"{prefix}: holds a stress, not {spec.meaning}: divide it by the strain")
+    if spec.family == "pressure" and re.search(r"complian", title.name, re.IGNORECASE):
+        raise UserError(f"{prefix}: holds a compliance, no modulus, as of a creep test: invert it")
     unit, source = _unit_of_column(table, spec, title, prefix, option)
     angular = re.search(ANGULAR_NAME, title.name, re.IGNORECASE)
     if unit.family == "rate" and spec.family == "frequency" and not angular:

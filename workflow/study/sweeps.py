@@ -13,7 +13,9 @@ from ..ground import UserError
 from ..text_tables import ZERO, TextTable, unit_of
 from .columns import Column, ColumnSpec, find_column, select_columns
 
-TEMPERATURE = ColumnSpec("a temperature", "temperature", r"temp(?!(o|s|us)([\W_]|$))|^T[s]?$", "°C")
+TEMPERATURE = ColumnSpec(
+    "a temperature", "temperature", r"temp(?!(o|s|us)([\W_]|$))|(?-i:^Ts?$)", "°C"
+)
 TEMPERATURE_TEXT = re.compile(
     r"((?<![\d.,])[-+]?\d+(?:[.,]\d+)?)\s*([°º]\s?[CF]|[CK]\b|deg\.?\s?C|celsius)", re.I
 )

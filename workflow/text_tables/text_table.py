@@ -8,7 +8,7 @@ from pathlib import Path
 
 import numpy as np
 
-from ..ground import UserError, archive_kind, decoded, is_text, read_plain
+from ..ground import UserError, decoded, foreign_content, is_text, read_plain
 from .cells import Cells, cells_of, is_comment
 from .headers import Title, header_of
 from .numerals import Marks, is_missing, is_numeral, marks_of
@@ -121,7 +121,9 @@ class TextTable:
     def columns_text(self) -> str:
         """Return a list of the columns for messages, with their numbers and units."""
         if not self.titles:
-            return f"{self.width} columns without names"
+            cells = max((line.count(self.delimiter or "\t") for line in self.above), default=0) + 1
+            titles = f", below a line of {cells} titles" if cells > self.width > 1 else ""
+            return f"{self.width} columns without names{titles}"
         named = [
             f"{n} {title.name or '(no name)'}{f' [{title.unit}]' if title.unit else ''}"
             for n, title in enumerate(self.titles[:MAX_LISTED])
@@ -141,8 +143,8 @@ def read_text_table(key: str, path: Path, name: str | None = None) -> TextTable:
     except (OSError, ValueError) as error:  # ValueError: invalid file name
         reason = getattr(error, "strerror", None) or error
         raise UserError(f"{key} = {name!r}: cannot be read: {reason}") from None
-    if kind := archive_kind(data):
-        raise UserError(f"{key} = {name!r}: is {kind}: unpack it and name one file")
+    if kind := foreign_content(data):
+        raise UserError(f"{key} = {name!r}: is {kind}")
     if not is_text(data):
         raise UserError(f"{key} = {name!r}: cannot be read: it is not text")
     text = decoded(data)

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from elastomer_friction.workflow.ground import archive_kind, is_text
+from elastomer_friction.workflow.ground import foreign_content, is_text
 from elastomer_friction.workflow.study.codes import missing_code
 from elastomer_friction.workflow.text_tables.numerals import is_numeral, marks_of
 
@@ -44,8 +44,11 @@ def test_words_that_are_no_numbers(word):
 
 
 def test_archives_and_files_that_are_no_text():
-    assert archive_kind(b"PK\x03\x04rest") == "a zip archive"
-    assert archive_kind(b"0 1\n") == ""
+    assert foreign_content(b"PK\x03\x04rest").startswith("a zip archive")
+    assert "Excel" in foreign_content(b"PK\x03\x04 [Content_Types].xml")
+    assert "mesh" in foreign_content(b"ply\nelement vertex 9\nelement face 4\n")
+    assert "picture" in foreign_content(b"\x89PNG\r\n")
+    assert foreign_content(b"0 1\n") == foreign_content(b"ply\nelement vertex 9\n") == ""
     assert is_text("x (µm)\n0\t1\r\n".encode("latin-1"))
     assert is_text("x\n0 1".encode("utf-16"))
     assert not is_text(b"\x89HDF\r\n\x1a\n")

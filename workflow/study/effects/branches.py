@@ -21,6 +21,7 @@ SHARE = ColumnSpec(
 BRANCH_TIME_COLUMN = ColumnSpec(
     "a time", "time", r"time|tau|\u03c4|^t([\W_]|[bi]?$)", "s", HEADER_ADVICE
 )
+MIN_BRANCH_SHARE = 0.01  # of the relaxed modulus, of moduli without a unit
 ABAQUS_KEYWORD = re.compile(r"^\s*\*VISCOELASTIC", re.IGNORECASE)
 YOUNG_NAME = re.compile(r"young|tens|^E([\W_]|\d|[bi]?$)", re.IGNORECASE)
 
@@ -59,6 +60,10 @@ def read_branches(
             f"{key} = {path.name!r}: the moduli sum to {moduli.sum():.3g}; name the column alpha "
             f"if they are shares of G_0, or give {HEADER_ADVICE} with their unit"
         )
+    if columns[0].unit_source == "assumed" and moduli.sum() < MIN_BRANCH_SHARE * relaxed:
+        share = 100.0 * moduli.sum() / relaxed
+        description += f"; beware: all branches together are {share:.2g} % of shear_modulus: the "
+        description += "order is taken as modulus, time"
     if YOUNG_NAME.search(columns[0].title.name):
         factor = 2.0 * (1.0 + poisson)
         moduli = moduli / factor

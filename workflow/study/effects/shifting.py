@@ -50,23 +50,26 @@ def _in_kelvin(temperature: float, reference: float) -> str:
 def read_shift_table(key: str, path: Path) -> ShiftTable:
     """Return the shifts of a text table with columns temperature and log10 a_T, ln a_T or a_T.
 
+    Values without a name, or such as "shift", are log10 a_T.
+
     Raises UserError, which begins with ``key``.
     """
     table = read_text_table(key, path, path.name)
     temperature, shift = select_columns(
         table, (TEMPERATURE_COLUMN, DECADES), None, SHIFT_HEADER_ADVICE
     )
-    values, name = shift.values, shift.title.name
+    values, name, read_as = shift.values, shift.title.name, ""
     if re.match(r"ln", name, re.IGNORECASE):
-        values = values / math.log(10.0)
-    elif name and not re.search(r"log|lg", name, re.IGNORECASE):
+        values, read_as = values / math.log(10.0), "; these are ln a_T"
+    elif re.search(r"^(?!.*(log|lg)).*(a_?T|factor)", name, re.IGNORECASE):
         if np.any(values <= 0.0):
             raise UserError(
                 f"{key} = {path.name!r}: a_T must be greater than zero; give {SHIFT_HEADER_ADVICE}"
             )
-        values = np.log10(values)
+        values, read_as = np.log10(values), "; these are a_T itself"
     rows = np.stack([temperature.values - ZERO_CELSIUS, values], axis=1).tolist()
-    return _shift_table(key, rows)._replace(told=describe_columns(table, (temperature, shift)))
+    told = describe_columns(table, (temperature, shift)) + read_as
+    return _shift_table(key, rows)._replace(told=told)
 
 
 def _shift_table(key: str, value: object) -> ShiftTable:

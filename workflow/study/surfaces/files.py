@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from ...ground import UserError, archive_kind, is_text, open_plain, read_plain
+from ...ground import UserError, foreign_content, is_text, open_plain, read_plain
 from ...system import unreadable
 from .instrument_files import read_instrument_file
 from .positions import rounding
@@ -28,11 +28,9 @@ def read_lines(file: LineFile) -> Lines:
         open_plain(file.path, linked=True).close()  # refuses pipes, which readers would open
         if reader is None:
             data = read_plain(file.path)
-            kind = archive_kind(data)
+            kind = foreign_content(data)
             if kind and suffix not in ARCHIVE_SUFFIXES:
-                raise UserError(
-                    f"{KEY} = {file.name!r}: is {kind}: unpack it and name one of its files"
-                )
+                raise UserError(f"{KEY} = {file.name!r}: is {kind}")
             text = is_text(data) and suffix not in SCALED_TEXT_SUFFIXES
             del data
             reader = read_text_lines if text else read_instrument_file

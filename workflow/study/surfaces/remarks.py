@@ -11,16 +11,23 @@ REMARK = re.compile(r"([^:=;\t]+)[:=](.*)")  # Width: 96 µm
 QUANTITY_TEXT = re.compile(rf"({NUMERAL_TEXT})\s*(\S.*)?")
 PITCH_REMARK = re.compile(
     r"(pitch|step|(sampl\w*|point|data|x|lateral)?[-_ ]*(spacing|step|interval|increment|pitch)"
-    r"|d_?x|delta[-_ ]?x|x[-_ ]?(scale|resolution)|xy?[-_ ]?calibration|pixel[-_ ]?size)"
+    r"|d_?x|delta[-_ ]?x|x[-_ ]?(scale|resolution)|xy?[-_ ]?(calibration|justierung)"
+    r"|(cell|pixel)[-_ ]?size)"
 )
 PER_SAMPLE = re.compile(r"\s*(/|per\s)\s*(pixel|px|point|pt|sample)s?$", re.IGNORECASE)
 WIDTH_REMARK = re.compile(
     r"(width|breite|x[-_ ]?(size|range|length|extent)|scan[-_ ]?(size|width|length))"
 )
 HEIGHT_REMARK = re.compile(r"(height|höhe|y[-_ ]?(size|range|length|extent))")
-UNIT_REMARK = re.compile(r"(value|z|height|data|y)?[-_ ]*units?")
+UNIT_REMARK = re.compile(r"(value|z|height|data|y)?[-_ ]*(units?|einheit)")
+MISSING_REMARK = re.compile(r"no[-_ ]?data([-_ ]?value)?|missing([-_ ]?value)?")
+# Names whose values follow after blanks.
+BARE_REMARK = re.compile(
+    r"[#%/!;\s]*(cell_?size|no_?data_?value|mult|cz|wavelength)\s+(\S.*)", re.IGNORECASE
+)
 SCALE_REMARK = re.compile(
-    r"(z|height|data|value)?s?[-_ ]*(scal(e|ing)|factor|multiplier|calibration)[-_ ]*(factor)?"
+    r"mult|cz|wavelength"
+    r"|(z|height|data|value)?s?[-_ ]*(scal(e|ing)|factor|multiplier|calibration)[-_ ]*(factor)?"
 )
 
 
@@ -36,6 +43,9 @@ def remarks_of(table: TextTable) -> dict[str, str]:
         few = len(cells) == 2 or (len(cells) == 3 and is_numeral(cells[1]))
         if few and len(cells) != table.width and all(cells):
             remarks.setdefault(cells[0].lower(), " ".join(cells[1:]))
+        if bare := BARE_REMARK.fullmatch(line):
+            remarks.setdefault(bare[1].lower(), bare[2].strip())
+            continue
         for part in re.split(r"[,;\t]\s{0,8}(?=[^\W\d])", line.strip()):
             match = REMARK.fullmatch(part.lstrip("#%/!; \t").rstrip(" ;,\t"))
             if match and match[1].strip():
@@ -67,9 +77,12 @@ def stated_length(file: LineFile, table: TextTable, pattern: re.Pattern[str]) ->
     """Return the length (m) of the first remark whose name matches, or None."""
     for name, text in remarks_of(table).items():
         quantity = quantity_of(text)
-        if quantity is None or not pattern.fullmatch(re.sub(r"\s*[\[(].*", "", name)):
+        stem, _, suffix = name.rpartition("_")
+        suffix = suffix if metres(suffix) is not None else ""
+        bare = stem if suffix else re.sub(r"\s*[\[(].*", "", name)
+        if quantity is None or not pattern.fullmatch(bare):
             continue
-        unit = quantity[1] or "".join(re.findall(r"[\[(](.*?)[\])]", name))
+        unit = quantity[1] or suffix or "".join(re.findall(r"[\[(](.*?)[\])]", name))
         # A width without a unit may count samples.
         if not unit and file.units and pattern is PITCH_REMARK:
             unit = file.units[0]
@@ -77,6 +90,12 @@ def stated_length(file: LineFile, table: TextTable, pattern: re.Pattern[str]) ->
         if factor is not None and quantity[0] > 0.0:
             return quantity[0] * factor
     return None
+
+
+def stated_code(table: TextTable) -> float | None:
+    """Return the value that marks missing samples, from a remark such as NODATA_value, or None."""
+    texts = (text for name, text in remarks_of(table).items() if MISSING_REMARK.fullmatch(name))
+    return next((quantity[0] for quantity in map(quantity_of, texts) if quantity), None)
 
 
 def stated_unit(table: TextTable) -> str:

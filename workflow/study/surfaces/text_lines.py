@@ -25,6 +25,7 @@ from .remarks import (
     WIDTH_REMARK,
     check_scale,
     remarks_of,
+    stated_code,
     stated_length,
     stated_unit,
 )
@@ -46,6 +47,8 @@ def read_text_lines(file: LineFile) -> RawLines:
     """
     table = read_text_table(KEY, file.path, file.name)
     raw = _lines_of_table(file, table)
+    if (code := stated_code(table)) is not None:
+        raw = raw._replace(heights=np.where(raw.heights == code, np.nan, raw.heights))
     if table.passed_over:
         lines = counted(len(table.passed_over), "line")
         note = f"; {lines} of words below the first row passed over"
@@ -145,6 +148,12 @@ def _heights_alone(file: LineFile, table: TextTable) -> RawLines:
         raise UserError(
             f"{KEY} = {file.name!r}: holds {table.columns_text}, from 0: give those of heights, "
             "as surface.columns = [1]"
+        )
+    if not file.columns and len(columns) > 1 and len(table.blocks) > 1:
+        line = table.lines[table.blocks[1].start]
+        raise UserError(
+            f"{KEY} = {file.name!r}: another block begins at line {line}, as of a second channel: "
+            "part the file there"
         )
     values = np.array([table.values(n) for n in columns])
     matrix = not file.columns and len(columns) > 1
