@@ -31,6 +31,25 @@ def given_motion(time: ArrayLike, velocity: ArrayLike) -> tuple[np.ndarray, np.n
     return t, v
 
 
+def distances_between_turns(time: np.ndarray, velocity: np.ndarray) -> np.ndarray:
+    """Return the distances (m) that a motion slides from each turn to the next, shape (turns - 1,).
+
+    time, velocity : s and m/s, linear between the samples; a jump has two samples at one time.
+    """
+    before, after = velocity[:-1], velocity[1:]
+    size, duration = np.abs(before) + np.abs(after), np.diff(time)
+    # The mean speed of a piece that turns is (v0^2 + v1^2) / (2 (|v0| + |v1|)).
+    share = np.abs(before) / np.where(size > 0.0, size, 1.0)
+    turning = before * after < 0.0
+    to_turn = 0.5 * np.abs(before) * share * duration
+    since_turn = 0.5 * np.abs(after) * (1.0 - share) * duration
+    moved = np.where(turning, to_turn + since_turn, 0.5 * size * duration)
+    path = np.append(0.0, np.cumsum(moved))
+    moving = np.flatnonzero(velocity)
+    turns = moving[:-1][np.diff(np.sign(velocity[moving])) != 0.0]  # the last rows before turns
+    return np.diff(np.where(turning[turns], path[turns] + to_turn[turns], path[turns + 1]))
+
+
 def finely(
     time: np.ndarray, velocity: np.ndarray, least: float, piece: float
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:

@@ -8,7 +8,7 @@ from typing import Any, NamedTuple, Protocol
 
 import numpy as np
 
-from ..given_motion import finely
+from ..given_motion import distances_between_turns, finely
 from ..ground import UserError
 from .load_law import MIN_LOADS, LoadLaw
 from .memory_law import MemoryLaw
@@ -37,7 +37,14 @@ MIN_SCALE = 1e-300  # lower bound of a divisor
 FOLDS = 4  # of the cross-validation
 SAME_SPEED = 0.1  # relative difference of speeds or rests that count as equal
 FIRST_EVALUATIONS, FOLD_EVALUATIONS = 60, 15  # evaluations of the residuals, at most
-MAXIMA_OVER_LOADS = ("rms", "largest", "usual", "left", "model_error")  # fields of Validity
+MAXIMA_OVER_LOADS = (  # fields of Validity
+    "rms",
+    "largest",
+    "usual",
+    "left",
+    "model_error",
+    "shortest_stroke",
+)
 
 
 class Search(Protocol):
@@ -223,6 +230,7 @@ def _validity(law: Law, motions: Sequence[Transient], masks: Masks, speeds: np.n
         temperature=motions[0].temperature,
         shift=motions[0].shift,
         body=motions[0].body,
+        shortest_stroke=min(_shortest_stroke(motion) for motion in motions),
         rms=root_mean_square(residuals),
         largest=float(np.max(np.abs(np.concatenate(residuals)))),
         model_error=root_mean_square([errors[np.isfinite(errors)]]),
@@ -313,6 +321,11 @@ def _parts_to_hold_out(
         f"each quarter of {len(parts)} segments in turn, by a fit to the others; segments with the "
         "extreme speeds or the longest rest stay in every fit"
     )
+
+
+def _shortest_stroke(motion: Transient) -> float:
+    """Return the shortest distance (m) between two turns of a motion, or infinity."""
+    return float(np.min(distances_between_turns(motion.time, motion.velocity), initial=np.inf))
 
 
 def _rest_durations(motion: Transient) -> np.ndarray:

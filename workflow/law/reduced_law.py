@@ -16,14 +16,14 @@ from typing import Any, ClassVar, NamedTuple, Self
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ..given_motion import LawError, finely, given_motion
+from ..given_motion import LawError, distances_between_turns, finely, given_motion
 from ..study import shift_of
 from .transients import MAX_VELOCITY_CHANGE, motions_of
 
 FORMAT = 1  # version of the JSON format
 TEXT_FIELDS = ("motions", "held_out", "window", "source", "shift", "body")  # of Validity, as text
-OPTIONAL_FIELDS = ("temperature", "shift", "body")  # of Validity, missing in older files
-SPEED_MARGIN = 1.0 + 1e-9  # factor on the fastest speed, for rounding
+OPTIONAL_FIELDS = ("temperature", "shift", "body", "shortest_stroke")  # of Validity, missing in older files
+RANGE_MARGIN = 1.0 + 1e-9  # factor on the ends of ranges, for rounding
 
 
 class BeyondLawWarning(UserWarning):
@@ -41,7 +41,9 @@ class Validity:
     velocity alone does not explain. motions : names of the fitted segments, with the rms error on
     each. held_out, window : descriptions of the held-out and of the fitted motions. source : name
     of the result. temperature : degrees Celsius. shift : time-temperature shift of the material, as
-    JSON. body : elastic body of the motions, and the error of the model, in words.
+    JSON. body : elastic body of the motions, and the error of the model, in words. shortest_stroke :
+    shortest distance between two turns of the motions, m; infinite if none turns twice, NaN if
+    unknown.
     """
 
     slowest: float = float("nan")
@@ -62,6 +64,7 @@ class Validity:
     temperature: float = float("nan")
     shift: str = ""
     body: str = ""
+    shortest_stroke: float = float("nan")
 
 
 class Compared(NamedTuple):
@@ -105,7 +108,8 @@ class FittedLaw(ABC):
         return [
             f"kind: {self.kind}; {'; '.join(numbers)}",
             f"range: speeds of {validity.slowest:.3g} ... {validity.fastest:.3g} m/s, rest of "
-            f"{validity.longest_rest:.3g} s at most, normal force {self._load_text()} N{at}",
+            f"{validity.longest_rest:.3g} s at most, normal force {self._load_text()} N{at}, "
+            f"{self._stroke_text()}",
             f"outside: {self.outside()}",
             f"error on the worst of the motions held out: {validity.held_rms:.3g} rms "
             f"({percent * validity.held_rms:.3g} % of the rms of mu), "
@@ -122,6 +126,13 @@ class FittedLaw(ABC):
 
     def _number_names(self) -> list[str]:
         return [field.name for field in fields(self) if field.name != "validity"]
+
+    def _stroke_text(self) -> str:
+        """Return the shortest distance between turns as text."""
+        shortest = self.validity.shortest_stroke
+        if math.isnan(shortest):
+            return "an unknown distance between two turns"
+        return f"{shortest:.3g} m or more between turns" if shortest < math.inf else "one turn at most"
 
     def _load_text(self) -> str:
         """Return the normal force of the fitted motions as text, without its unit."""
@@ -220,12 +231,20 @@ class Law(FittedLaw):
 
         Two samples at the same time are a jump. Sliding is steady before the first sample. Changes
         of the velocity are divided into small steps, so that the result does not depend on the
-        sampling of v(t). Warns above the fastest speed. Raises UserError for times that decrease
-        and for values that are not finite.
+        sampling of v(t). Warns above the fastest speed, and of turns that follow each other within
+        less than the shortest stroke. Raises UserError for times that decrease and for values that
+        are not finite.
         """
         motion = given_motion(time, velocity)
+        shortest = np.min(distances_between_turns(*motion), initial=np.inf)
+        if shortest * RANGE_MARGIN < self.validity.shortest_stroke:
+            message = (
+                f"{shortest:.3g} m between two turns is less than in the fitted motions "
+                f"({self._stroke_text()}); the error of the law is unknown"
+            )
+            warnings.warn(message, BeyondLawWarning, stacklevel=2)
         t, v, samples = finely(*motion, self.validity.slowest, MAX_VELOCITY_CHANGE)
-        if v.size and np.max(np.abs(v)) > self.validity.fastest * SPEED_MARGIN:
+        if v.size and np.max(np.abs(v)) > self.validity.fastest * RANGE_MARGIN:
             message = (
                 f"{np.max(np.abs(v)):g} m/s is above the fastest fitted speed, "
                 f"{self.validity.fastest:g} m/s; the speed is clamped there"

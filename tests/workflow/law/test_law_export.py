@@ -19,7 +19,8 @@ from tests.workflow.law.given import load_law, memory_law
 
 LAW = memory_law().with_validity(
     Validity(
-        0.01, 0.1, 0.4, 2.0, 1e-3, 2e-3, 3e-3, 4e-3, 0.5, 1e-4, 0.04, (("slide */ 1", 1e-3),), "x"
+        0.01, 0.1, 0.4, 2.0, 1e-3, 2e-3, 3e-3, 4e-3, 0.5, 1e-4, 0.04, (("slide */ 1", 1e-3),), "x",
+        shortest_stroke=0.003,
     )
 )
 COMPILER = shutil.which("gcc") or shutil.which("cc")
@@ -120,6 +121,7 @@ def test_range_errors_and_motions_are_comments_of_every_text():
         assert re.search(r"error on the worst of the motions held out: 0.003 rms \(0.6 %", joined)
         assert "the tables clamp the speed to 0.1 m/s" in joined
         assert f"{mark}rms error 0.001 in slide * / 1" in text
+        assert "0.003 m or more between turns" in joined
         assert "_1_rubber" in text
 
 
@@ -180,6 +182,7 @@ def test_the_description_of_the_fmu_is_short():
     model = fmu.read("modelDescription.xml").decode()
     (description,) = re.findall(r'description="(fitted to ; range: [^"]*)"', model)
     assert len(description) < 1000
+    assert "0.003 m or more between turns" in description
 
 
 def test_json_is_read_back_and_other_laws_have_no_other_form():

@@ -45,6 +45,7 @@ def test_a_law_holds_its_range_and_errors(fitted):
     text = "\n".join(fitted.told())
     assert f"{40 * len(SEGMENTS)} samples of {len(SEGMENTS)} segments, all of them" in text
     assert "range: speeds of 0.01 ... 0.1 m/s, rest of 0.4 s at most, normal force 2 N" in text
+    assert validity.shortest_stroke == pytest.approx(0.003, rel=1e-3)  # of one segment
     assert "the tables clamp the speed to 0.1 m/s" in text
 
 
@@ -283,6 +284,8 @@ def test_a_motion_of_30_hz_with_rest_and_reversal_is_within_the_stated_error():
     assert motion.rms < fit.validity.held_rms
     assert motion.largest < fit.validity.held_largest
     assert fit.validity.held_rms < 0.2 * fit.validity.usual
+    with pytest.warns(BeyondLawWarning, match="m between two turns is less than in the fitted"):
+        fit.run(time, 1.5 * v * np.sin(60.0 * np.pi * time))
     others = [ef.law.fit(model(programme), kind=kind) for kind in ("rate-state", "lugre")]
     assert all(fit.validity.rms < other.validity.rms for other in others)
     for stiffness, v1, v2 in ((1.0, 0.5 * v, v), (3.0, v, 0.5 * v)):

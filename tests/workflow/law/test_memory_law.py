@@ -1,11 +1,13 @@
 """The law with exponential states: closed forms, symmetries, an independent integration."""
 
 import json
+import warnings
 
 import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
 
+from elastomer_friction.workflow.given_motion import distances_between_turns
 from elastomer_friction.workflow.ground import UserError
 from elastomer_friction.workflow.law import MemoryLaw, read
 from elastomer_friction.workflow.law.reduced_law import BeyondLawWarning, Validity
@@ -72,6 +74,22 @@ def test_a_law_warns_above_its_range():
         BeyondLawWarning, match=r"0.2 m/s is above the fastest fitted speed, 0.1 m/s"
     ):
         law.run([0.0, 1.0], [0.2, 0.2])
+
+
+def test_a_law_warns_of_turns_closer_than_those_of_its_motions():
+    """Between the turns of v0 cos(w t) a motion slides by 2 v0/w; a rest between is no distance."""
+    law = LAW.with_validity(Validity(slowest=0.01, fastest=0.1, shortest_stroke=2e-3))
+    time, v0 = np.linspace(0.0, 1.0, 4001), 0.05
+    for stroke, warns in ((1.9e-3, True), (2.1e-3, False)):
+        velocity = v0 * np.cos(2.0 * v0 / stroke * time)
+        assert distances_between_turns(time, velocity) == pytest.approx(stroke, rel=1e-3)
+        with warnings.catch_warnings(record=True) as caught:
+            warnings.simplefilter("always")
+            law.run(time, velocity)
+        assert [item.category for item in caught] == [BeyondLawWarning] * warns
+    jumps = [0.0, 1.0, 1.0, 2.0, 2.0, 3.0, 3.0, 4.0]
+    given = np.array(jumps), np.array([1.0, 1.0, -2.0, -2.0, 0.0, 0.0, 3.0, 3.0])
+    assert distances_between_turns(*given).tolist() == [2.0]
 
 
 def test_json_keeps_every_bit(tmp_path):
