@@ -22,7 +22,12 @@ from .transients import MAX_VELOCITY_CHANGE, motions_of
 
 FORMAT = 1  # version of the JSON format
 TEXT_FIELDS = ("motions", "held_out", "window", "source", "shift", "body")  # of Validity, as text
-OPTIONAL_FIELDS = ("temperature", "shift", "body", "shortest_stroke")  # of Validity, missing in older files
+OPTIONAL_FIELDS = (
+    "temperature",
+    "shift",
+    "body",
+    "shortest_stroke",
+)  # of Validity, missing in older files
 RANGE_MARGIN = 1.0 + 1e-9  # factor on the ends of ranges, for rounding
 
 
@@ -41,9 +46,9 @@ class Validity:
     velocity alone does not explain. motions : names of the fitted segments, with the rms error on
     each. held_out, window : descriptions of the held-out and of the fitted motions. source : name
     of the result. temperature : degrees Celsius. shift : time-temperature shift of the material, as
-    JSON. body : elastic body of the motions, and the error of the model, in words. shortest_stroke :
-    shortest distance between two turns of the motions, m; infinite if none turns twice, NaN if
-    unknown.
+    JSON. body : elastic body of the motions, and the error of the model, in words.
+    shortest_stroke : shortest distance between two turns of the motions, m; infinite if none turns
+    twice, NaN if unknown.
     """
 
     slowest: float = float("nan")
@@ -132,7 +137,9 @@ class FittedLaw(ABC):
         shortest = self.validity.shortest_stroke
         if math.isnan(shortest):
             return "an unknown distance between two turns"
-        return f"{shortest:.3g} m or more between turns" if shortest < math.inf else "one turn at most"
+        if shortest == math.inf:
+            return "one turn at most"
+        return f"{shortest:.3g} m or more between turns"
 
     def _load_text(self) -> str:
         """Return the normal force of the fitted motions as text, without its unit."""
