@@ -15,6 +15,7 @@ control/ or motion/; machine code contains only the effects that a scene request
 """
 
 from .control.printed_eq3 import PrintedForce
+from .heat.heat import Heat
 from .interface.effects import NO_EFFECTS, Effects
 from .interface.layer import BACKINGS, Layer
 from .interface.shear import Bell, ShearLaw, ShearTable, shear_stress
@@ -64,6 +65,6 @@ from .scene import (
     run_scene,
     scene_steps,
 )
-from .velocity_step.case import Case, ContactAreas, Outcome, Quantities, Seconds
+from .velocity_step.case import Case, ContactAreas, HotParts, Outcome, Quantities, Seconds
 from .velocity_step.cases import run_case, run_cases, run_prepared
 from .velocity_step.prepared import Prepared, prepare

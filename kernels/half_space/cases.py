@@ -14,6 +14,7 @@ from ..velocity_step.case import (
     STEADY,
     Case,
     ContactAreas,
+    HotParts,
     Outcome,
     PhaseClocks,
     Quantities,
@@ -21,7 +22,7 @@ from ..velocity_step.case import (
 from .body import Body, HalfSpace, Step, step_tolerance, take_step
 from .heating import Heating
 from .hot_relaxation import hot_relaxation
-from .hot_sliding import slide_with_heat
+from .hot_sliding import HotSliding, slide_with_heat
 from .instant import friction_jumps, initial_rates
 from .patches import real_contact, samples_per_patch
 from .sliding_body import SlidingBody
@@ -48,7 +49,9 @@ def run_case(
         form_of(case.spectrum, case.scheme), surface, case.load, stiffness, case.effects.layer
     )
     variables = _kept_variables(space, case, requested)
-    heating = _heating(space, case)
+    fastest = max(1.0, *map(abs, case.ratios)) * abs(case.speed)
+    min_step = 1.0 / (surface.steps_per_spacing * fastest)
+    heating = Heating.of(space, case.effects, min_step)
     one_hot = slide_with_heat(space, case.spectrum, heating, case.speed, None, variables)
     one = one_hot.sliding
     passes = one.passes
@@ -56,6 +59,7 @@ def run_case(
     count = len(case.ratios)
     jumps, rates, mu_2, final = np.full((4, count), np.nan)
     contact = real_contact(one.body.p, one.viscous)
+    hot = _hot_parts(one_hot, heating, count)
     areas = ContactAreas(contact, np.full(count, contact), final, [])
     sums = np.full((count, len(TILE_SUMS), case.tiles, case.tiles), np.nan)
     if case.tiles:
@@ -66,6 +70,9 @@ def run_case(
             space, case.spectrum, one, case.speed * one_hot.slowing, case.ratios, case.tiles
         )
         areas, passes = areas._replace(after=contact + grown), passes + used
+        if heating:
+            speeds = np.array(case.ratios) * case.speed
+            hot.jump_shear[:] = _jumps_of_shear(heating, one_hot, speeds, areas.after)
     if requested.initial_rate and case.ratios:
         rates, used = initial_rates(space, case.spectrum, one, case.speed, case.ratios)
         passes += used
@@ -75,7 +82,7 @@ def run_case(
         if not (requested.steady or requested.relaxation):
             continue
         two_hot = slide_with_heat(space, case.spectrum, heating, ratio * case.speed, one_hot, 0)
-        two = two_hot.sliding
+        two, hot.mu_2_shear[k] = two_hot.sliding, two_hot.shear
         passes, mu_2[k] = passes + two.passes, two.mu
         final[k] = real_contact(two.body.p, two.viscous)
         if case.tiles:
@@ -90,8 +97,10 @@ def run_case(
             else:
                 ends, speed = (one_hot, two_hot), ratio * case.speed
                 march = space, case.spectrum, heating, ends, speed, case.kept_steps[k]
-                curve, used = hot_relaxation(*march)
+                curve, shear, area, used = hot_relaxation(*march)
                 curves.append(curve)
+                hot.curve_shear.append(shear)
+            areas.curves.append(area)
             passes += used
             clock.lap_phase(MARCHING)
     return Outcome(
@@ -107,16 +116,30 @@ def run_case(
         rates,
         sums if case.tiles else None,
         areas if requested.areas else None,
+        hot if heating else None,
     )
 
 
-def _heating(space: HalfSpace, case: Case) -> Heating | None:
-    """Return the heating of a case, which resolves its shortest steps, or None without heat."""
-    if case.effects.heat is None:
-        return None
-    fastest = max(1.0, *map(abs, case.ratios)) * abs(case.speed)
-    min_step = 1.0 / (space.surface.steps_per_spacing * fastest)
-    return Heating.of(space, case.effects.heat, min_step)
+def _hot_parts(one: HotSliding, heating: Heating | None, count: int) -> HotParts:
+    """Return the values of steady sliding at v1, and room for those of the velocity jumps."""
+    nothing = np.full(count, np.nan)
+    if heating is None or one.warmth is None:
+        return HotParts(np.nan, np.nan, 0.0, nothing, nothing.copy(), [])
+    flash = heating.flash(one.warmth)
+    return HotParts(one.warmth.contact, flash, one.shear, nothing, nothing.copy(), [])
+
+
+def _jumps_of_shear(
+    heating: Heating, one: HotSliding, speeds: np.ndarray, areas: np.ndarray
+) -> list[float]:
+    """Return the jumps of the shear part of mu at constant temperature, in h/dx.
+
+    speeds, areas : just after the velocity jumps.
+    """
+    assert one.warmth is not None
+    contact = one.warmth.contact
+    pairs = zip(speeds.tolist(), areas.tolist(), strict=True)
+    return [heating.shear(area, speed, contact) - one.shear for speed, area in pairs]
 
 
 def _steady_sums(space: HalfSpace, sliding: SlidingBody, tiles: int) -> list[np.ndarray]:

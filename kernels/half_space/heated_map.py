@@ -10,11 +10,14 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from ..body.step import Forces, accept, attempt, end_leg, forces, patch_width
-from ..rheology.law import law_of
+from ..drive.sticking import static_force
+from ..rheology.law import MIN_MAGNITUDE, law_of
+from ..rheology.time_shift import ZERO_CELSIUS
 from .body import Body
 from .heating import Heating, SlidingContact, Warmth, heated_step
 from .moved_map import MapState, MovedMap
 from .patches import samples_per_patch
+from .shear_force import static_shear
 
 
 class HeatedForm(NamedTuple):
@@ -46,7 +49,9 @@ class HeatedMap(NamedTuple):
 
     moved: MovedMap
     heating: Heating
-    recorded: frozenset[int] | None  # numbers of the steps whose temperatures are kept; None: all
+    recorded: (
+        frozenset[int] | None
+    )  # numbers of the steps whose temperatures are kept; None: all, with a drive
     kept: list[tuple[float, float, float]]  # time (tau), contact and flash temperature (°C)
 
     @property
@@ -66,16 +71,24 @@ class HeatedMap(NamedTuple):
 TEMPERATURE_TRACES = ("trace_contact_temperature", "trace_flash_temperature")
 
 
+class HeatedAttempt(NamedTuple):
+    """Step of a HeatedMap that is not accepted yet."""
+
+    acting: Forces
+    warmth: Warmth  # after the step
+    temperature: float  # in the step, °C
+    direction: float  # of this motion, or of the last one
+    number: int  # of the step
+
+
 class HeatedState(NamedTuple):
     """State of a HeatedMap."""
 
-    moved: MapState  # with an attempted contact, if any
+    moved: MapState  # with the attempted contact, if any
     warmth: Warmth  # after the last accepted step
     time: float  # at its end, in tau
-    acting: Forces | None = None  # in the attempted step
-    attempted: Warmth | None = None
-    temperature: float = math.nan  # in the attempted step, °C
-    number: int = 0  # of the attempted step
+    direction: float  # of the last motion: 1, -1, or 0 before the first
+    attempted: HeatedAttempt | None = None
 
     @property
     def old_d(self) -> float:
@@ -99,17 +112,24 @@ class HeatedState(NamedTuple):
 
 
 def heated_map(
-    moved: MovedMap, state: MapState, heating: Heating, warmth: Warmth, recorded: Any
+    moved: MovedMap,
+    state: MapState,
+    heating: Heating,
+    warmth: Warmth,
+    direction: float,
+    recorded: frozenset[int] | None,
 ) -> tuple[HeatedMap, HeatedState]:
-    """Return (body, state) of a map before its first step; the rest as in HeatedMap."""
+    """Return (body, state) of a map before its first step; recorded : as in HeatedMap."""
     kept = [(0.0, warmth.contact, heating.flash(warmth))]
-    return HeatedMap(moved, heating, recorded, kept), HeatedState(state, warmth, 0.0)
+    return HeatedMap(moved, heating, recorded, kept), HeatedState(state, warmth, 0.0, direction)
 
 
 @attempt.register(HeatedMap)
 def _attempt(body, state, law, step):
     before, after = (body.moved.position(place) for place in (step.before, step.after))
-    passes = state.moved.passes
+    passes, speed = state.moved.passes, (after - before) / body.heating.steps_per_spacing / law.dt
+    direction = float(np.sign(speed)) or (0.0 if body.recorded is None else state.direction)
+    at_rest = direction * MIN_MAGNITUDE  # the shear at rest has the direction of the last motion
 
     def attempt_at(duration: float, temperature: float) -> SlidingContact:
         nonlocal passes
@@ -117,26 +137,37 @@ def _attempt(body, state, law, step):
         attempted = attempt(body.moved, state.moved._replace(passes=passes), law.law, step)
         passes = attempted.passes
         acting = forces(body.moved, attempted, law.law, step)
-        p, fraction = attempted.attempted.contact.p, after - math.floor(after)
-        return SlidingContact((attempted, acting), p, acting.mu, after - before, fraction)
+        shear = body.heating.shear(acting.contact_fraction, speed or at_rest, temperature)
+        contact = attempted.attempted.contact.p, acting.mu + shear, after - before
+        result = attempted, acting._replace(friction=acting.friction + acting.normal * shear)
+        return SlidingContact(result, *contact, after - math.floor(after))
 
     sliding, warmth, temperature = heated_step(body.heating, state.warmth, law.dt, attempt_at)
     moved, acting = sliding.result
-    return HeatedState(moved, state.warmth, state.time, acting, warmth, temperature, step.number)
+    attempted = HeatedAttempt(acting, warmth, temperature, direction, step.number)
+    return state._replace(moved=moved, attempted=attempted)
 
 
 @forces.register(HeatedMap)
 def _forces(body, state, law, step):
-    return state.acting
+    return state.attempted.acting
+
+
+@static_force.register(HeatedMap)
+def _static_force(body, state, acting):
+    law, side = body.heating.law, body.moved.side
+    kelvin = state.attempted.temperature + ZERO_CELSIUS
+    return 0.0 if law is None else static_shear(acting, law, side, kelvin)
 
 
 @accept.register(HeatedMap)
 def _accept(body, state, law):
-    if body.recorded is None or state.number in body.recorded:
+    _, warmth, temperature, direction, number = state.attempted
+    if body.recorded is None or number in body.recorded:
         acted = state.time + (1.0 - law.lag) * law.dt
-        body.kept.append((acted, state.temperature, body.heating.flash(state.attempted)))
+        body.kept.append((acted, temperature, body.heating.flash(warmth)))
     moved = accept(body.moved, state.moved, law.law)
-    return HeatedState(moved, state.attempted, state.time + law.dt)
+    return HeatedState(moved, warmth, state.time + law.dt, direction)
 
 
 @end_leg.register(HeatedMap)

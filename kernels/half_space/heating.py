@@ -1,8 +1,8 @@
 """Heat of friction on a map: flux, contact temperature, and steps at the rates of that temperature.
 
-The flux into the surface is mu v p, or (mu p + tau_f) v with the shear of the contact spread as the
-pressures. One temperature acts in a step: the mean over the contact, weighted with p, halfway
-between its values before and after the step.
+The flux into the surface is mu v p, where mu is the sum of viscoelastic friction and shear of the
+real contact: heat of the shear is distributed as the pressures. One temperature acts in a step: the
+mean over the contact, weighted with p, halfway between its values before and after the step.
 """
 
 from collections.abc import Callable
@@ -19,6 +19,9 @@ from ..heat.field import (
     steady_heat,
 )
 from ..heat.heat import Heat
+from ..interface.effects import Effects
+from ..interface.shear import ShearLaw, shear_stress
+from ..rheology.time_shift import ZERO_CELSIUS
 from ..root_search import new_secant_search, next_secant_guess
 from .body import HalfSpace
 from .waves import two_sided, wave_numbers
@@ -27,6 +30,7 @@ TEMPERATURE_TOLERANCE = (
     0.5  # K, of the temperature of a step; one that warms by 1 K is not repeated
 )
 FIRST_WARMING = 100.0  # K, limit of the first change of an assumed temperature
+SHEAR_TOLERANCE = 1e-3  # K, of the temperature at which shear acts in steady sliding
 MIN_WARMING = 1e-9  # K, of changes by secants
 
 
@@ -45,28 +49,57 @@ class Heating(NamedTuple):
     surface: HeatedSurface
     shape: tuple[int, int]  # of the map
     steps_per_spacing: int
+    pressure: float  # mean pressure, in E* h/dx
+    law: ShearLaw | None  # of the shear, which heats too
 
     @classmethod
-    def of(cls, space: HalfSpace, heat: Heat, min_step: float) -> "Heating":
-        """Return the heating of a map; min_step : shortest step to resolve, in tau."""
+    def of(cls, space: HalfSpace, effects: Effects, min_step: float) -> "Heating | None":
+        """Return the heating of a map, or None without heat.
+
+        min_step : shortest step to resolve, in tau.
+        """
+        heat = effects.heat
+        if heat is None:
+            return None
         shape, m = space.surface.z.shape, space.surface.steps_per_spacing
         q_y, q_x = wave_numbers(shape, m)
         field = heated_surface(q_y, q_x, heat.diffusivity, heat.block, min_step)
-        return cls(heat, field, shape, m)
+        return cls(heat, field, shape, m, space.pressure, effects.shear)
+
+    def shear(self, area: float, speed: float, temperature: float) -> float:
+        """Return the shear part of mu, in h/dx, with the sign of the speed (vbar).
+
+        area : real contact over L^2. temperature : of the contact, in °C.
+        """
+        if self.law is None:
+            return 0.0
+        stress = float(shear_stress(self.law, np.array(speed), temperature + ZERO_CELSIUS))
+        return float(np.sign(speed)) * stress * area / self.pressure
 
     def cold(self) -> Warmth:
         """Return the warmth of a surface at the temperature of the scene."""
         rise = np.zeros((self.shape[0], self.shape[1] // 2 + 1), complex)
         return Warmth(cold_content(self.surface), rise, self.heat.temperature)
 
-    def steady(self, p: np.ndarray, friction: float, speed: float) -> Warmth:
-        """Return the warmth of steady sliding; friction : over the normal force, in h/dx.
+    def steady(self, p: np.ndarray, mu: float, area: float, speed: float) -> tuple[Warmth, float]:
+        """Return the warmth of steady sliding, and the shear part of friction at it, in h/dx.
 
-        p : pressures at the samples. speed : vbar, signed.
+        p : pressures at the samples. mu : viscoelastic friction. area : real contact over L^2, not
+        used without shear. speed : vbar, signed.
         """
-        modes = np.fft.rfft2(p)
-        content, rise = steady_heat(self.surface, friction * speed * modes, speed)
-        return self._warmth(content, rise, modes)
+        modes, scene = np.fft.rfft2(p), self.heat.temperature
+        unit = self._warmth(*steady_heat(self.surface, speed * modes, speed), modes)
+        secants = new_secant_search(scene, FIRST_WARMING, 1.0)
+        while True:
+            assumed = secants.search.x
+            shear = self.shear(area, speed, assumed)
+            contact = scene + (mu + shear) * (unit.contact - scene)
+            if self.law is not None:
+                excess = assumed - contact
+                secants = next_secant_guess(secants, assumed, excess, SHEAR_TOLERANCE, MIN_WARMING)
+            if self.law is None or secants.search.ended:
+                content = HeatContent(*((mu + shear) * part for part in unit.content))
+                return Warmth(content, (mu + shear) * unit.rise, contact), shear
 
     def after_step(self, warmth: Warmth, sliding: "SlidingContact", dt: float) -> Warmth:
         """Return the warmth after a step of length dt (tau)."""

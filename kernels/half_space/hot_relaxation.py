@@ -8,6 +8,7 @@ from ..rheology.spectrum import Spectrum
 from .body import HalfSpace, body_after, step_tolerance, try_step
 from .heating import Heating, SlidingContact, heated_step
 from .hot_sliding import HotSliding
+from .patches import real_contact
 
 
 def hot_relaxation(
@@ -17,8 +18,10 @@ def hot_relaxation(
     ends: tuple[HotSliding, HotSliding],
     speed: float,
     numbers: np.ndarray,
-) -> tuple[np.ndarray, int]:
-    """Return (mu at the given steps after the jump to ``speed``, passes); mu tends to that at v2.
+) -> tuple[np.ndarray, np.ndarray, np.ndarray, int]:
+    """Return (mu, its shear part, real contact, passes) after the jump to ``speed``.
+
+    The first three are those at the given steps. mu is viscoelastic and tends to that at v2.
 
     ends : steady sliding before the jump and long after it. speed : vbar, signed. The flux of heat
     is that of the returned friction.
@@ -30,23 +33,27 @@ def hot_relaxation(
         two.sliding.mu - two.sliding.step_mu,
     )
     body = one.sliding.body._replace(memory=one.sliding.body.memory.copy())
-    warmth, passes, mu, at = one.warmth, 0, np.empty(numbers.size), 0
+    warmth, passes, curves, at = one.warmth, 0, np.empty((3, numbers.size)), 0
     assert warmth is not None
-    dt = 1.0 / (surface.steps_per_spacing * abs(speed))
+    sudden, dt = two.sliding.viscous, 1.0 / (surface.steps_per_spacing * abs(speed))
 
     def attempt(duration: float, temperature: float) -> SlidingContact:
         law, moved_to = law_of(space.form, duration), (body.offset + direction) % n
         tolerance = step_tolerance(spectrum, law)
         w, contact = try_step(space, body, law, surface.z, moved_to, tolerance)
         weight = surface.slope + law.lag * (earlier - surface.slope)
-        friction = mean_slope(contact.p, weight) + offset
-        return SlidingContact((law, w, contact, moved_to), contact.p, friction, direction, 0.0)
+        mu, area = mean_slope(contact.p, weight) + offset, real_contact(contact.p, sudden)
+        shear, result = heating.shear(area, speed, temperature), (law, w, contact, moved_to)
+        parts = mu, shear, area
+        return SlidingContact((result, parts), contact.p, mu + shear, direction, 0.0)
 
     for number in range(1, int(numbers[-1]) + 1):
         sliding, warmth, _ = heated_step(heating, warmth, dt, attempt)
-        body = body_after(body, *sliding.result)
-        passes += sliding.result[2].passes
+        result, parts = sliding.result
+        body = body_after(body, *result)
+        passes += result[2].passes
         if number == numbers[at]:
-            mu[at] = sliding.friction
+            curves[:, at] = parts
             at += 1
-    return mu, passes
+    mu, shear, areas = curves
+    return mu, shear, areas, passes

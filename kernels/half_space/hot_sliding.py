@@ -15,6 +15,7 @@ from ..rheology.spectrum import Spectrum
 from ..root_search import new_secant_search, next_secant_guess
 from .body import HalfSpace
 from .heating import Heating, Warmth
+from .patches import real_contact
 from .sliding_body import SlidingBody, slide_steadily
 
 RATE_TOLERANCE = 5e-4  # of x; mu changes by about a fifth of it
@@ -29,6 +30,7 @@ class HotSliding(NamedTuple):
     sliding: SlidingBody  # at the reduced speed exp(-x) v; its passes are those of all solutions
     warmth: Warmth | None = None  # None without heat
     log_rate: float = 0.0  # x
+    shear: float = 0.0  # part of friction, in h/dx; 0 without heat
     solutions: int = 1  # number of contacts that were solved
 
     @property
@@ -59,9 +61,10 @@ def slide_with_heat(
         x = secants.search.x
         sliding = slide_steadily(space, spectrum, speed * math.exp(-x), body, variables)
         body, passes, solutions = sliding.body, passes + sliding.passes, solutions + 1
-        warmth = heating.steady(sliding.body.p, sliding.mu, speed)
+        area = real_contact(sliding.body.p, sliding.viscous) if heating.law else 0.0
+        warmth, shear = heating.steady(sliding.body.p, sliding.mu, area, speed)
         excess = x - heating.heat.log_rate(warmth.contact)
         secants = next_secant_guess(secants, x, excess, RATE_TOLERANCE, MIN_RATE_STEP)
         if secants.search.ended:
             heating.heat.check(warmth.contact, speed)
-            return HotSliding(sliding._replace(passes=passes), warmth, x, solutions)
+            return HotSliding(sliding._replace(passes=passes), warmth, x, shear, solutions)

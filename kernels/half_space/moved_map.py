@@ -97,10 +97,11 @@ def moved_map(
     carried : branches that the motion carries along from a start at rest, if any.
     """
     warmth = heating.cold() if heating else None
-    speed = sudden = 0.0
+    shear = speed = sudden = 0.0
     if scene.start == "steady":
         speed = speed_at_start(scene.programme)
-        one, warmth, *_ = slide_with_heat(space, scene.spectrum, heating, speed)
+        hot = slide_with_heat(space, scene.spectrum, heating, speed)
+        one, warmth, shear = hot.sliding, hot.warmth, hot.shear
         body, passes, lag = _with_zero_offset(one.body), one.passes, one.step.law.lag
         sudden = one.viscous
         earlier = np.roll(space.surface.slope, -1 if speed > 0.0 else 1, axis=1)
@@ -115,8 +116,12 @@ def moved_map(
         lag, earlier = 0.0, space.surface.slope
     weight = space.surface.slope + lag * (earlier - space.surface.slope)
     moved = MovedMap.of(space, scene, position, tolerance)
+    if heating is not None:  # shear then depends on the temperature (heated_map.py)
+        moved = moved._replace(shear=None)
     state = MapState(body.d, body.d, passes, body, None)
-    return moved, state, _forces_of(moved, body.p, weight, sudden, speed), warmth
+    acting = _forces_of(moved, body.p, weight, sudden, speed)
+    acting = acting._replace(friction=acting.friction + acting.normal * shear)
+    return moved, state, acting, warmth
 
 
 def _carried_body(space: HalfSpace, scene: SceneCase, carried: CarriedBranches) -> tuple[Body, int]:

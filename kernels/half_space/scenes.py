@@ -1,5 +1,6 @@
 """Scenes on a half-space, moved by a programme or pulled through a spring."""
 
+import math
 from collections.abc import Callable
 from functools import partial
 from typing import Any, NamedTuple
@@ -10,7 +11,7 @@ from ..body.step import Forces, patch_width
 from ..drive.pulled_slider import pull_through, recorded_times
 from ..drive.spring import Drive
 from ..interface.shear import check_fastest
-from ..motion.legs import Steps
+from ..motion.legs import Steps, speed_at_start
 from ..rheology.forms import form_of
 from ..scene.carried import CarriedBranches, carried_branches
 from ..scene.march_body import march_track
@@ -116,16 +117,16 @@ def _at_start(
     steps : of the programme. recorded : numbers of the recorded steps, or None for all.
     carried : as for ``moved_map``.
     """
-    heat = scene.effects.heat
-    if heat is None:
-        return moved_map(space, scene, position, tolerance, carried)[:3]
     # A slider may slip faster than its drive moves.
     min_step = float(steps.dt.min()) * (1.0 if recorded is not None else SLIP_STEP_SHARE)
-    heating = Heating.of(space, heat, min_step)
+    heating = Heating.of(space, scene.effects, min_step)
     moved, state, acting, warmth = moved_map(space, scene, position, tolerance, carried, heating)
-    assert warmth is not None
+    if heating is None or warmth is None:
+        return moved, state, acting
     kept = None if recorded is None else frozenset(recorded.tolist())
-    return *heated_map(moved, state, heating, warmth, kept), acting
+    direction = math.copysign(1.0, speed_at_start(scene.programme))
+    direction = direction if scene.start == "steady" else 0.0
+    return *heated_map(moved, state, heating, warmth, direction, kept), acting
 
 
 def _temperatures(body: Any, values: dict[str, np.ndarray]) -> dict[str, np.ndarray]:

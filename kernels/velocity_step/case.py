@@ -65,6 +65,17 @@ class ContactAreas(NamedTuple):
     curves: list[np.ndarray]  # per ratio: at the recorded steps
 
 
+class HotParts(NamedTuple):
+    """Values of a case that friction heats; shear parts of mu in h/dx, 0 without shear."""
+
+    contact_temperature: float  # mean over the contact at v1, °C
+    flash_temperature: float  # highest of the surface at v1, °C
+    mu_1_shear: float
+    mu_2_shear: np.ndarray  # shape (ratios,)
+    jump_shear: np.ndarray  # shape (ratios,)
+    curve_shear: list[np.ndarray]  # per ratio: at the recorded steps
+
+
 class Outcome(NamedTuple):
     """Results of a case; mu in h/dx, indentation in h over the mean line."""
 
@@ -80,6 +91,7 @@ class Outcome(NamedTuple):
     initial_rate: np.ndarray  # shape (ratios,): d mu/dt at t0+, per tau; NaN unless requested
     tiles: np.ndarray | None = None  # shape (ratios, sums, tiles, tiles), see half_space/tiles.py
     areas: ContactAreas | None = None
+    hot: HotParts | None = None
 
 
 class PhaseClocks:

@@ -4,9 +4,11 @@ import math
 
 from ...kernels import (
     GAS_CONSTANT,
+    ZERO_CELSIUS,
     Arrhenius,
     Bell,
     Effects,
+    Heat,
     Hold,
     Leg,
     Oscillation,
@@ -14,12 +16,12 @@ from ...kernels import (
     Sampled,
     ShearLaw,
     ShearTable,
+    ShiftTable,
     Slide,
 )
 from ..ground import UserError
 from ..simulate import Problem
-from ..study import Material, SceneEffects, Shear
-from ..text_tables import ZERO
+from ..study import HeatProperties, Material, SceneEffects, Shear
 from .motion import Scale, rounded
 
 
@@ -27,8 +29,30 @@ def scaled_effects(
     effects: SceneEffects, material: Material, scale: Scale, others: Effects
 ) -> Effects:
     """Return the effects of a scene for the kernels, beside others of the same problem."""
-    shear = effects.shear
-    return others._replace(shear=shear and _shear_law(shear, material, scale))
+    shear, heat = effects.shear, effects.heat
+    return others._replace(
+        shear=shear and _shear_law(shear, material, scale),
+        heat=heat and _heat(heat, material, scale),
+    )
+
+
+def _heat(heat: HeatProperties, material: Material, scale: Scale) -> Heat:
+    """Return the heating of a scene, from the temperature of the material on."""
+    law, temperature = material.shift_law, material.temperature
+    assert law is not None
+    assert temperature is not None
+    if isinstance(law, ShiftTable):
+        law = law._replace(told="")
+    flux_unit = material.contact_modulus * scale.roughness**2 / scale.tau  # times dx, W/m
+    diffusivity = heat.conductivity / heat.heat_capacity
+    return Heat(
+        rounded(heat.share * flux_unit / heat.conductivity),
+        rounded(diffusivity * scale.tau / scale.spacing**2),
+        rounded((heat.block or 0.0) / scale.spacing),
+        law,
+        temperature,
+        rounded(scale.spacing / scale.tau),
+    )
 
 
 def _shear_law(shear: Shear, material: Material, scale: Scale) -> ShearLaw:
@@ -41,7 +65,7 @@ def _shear_law(shear: Shear, material: Material, scale: Scale) -> ShearLaw:
         shift = Arrhenius(shear.activation_energy, shear.reference)
         own_speed_unit *= 10.0 ** shift.decades(material.temperature)
         activation = shear.activation_energy / GAS_CONSTANT
-        reference = material.temperature + ZERO
+        reference = material.temperature + ZERO_CELSIUS
     curve: Bell | ShearTable
     if shear.rows:
         speeds, stresses = zip(*shear.rows, strict=True)

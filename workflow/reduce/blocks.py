@@ -7,6 +7,7 @@ import numpy as np
 
 from ...kernels import ENERGIES, Programme, Quantities
 from ...kernels.drive import PULLED_TRACES
+from ...kernels.half_space.heated_map import TEMPERATURE_TRACES
 from ..plan import Variant, line_slope
 from ..simulate import (
     Recording,
@@ -23,6 +24,8 @@ from .jackknife import standard_error
 from .point_quantities import carried_estimates
 from .shear_sums import Parts, add_shear
 
+TRACE_ESTIMATES = (*PULLED_TRACES, *TEMPERATURE_TRACES)
+PROGRAMME_TRACES = (*TRACE_ESTIMATES, *ENERGIES)
 Estimates = dict[str, np.ndarray]
 
 
@@ -91,7 +94,7 @@ def blocks_of(how: Reduction, tasks: list[Task], scalars: np.ndarray, rows: np.n
     """
     layout = how.kernel_quantities, how.numerics.scheme, how.recording
     parts = [unpack(row, row_layout(t, *layout)) for row, t in zip(rows, tasks, strict=True)]
-    traces = {name for name in parts[0] if name in (*PULLED_TRACES, *ENERGIES)}
+    traces = {name for name in parts[0] if name in PROGRAMME_TRACES}
     values = {
         name: np.stack([_filled(p[name], how.events if name in traces else 0) for p in parts])
         for name in parts[0]

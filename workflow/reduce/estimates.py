@@ -31,6 +31,9 @@ def reduce_blocks(blocks: Blocks) -> Estimates:
     for quantity in requested:
         for name in QUANTITIES[quantity].means:
             enter(estimates, name, values[name])
+    if "steady" in requested and "contact_temperature" in blocks.values:
+        for name in ("contact_temperature", "flash_temperature"):
+            enter(estimates, name, replicates(blocks.values[name], 1))
     for name in blocks.carried:
         estimates[f"{name}_replicates"] = padded(values[name], JACKKNIFE_GROUPS)
     if "curve" in blocks.values:

@@ -14,13 +14,12 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from ...kernels import ENERGIES, MOTION_TRACES, Hold, Oscillation, Programme, Slide
-from ...kernels.drive import PULLED_TRACES, SLIP_EVENTS, SLIPS
+from ...kernels.drive import SLIP_EVENTS, SLIPS
 from ...kernels.motion.legs import leg_duration
-from .blocks import Blocks, Estimates, columns, enter
+from .blocks import PROGRAMME_TRACES, TRACE_ESTIMATES, Blocks, Estimates, columns, enter
 from .jackknife import replicates, standard_error
 from .rate_state import STATE_LAWS, RateState, fit_rate_state
 
-PROGRAMME_TRACES = (*PULLED_TRACES, *ENERGIES)
 CHANGE_TRACES = ("trace_mu", "trace_indentation")  # their changes within a leg are estimates too
 SINGLE_REALIZATION = ("snapshot_", "state_")  # prefixes of values of one realization, without error
 
@@ -116,7 +115,7 @@ def _store_motion(estimates: Estimates, blocks: Blocks, means: Means) -> None:
 
 def _store_traces(estimates: Estimates, blocks: Blocks, means: Means) -> None:
     """Store the traces, and the changes of friction and indentation."""
-    for name in PULLED_TRACES:
+    for name in TRACE_ESTIMATES:
         if name not in MOTION_TRACES and name in means:
             enter(estimates, name, means[name])
         if name in CHANGE_TRACES:

@@ -14,6 +14,8 @@ INTRODUCTIONS = {
     "scene.programme": "A segment may also follow a file, as "
     '`[[scene.programme]]` with `file = "NAME"`.',
     "scene.drive": "The spring and damper between the drive and the line, for segments `pull`.",
+    "scene.heat": "The heat of friction, as `[scene.heat]`; a half-space only, of a material with "
+    "a shift.",
     "scene.shear": "The shear stress of the real contact, as `[scene.shear]`; a half-space only.",
     "numerics": "The discretisation and the requested accuracy.",
     "cluster": "The workers that compute the study. Results do not depend on this table.",

@@ -72,6 +72,14 @@ VARIABLES = {
     "mu_2": Variable("steady coefficient of friction at v2", SLOPE_SCALE),
     "indentation": Variable("steady indentation d at v1", HEIGHT_SCALE, "m", comment=SIGN_OF_D),
     "contact_fraction": Variable("share of the line in contact at v1"),
+    "contact_temperature": Variable(
+        "temperature of the contact at v1",
+        units="degree_Celsius",
+        comment="of the surface of the rubber, mean weighted with the pressure",
+    ),
+    "flash_temperature": Variable(
+        "highest temperature of the surface of the rubber at v1", units="degree_Celsius"
+    ),
     "mean_contact_pressure": Variable(
         "normal force over the real contact area at v1",
         units="Pa",
@@ -229,6 +237,14 @@ SCENES = {
     "trace_normal_force": Variable("normal force", FORCE_SCALE, "N", EVENT_DIMS),
     "trace_friction_force": Variable("friction force", FRICTION_SCALE, "N", EVENT_DIMS),
     "trace_drive_force": Variable("force of the drive", FRICTION_SCALE, "N", EVENT_DIMS),
+    "trace_contact_temperature": Variable(
+        "temperature of the contact in a step", units="degree_Celsius", dims=EVENT_DIMS
+    ),
+    "trace_flash_temperature": Variable(
+        "highest temperature of the surface of the rubber",
+        units="degree_Celsius",
+        dims=EVENT_DIMS,
+    ),
     "trace_contact_fraction": Variable("share of the line in contact", dims=EVENT_DIMS),
     "trace_samples_per_contact": Variable(
         "samples per patch of contact in the march, median over the load", dims=EVENT_DIMS

@@ -122,7 +122,7 @@ def _scene(arguments: Mapping[str, Any], grid: dict[str, Any]) -> dict[str, Any]
     scene = {name: toml_value(name, arguments[name]) for name in names}
     scene = {name: value for name, value in scene.items() if value is not None}
     scene["programme"] = _programme(arguments)
-    for name in ("drive", "shear"):
+    for name in ("drive", "shear", "heat"):
         if arguments[name] is not None:
             scene[name] = table(name, arguments[name])
     if depth is not None:
@@ -263,6 +263,7 @@ def run(
     duration: float | None = None,
     drive: Mapping[str, Any] | None = None,
     shear: Mapping[str, Any] | None = None,
+    heat: Mapping[str, Any] | None = None,
     body: str | None = None,
     start: str = "steady",
     repeat: int = 1,
@@ -285,6 +286,7 @@ def run(
         of the mean line (m), or the name of a file of times (s) and indentations (m).
     drive : keys of [scene.drive], for a programme of segments ``pull``.
     shear : keys of [scene.shear], the shear stress of the real contact of a half-space.
+    heat : keys of [scene.heat], by which friction warms the contact of a half-space.
     body : "foundation" or "half-space"; by default a half-space for a square profile and for a
         surface under normal_pressure, else the foundation.
     programme : list of segments, each as in [[scene.programme]] or {"time": ..., "velocity": ...}

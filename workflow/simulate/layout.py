@@ -10,6 +10,7 @@ import numpy as np
 
 from ...kernels import ENERGIES, TRACES, Quantities, SavedState, form_of, memory_size
 from ...kernels.drive import MAX_SLIP_EVENTS, PULLED_TRACES, SLIP_EVENTS, SLIPS
+from ...kernels.half_space.heated_map import TEMPERATURE_TRACES
 from ...kernels.half_space.tiles import TILE_SUMS
 from .recorded_steps import trace_steps
 from .tasks import Recording, Task
@@ -33,6 +34,13 @@ def row_layout(task: Task, quantities: Quantities, scheme: str, recording: Recor
         shapes["contact_2"], shapes["contact_step"] = (), (2,)  # at v2; before and after the jump
         if quantities.relaxation:
             shapes["contact_curve"] = (recording.samples - 1,)
+    effects = task.problem.effects
+    if effects.heat and quantities.anything:
+        shapes |= dict.fromkeys(("contact_temperature", "flash_temperature"), ())
+        if effects.shear:
+            shapes |= dict.fromkeys(("mu_1_shear", "mu_2_shear", "jump_shear"), ())
+            if quantities.relaxation:
+                shapes["curve_shear"] = (recording.samples - 1,)
     if recording.tiles and quantities.anything:
         shapes["tiles"] = len(TILE_SUMS), recording.tiles, recording.tiles
     if recording.refined_blocks:
@@ -73,9 +81,12 @@ def _snapshots(task: Task, line_shape: tuple[int, ...]) -> dict[str, tuple[int, 
 def _programme_shapes(task: Task, scheme: str, recording: Recording) -> dict[str, tuple[int, ...]]:
     trace = (trace_steps(task.problem, task.steps_per_spacing, recording).size,)
     samples = task.problem.elements * task.steps_per_spacing
+    traces = PULLED_TRACES if task.problem.drive else TRACES
+    if task.problem.effects.heat:
+        traces += TEMPERATURE_TRACES
     units = memory_size(form_of(task.problem.spectrum, scheme))
     shapes: dict[str, dict[str, tuple[int, ...]]] = {
-        "trace": dict.fromkeys(PULLED_TRACES if task.problem.drive else TRACES, trace),
+        "trace": dict.fromkeys(traces, trace),
         "stick_slip": dict.fromkeys(SLIPS, ()),
         "slip_events": dict.fromkeys(SLIP_EVENTS, (MAX_SLIP_EVENTS,)),
         "cycle_mean": {"mu_cycle_mean": ()},

@@ -60,7 +60,8 @@ def scene_of(task: Task, scheme: str, recording: Recording) -> SceneCase:
 def steady_ends(batch: Batch, line: Any, task: Task) -> dict[str, Any]:
     """Return the steady values at the first and the last slide of a programme, by scalar name.
 
-    A map also has "areas", the real contact, and a single one "tiles", the sums over its tiles.
+    A map also has "areas", the real contact, "hot", its temperatures if it is heated, and a single
+    one "tiles", the sums over its tiles.
 
     Empty if these are the speeds before and after the velocity step, which the case computes.
     """
@@ -87,4 +88,6 @@ def steady_ends(batch: Batch, line: Any, task: Task) -> dict[str, Any]:
         values["tiles"] = outcome.tiles[0]
     if outcome.areas is not None:
         values["areas"] = outcome.areas
+    if outcome.hot is not None:
+        values["hot"] = outcome.hot
     return values | {"mu_2": float(outcome.mu_2[0])}

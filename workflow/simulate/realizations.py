@@ -9,7 +9,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from ...kernels import MOTION_TRACES, Case, ContactAreas, Outcome, Quantities
+from ...kernels import MOTION_TRACES, Case, ContactAreas, HotParts, Outcome, Quantities
 from ...kernels.compile.clock import computing_seconds
 from ..system import keep_memory, peak_bytes, this_maker
 from .bodies import BODIES, CaseGroup, body_of
@@ -149,10 +149,11 @@ def _case_groups(batch: Batch, refinement: int = 1) -> list[CaseGroup]:
     """
     shared: dict[tuple, list[int]] = {}
     for row, task in enumerate(batch.tasks):
-        key = (task.steps_per_spacing, task.problem.speed, task.problem.load)
+        problem = task.problem
+        key = task.steps_per_spacing, problem.speed, problem.load, problem.kernel_effects
         shared.setdefault(key, []).append(row)
     groups = []
-    for steps, keys in groupby(sorted(shared), itemgetter(0)):
+    for steps, keys in groupby(sorted(shared, key=itemgetter(0, 1, 2)), itemgetter(0)):
         rows = [shared[key] for key in keys]
         cases = [_case(batch, r, refinement) for r in rows] if batch.quantities.anything else ()
         prepared = body_of(batch).prepare(cases, refinement * steps, batch.quantities)
@@ -191,7 +192,9 @@ def _add_outcome(
     """
     scalars, values, _ = sums
     numbers = scalars_of(outcome)
-    areas_at_ends = ends.pop("areas", None)
+    areas_at_ends, hot_at_ends = ends.pop("areas", None), ends.pop("hot", None)
+    if outcome.hot is not None:
+        _add_hot_parts(outcome.hot, k, hot_at_ends, places, values)
     if outcome.areas is not None:
         _add_areas(outcome.areas, k, areas_at_ends, places, values)
     if outcome.tiles is not None:
@@ -219,6 +222,19 @@ def _add_areas(
     values[first : first + 2] += areas.before, areas.after[k]
     if "contact_curve" in places:
         _add_curve(areas.curves[k], places["contact_curve"], values)
+
+
+def _add_hot_parts(
+    hot: HotParts, k: int, ends: HotParts | None, places: Layout, values: np.ndarray
+) -> None:
+    """Add the temperatures and shear parts of velocity jump k to a row; ends : as for areas."""
+    for name in HotParts._fields:
+        if name == "curve_shear" and name in places:
+            _add_curve(hot.curve_shear[k], places[name], values)
+        elif name in places:
+            at_jump = ends is None or name == "jump_shear"
+            value = np.atleast_1d(getattr(hot if at_jump else ends, name))
+            values[places[name][0]] += value[k if at_jump and value.size > 1 else 0]
 
 
 def _add_curve(curve: np.ndarray, place: tuple[int, tuple[int, ...]], values: np.ndarray) -> None:

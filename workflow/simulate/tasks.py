@@ -85,7 +85,7 @@ class Problem(NamedTuple):
 Record = tuple[str, int]  # (key of a task, block of realizations)
 
 # SCALARS : fields of an outcome with a column each; layout.py lays out the rest of a record.
-OTHER_FIELDS = ("curves", "work", "seconds", "initial_rate", "tiles", "areas")
+OTHER_FIELDS = ("curves", "work", "seconds", "initial_rate", "tiles", "areas", "hot")
 SCALARS = tuple(name for name in Outcome._fields if name not in OTHER_FIELDS)
 
 PHASES = ("surfaces", *Seconds._fields)  # of the work on a line, without the cost of calls

@@ -19,6 +19,7 @@ if TYPE_CHECKING:
         QUANTITIES,
         SHIFT_KEYS,
         FromFile,
+        HeatProperties,
         HoldSegment,
         Material,
         Oscillate,

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 from ...ground import public_names
 
 if TYPE_CHECKING:
+    from .heat_keys import HeatProperties
     from .material import MATERIAL, Material, read_material, shift_law_of, shift_of
     from .motion_function import sampled_motion
     from .programme import (

@@ -203,6 +203,11 @@ SCENE = {
         "The shear stress τ_f of the real contact of a half-space. Friction is then the sum of the "
         "viscoelastic part and τ_f times the real contact area.",
     ),
+    "heat": effect_key(
+        "heat",
+        "The heat of friction, which warms the contact of a half-space and shortens the relaxation "
+        "times there (docs/effects.md).",
+    ),
     "programme": Key(
         lambda _, value: [value] if isinstance(value, dict) else value,
         "The motion of the line as successive segments `[[scene.programme]]`, in place of "

@@ -6,6 +6,7 @@ from typing import Any, NamedTuple
 
 from ...ground import UserError
 from ..settings import Key, Schema, as_table, checked
+from .heat_keys import HEAT, HeatProperties, read_heat
 from .material import Material
 from .shearing import SHEAR, Shear, read_shear
 
@@ -14,11 +15,15 @@ class SceneEffects(NamedTuple):
     """Effects of a scene in SI units; an effect that is not requested is None."""
 
     shear: Shear | None = None
+    heat: HeatProperties | None = None
 
 
 # Table in [scene] -> its keys, and the function (where, checked values, folder) that reads it.
 EffectReader = Callable[[str, Mapping[str, Any], Path], Any]
-EFFECT_TABLES: dict[str, tuple[Mapping[str, Key], EffectReader]] = {"shear": (SHEAR, read_shear)}
+EFFECT_TABLES: dict[str, tuple[Mapping[str, Key], EffectReader]] = {
+    "shear": (SHEAR, read_shear),
+    "heat": (HEAT, read_heat),
+}
 
 
 def effect_key(name: str, means: str) -> Key:
@@ -79,6 +84,11 @@ def check_effects(
         raise UserError(
             f"{where}.{given[0]}: needs the real contact area, which the foundation lacks; set "
             f'scene.body = "half-space", or {where}.{given[0]} = false in a comparison'
+        )
+    if effects.heat and material.shift_law is None:
+        raise UserError(
+            f"{where}.heat: needs relaxation times that shift with the temperature; give "
+            "material.wlf, arrhenius or shifts and material.temperature, or omit it"
         )
     shear = effects.shear
     if shear is None or shear.velocity is None:

@@ -1,0 +1,57 @@
+"""The table [scene.heat]: properties of the elastomer that friction heats."""
+
+from collections.abc import Mapping
+from functools import partial
+from pathlib import Path
+from typing import Any, NamedTuple
+
+from ..settings import Key, filled, positive, within
+
+MIN_SHARE = 1e-3  # of the heat that enters the elastomer
+
+
+class HeatProperties(NamedTuple):
+    """Heat conduction of the elastomer in SI units."""
+
+    conductivity: float  # W/(m K)
+    heat_capacity: float  # J/(m^3 K)
+    share: float = 1.0  # of the heat that enters the elastomer
+    block: float | None = None  # m; None: no mean heating
+
+
+def read_heat(where: str, table: Mapping[str, Any], _: Path) -> HeatProperties:
+    """Return the properties of the checked values of a table. Raises UserError."""
+    return HeatProperties(**filled(where, table, HEAT))
+
+
+HEAT = {
+    "conductivity": Key(
+        positive,
+        "The thermal conductivity k of the elastomer.",
+        "Doubled at slow sliding, the contact warms half as much; at fast sliding, 1/√2 times.",
+        "W/(m K)",
+    ),
+    "heat_capacity": Key(
+        positive,
+        "The heat capacity of the elastomer per volume.",
+        "Doubled at fast sliding, the contact warms 1/√2 times as much; at slow sliding it does "
+        "not matter.",
+        "J/(m³ K)",
+    ),
+    "share": Key(
+        partial(within, least=MIN_SHARE, most=1.0),
+        "The share of the heat that enters the surface of the elastomer. The default is an upper "
+        "bound: the other body takes a part, and losses lie below the surface.",
+        "Doubled, friction of a given size warms twice as much.",
+        default=1.0,
+    ),
+    "block": Key(
+        positive,
+        "The thickness of a block of elastomer whose far side is held at the temperature of the "
+        "scene. The mean of the heat flux warms it, in a programme from its start on.",
+        "Doubled, the steady mean rise doubles, and takes four times as long.",
+        "m",
+        default=None,
+        usual="none: the mean of the flux warms nothing, as it has no steady state on a half-space",
+    ),
+}
