@@ -49,9 +49,7 @@ class HeatedMap(NamedTuple):
 
     moved: MovedMap
     heating: Heating
-    recorded: (
-        frozenset[int] | None
-    )  # numbers of the steps whose temperatures are kept; None: all, with a drive
+    recorded: frozenset[int] | None  # steps whose temperatures are kept; None: all, of a drive
     kept: list[tuple[float, float, float]]  # time (tau), contact and flash temperature (°C)
 
     @property

@@ -35,6 +35,7 @@ PULLED_STEPS = 2.0  # steps of a line pulled by a spring, per step of its progra
 PASS_SECONDS = 1.5e-8  # per sample
 KELVIN_PASSES, BRANCH_PASSES = 800.0, 150.0  # for both steady states
 STEP_PASSES, JUMP_PASSES = 4.5, 18.0  # for a step, and for the jump
+HOT_SOLUTIONS, HOT_STEP = 3.5, 1.6  # cost with heat over that without: steady sliding, a step
 HALVED_STEPS_COST = 4.0  # cost of a repeated run with halved steps, over the first run
 
 
@@ -92,5 +93,8 @@ def _map_seconds(
 ) -> Numbers:
     """Return the predicted time of a map on a half-space."""
     passes = KELVIN_PASSES if problem.spectrum == KELVIN else BRANCH_PASSES
+    step_passes = STEP_PASSES
+    if problem.effects.heat:
+        passes, step_passes = HOT_SOLUTIONS * passes, HOT_STEP * STEP_PASSES
     passes = quantities.anything * passes + quantities.jump * JUMP_PASSES
-    return PASS_SECONDS * problem.samples(steps) * (passes + STEP_PASSES * marched)
+    return PASS_SECONDS * problem.samples(steps) * (passes + step_passes * marched)

@@ -30,7 +30,6 @@ COMPARE = NUMERICS | {key: MATERIAL[key] for key in MATERIAL if key != "temperat
 COMPARE |= LINE_KIND_KEYS | {"body": SCENE["body"]}
 COMPARE |= {name: compared_effect_key(name) for name in EFFECT_TABLES}
 MIN_LAYER_SHARE = 1e-3  # thickness over the period; thinner layers lose digits of stiffness
-COMPARE |= {name: compared_effect_key(name) for name in EFFECT_TABLES}
 ALTERNATIVES = (("branches", "branches_file"), tuple(SHIFTS))  # keys of a group exclude each other
 
 

@@ -1,7 +1,5 @@
 """Friction of a half-space at the temperature to which it heats the contact."""
 
-import math
-
 import numpy as np
 import pytest
 
@@ -58,7 +56,7 @@ def test_heat_that_changes_no_rate_changes_no_number(heat):
 def steady(heat, speed=SPEED, surface=None):
     surface = surface or rough(8, M)
     space = HalfSpace.under(form_of(PRONY, "exponential"), surface, LOAD)
-    heating = Heating.of(space, heat, 1.0 / (M * abs(speed)))
+    heating = Heating.of(space, Effects(heat=heat), 1.0 / (M * abs(speed)))
     return slide_with_heat(space, PRONY, heating, speed), heating
 
 
@@ -134,4 +132,4 @@ def test_rates_after_a_step_are_those_of_the_warm_rubber():
     outcome = run_case(rough(8, M), hot_case(WARM), Quantities(initial_rate=True))
     cold = run_case(rough(8, M), hot_case(None, SPEED * hot.slowing), Quantities(initial_rate=True))
     np.testing.assert_allclose(outcome.initial_rate, cold.initial_rate / hot.slowing, rtol=1e-3)
-    assert math.isfinite(outcome.mu_2[0]) and outcome.mu_2[0] != cold.mu_2[0]
+    assert 0.0 < outcome.mu_2[0] != cold.mu_2[0]

@@ -19,7 +19,7 @@ from elastomer_friction.workflow.result.variables import (
 from elastomer_friction.workflow.study import ALL_AXES, COMMON_AXES
 
 # tests/workflow/reduce/test_model_ratio.py, tests/workflow/reduce/test_persson.py
-# and test_point_quantities.py
+# and test_point_quantities.py, tests/workflow/scene/test_heat.py
 OF_BODIES = {
     "model_ratio",
     "model_realizations",
@@ -28,6 +28,8 @@ OF_BODIES = {
     "mu_persson_shear",
     "mu_persson_total",
     "mean_contact_pressure",
+    "contact_temperature",
+    "flash_temperature",
 }
 ACCURACY = {"accuracy_reached", "accuracy_status"}  # run/test_rounds.py
 

@@ -19,6 +19,7 @@ ROOT = Path(__file__).resolve().parents[3]
 STUDY = ("axes", "cluster", "grid", "numerics", "read", "settings", "study", "tables", "variants")
 EFFECTS = (
     "branches",
+    "heat_keys",
     "material",
     "quantities",
     "scene",
