@@ -49,7 +49,7 @@ def run_case(
         form_of(case.spectrum, case.scheme), surface, case.load, stiffness, case.effects.layer
     )
     variables = _kept_variables(space, case, requested)
-    fastest = max(1.0, *map(abs, case.ratios)) * abs(case.speed)
+    fastest = max([1.0, *map(abs, case.ratios)]) * abs(case.speed)
     min_step = 1.0 / (surface.steps_per_spacing * fastest)
     heating = Heating.of(space, case.effects, min_step)
     one_hot = slide_with_heat(space, case.spectrum, heating, case.speed, None, variables)
