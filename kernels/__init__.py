@@ -20,6 +20,11 @@ from .interface.effects import NO_EFFECTS, Effects
 from .interface.layer import BACKINGS, Layer
 from .interface.shear import Bell, ShearLaw, ShearTable, shear_stress
 from .lines.equivalent import equivalent_amplitudes, equivalent_of_cut, equivalent_spectrum
+from .lines.isotropic_spectrum import (
+    IsotropicSpectrum,
+    isotropic_of_cut,
+    isotropic_of_equivalent,
+)
 from .lines.line import QUARTET, Line
 from .lines.measured_modes import measured_amplitudes
 from .lines.self_affine import (

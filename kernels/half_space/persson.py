@@ -68,7 +68,12 @@ def waves_of_line(amplitude: np.ndarray, elements: int) -> Waves:
 
     C_1D = pi q C_2D (lines/equivalent.py): each ring has the mean square height of one mode.
     """
-    q, power = _rings(2.0 * np.pi / elements * np.arange(1, amplitude.size + 1), 0.5 * amplitude**2)
+    k = np.arange(1, amplitude.size + 1)
+    return waves_of_rings(*_rings(2.0 * np.pi / elements * k, 0.5 * amplitude**2))
+
+
+def waves_of_rings(q: np.ndarray, power: np.ndarray) -> Waves:
+    """Return the waves of an isotropic surface; power : mean square height of each ring q."""
     cosines = np.cos(0.5 * np.pi * (np.arange(QUADRANT_ANGLES) + 0.5) / QUADRANT_ANGLES)
     along = q[:, None] * cosines
     power = np.repeat(power / QUADRANT_ANGLES, QUADRANT_ANGLES)

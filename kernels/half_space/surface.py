@@ -6,6 +6,7 @@ Source: C_2D ~ |q|^(-2(H+1)) is the spectrum whose equivalent line is that of Li
 doi:10.1038/srep05795 (lines/equivalent.py).
 """
 
+from collections.abc import Callable
 from typing import NamedTuple
 
 import numpy as np
@@ -106,6 +107,27 @@ def ring_amplitudes(
     if normalisation == "integral":
         total = ring_integral(hurst, rolloff, last)
     return np.sqrt(power / total)
+
+
+def isotropic_amplitudes(
+    isotropic: Callable[[np.ndarray], np.ndarray], length: float, elements: int
+) -> np.ndarray:
+    """Return the amplitudes |h_q| of the modes of maps of C_2D(q), in the order of ring_amplitudes.
+
+    isotropic : function of q (rad per unit of length), with int C_2D d^2q = h^2. length : L, in the
+    same unit. |h_q|^2 = C_2D (2 pi/L)^2, in the unit of the heights of the surface.
+    """
+    highest, step = elements // 2, 2.0 * np.pi / length
+    q = step * np.hypot(*_wave_indices(2 * highest + 1, highest))
+    q[0, 0] = step
+    amplitudes = step * np.sqrt(isotropic(q))
+    amplitudes[0, 0] = 0.0
+    return amplitudes
+
+
+def rms_height_of(amplitudes: np.ndarray) -> float:
+    """Return the rms height, (sum |h_q|^2)^(1/2), in the unit of the amplitudes."""
+    return float(np.sqrt(np.sum(_multiplicity(amplitudes.shape[1] - 1) * amplitudes**2)))
 
 
 def ring_integral(hurst: float, rolloff: float, last: int) -> float:

@@ -84,6 +84,12 @@ def line_text(heights=HEIGHTS, header="x (um), z (nm)", skip=None):
     return "\n".join([header, *rows])
 
 
+def spectrum_text(q=(500, 5000, 50000), unit="m^4", exponent=-3.4, size=1.3e-7):
+    """Return a power spectrum as text, a power law of q."""
+    rows = [f"{k}, {size * float(k) ** exponent:.6e}" for k in q]
+    return "\n".join([f"q [1/m], C [{unit}]", *rows])
+
+
 FILES = {  # contents of the files beside small.toml, by name
     "line.csv": line_text(),
     "two.csv": "x (um), z (nm), w (nm)\n"
@@ -105,6 +111,15 @@ FILES = {  # contents of the files beside small.toml, by name
     "many.csv": "x (um), a (nm), b (nm)\n" + "".join(f"{n}, {n * n}, 1\n" for n in range(9)),
     "channels.csv": ("1 5 2 8 3 9 4 7 1\n" * 9 + "# Phase\n") * 2,
     "packed.csv": "PK\x03\x04",
+    "power.csv": spectrum_text(),
+    "falling.csv": spectrum_text((5000, 500, 50000)),
+    "equal.csv": spectrum_text((500, 5000, 5000, 50000)),
+    "part.csv": spectrum_text((500, 5100, 50000)),
+    "narrow.csv": spectrum_text((700, 1200)),
+    "lone.csv": spectrum_text((500,)),
+    "torn_power.csv": spectrum_text() + "\n60000, nan",
+    "cut.csv": spectrum_text(unit="m^3", exponent=-2.4),
+    "rising.csv": spectrum_text(unit="m^3", exponent=2.4),
     "branches.csv": "modulus [Pa], time [s]\n5e6, 1e-2\n1e7, 1e-3\n",
     "velocity.csv": "time velocity\n0 0.1\n1e-3 0.2\n",
     "still.csv": "0 0\n1 0\n",

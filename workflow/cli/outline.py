@@ -210,7 +210,9 @@ def _shear(plan: Plan) -> Iterator[str]:
         if shear is None:
             continue
         tasks = variant.tasks[:MAX_THEORY_TASKS]
-        area = float(persson_values(tasks, variant.lines)["area_persson"].max())
+        roughness = variant.study.grid["roughness"][0]
+        theory = persson_values(tasks, variant.lines, roughness)
+        area = float(theory["area_persson"].max())
         warning = contact_warning(variant.lines, area)
         yield f"shear       {variant.label or 'study'}: {shear.in_words()}"
         if warning:

@@ -103,7 +103,10 @@ def batch_of(piece: Missing, first_block: int, blocks: int) -> Batch:
     variant = piece.variant
     block_size, lines = variant.block_size, variant.lines
     heights, modes = None, lines.amplitudes  # in h; modes: of random lines like measured ones
-    if lines.profile is not None:
+    if lines.power is not None:
+        elements = piece.tasks[0].problem.elements
+        modes = lines.drawn_amplitudes(elements) / variant.study.grid["roughness"][0]
+    elif lines.profile is not None:
         roughness = lines.profile.roughness
         if modes is None:
             rows = slice(first_block * block_size, (first_block + blocks) * block_size)

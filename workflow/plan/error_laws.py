@@ -28,7 +28,7 @@ FEW = 2.0  # with fewer contact patches, marches are shorter (window_rate)
 
 def known(problem: Problem, body: str = FOUNDATION) -> Numbers:
     """Return whether laws hold: Kelvin, random surface, no programme; load, speed and r > 0."""
-    plain = problem.spectrum == KELVIN and not problem.programme and not problem.surface.measured
+    plain = problem.spectrum == KELVIN and not problem.programme and not problem.surface.given
     plain = plain and problem.surface.body == body
     numbers = np.stack([problem.load, problem.speed, problem.ratio])
     return plain & (numbers > 0.0).all(axis=0)

@@ -177,7 +177,7 @@ def steps_per_spacing(problem: Problem, scene: Scene, numerics: Numerics) -> Num
     steps: Numbers = numerics.steps_per_spacing
     if steps is None and problem.surface.body == HALF_SPACE:
         steps = steps_for(problem, scene.quantities, BIAS)
-    elif steps is None and problem.surface.measured:
+    elif steps is None and problem.surface.given:
         steps = MIN_SMOOTH_STEPS  # no law covers measured spectra
     elif steps is None and (problem.programme or problem.spectrum != KELVIN):
         steps = GENERAL_STEPS

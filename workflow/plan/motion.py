@@ -3,6 +3,7 @@
 Lengths along x are in dx, heights in h, times in tau, speeds in dx/tau.
 """
 
+import hashlib
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -119,13 +120,22 @@ def _speeds(scene: Scene, scale: Scale) -> tuple[float, float]:
     return rounded(speed * scale.tau / scale.spacing), 1.0
 
 
-def line_modes(surface: Surface, elements: int) -> LineShape:
-    """Return the dimensionless description of lines with this number of elements."""
+def line_modes(surface: Surface, elements: int, roughness: float) -> LineShape:
+    """Return the dimensionless description of lines with this number of elements.
+
+    roughness : of lines of a measured spectrum, m.
+    """
     profile, base, on_map = surface.profile, surface.spectrum, surface.body == HALF_SPACE
     shortest = shortest_wave(surface, elements) if on_map else ROUGHEST_WAVE
+    slope_of = rms_slope_of if on_map else rms_slope
+    if surface.power is not None:
+        drawn = surface.drawn_amplitudes(elements) / roughness
+        random = LineShape(*surface.modes(elements), body=surface.body, shortest=shortest)
+        identity = hashlib.sha256(drawn.tobytes()).hexdigest()
+        return random._replace(slope=slope_of(drawn, elements), spectrum=identity)
     if profile is None or base is None:
         return LineShape(*surface.modes(elements), body=surface.body, shortest=shortest)
-    slope = (rms_slope_of if on_map else rms_slope)(base / profile.roughness, elements)
+    slope = slope_of(base / profile.roughness, elements)
     flat = on_map and profile.heights.shape[1] == 1
     periods = 0.0 if on_map else profile.length / surface.pressed_width
     waves = periods if periods > 1.0 else 0.0  # mirrored lines have a period of 2 L
@@ -239,7 +249,8 @@ def recording_of(study: Study, label: str) -> Recording:
         study.variants[label],
         study.surfaces[label],
     )
-    lawless = surface.profile is not None and surface.body == FOUNDATION
+    random = surface.profile is None and surface.power is None
+    lawless = not random and surface.body == FOUNDATION
     traced = any(name in requested for name in ("trace", "loop", "healing", "energy"))
     return Recording(
         samples=numerics.curve_samples,

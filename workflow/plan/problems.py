@@ -104,9 +104,10 @@ def _settings(
     different, inverse = np.unique(rows, axis=0, return_inverse=True)
     spectrum, tau, nan = _rounded_spectrum(parts.material), parts.material.tau, math.nan
     stiffness = parts.material.contact_modulus * length
+    height = float(points["roughness"].flat[0])  # a measured spectrum has one
     plain = {
         count: Problem(
-            *(0.0, 0, 0.0, 0.0, 0.0, spectrum, line_modes(parts.surface, count)),
+            *(0.0, 0, 0.0, 0.0, 0.0, spectrum, line_modes(parts.surface, count, height)),
             effects=_effects(parts, count),
         )
         for count in {int(row[0]) for row in different}
@@ -193,8 +194,8 @@ def viscous_pressure(problem: Problem) -> Numbers:
 
 def line_slope(problem: Problem, normalisation: str = "modal") -> Numbers:
     """Return the spectral rms slope of the lines of a problem, in h/dx."""
-    rolloff, cutoff, measured, slope, body, *_ = problem.surface
-    if measured or np.ndim(slope):  # arrays belong to a stack of problems
+    rolloff, cutoff, _, slope, body, *_ = problem.surface
+    if problem.surface.given or np.ndim(slope):  # arrays belong to a stack of problems
         return slope
     return _slope(body, problem.hurst, problem.elements, normalisation, rolloff, cutoff)
 

@@ -48,7 +48,7 @@ def completed(
         n: _spread(v, sound, len(tasks)) for n, v in estimates.items() if n not in without_error
     }
     if "persson" in plan.study.scene.quantities:
-        spread |= persson_values(tasks, variant.lines)
+        spread |= persson_values(tasks, variant.lines, variant.study.grid["roughness"][0])
         if tasks[0].problem.effects.shear is not None:
             spread |= _theoretical_totals(tasks, spread)
     if variant is plan.variants[0] and "mu_1" in names:

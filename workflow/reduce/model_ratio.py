@@ -27,7 +27,9 @@ def model_ratios(plan: Plan, estimates: Estimates, other: Estimates | None) -> E
     if not theory_applies(plan):
         return {}
     ours = plan.variants[0]
-    theory = estimates if "mu_persson" in estimates else persson_values(ours.tasks, ours.lines)
+    theory = estimates
+    if "mu_persson" not in estimates:
+        theory = persson_values(ours.tasks, ours.lines, ours.study.grid["roughness"][0])
     return _theoretical(estimates["mu_1"], theory["mu_persson"])
 
 

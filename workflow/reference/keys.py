@@ -8,7 +8,8 @@ INTRODUCTIONS = {
     "branches in parallel.",
     "material.wlf": "The constants in the inline table `wlf` of `[material]`.",
     "material.arrhenius": "The constants in the inline table `arrhenius` of `[material]`.",
-    "surface": "The rigid line: random and self-affine, or measured.",
+    "surface": "The rigid line: random and self-affine, measured, or of a measured spectrum.",
+    "surface.spectrum": "The keys of the inline table `spectrum` of `[surface]`.",
     "grid": "The values of the axes. The first six axes are dimensions of every result.",
     "scene": "The computed quantities, the motion of the line and its load.",
     "scene.programme": "A segment may also follow a file, as "

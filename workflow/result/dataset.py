@@ -110,6 +110,8 @@ def _facts(plan: Plan, variant: Variant) -> dict[str, str | int | float]:
         facts["normal_force_share"] = share
     if lines.profile is not None:
         facts |= {"lines": lines.description, "lines_digest": lines.profile.digest}
+    elif lines.power is not None:
+        facts |= {"lines": lines.description, "lines_digest": lines.identity}
     files = {
         "branches": variant.material.description,
         "shifts": shifts.told if shifts else "",
@@ -160,8 +162,9 @@ def _coordinates(plan: Plan, variant: Variant, dims: set[str]) -> dict[str, obje
 
 def _settings(plan: Plan, variant: Variant, units: Units) -> dict[str, xr.DataArray]:
     """Return tau, G, L and q_max in SI: the scales of the paper's dimensionless quantities."""
-    cutoff = _over(plan, variant, "surface", lambda lines: lines.cutoff)
-    shortest = xr.where(cutoff > 0.0, cutoff, 2.0 * units["spacing"])
+    given = _over(plan, variant, "surface", lambda lines: lines.least_wave)
+    least = 2.0 * units["spacing"]
+    shortest = xr.where(given > least * (1.0 - 1e-9), given, least)
     scales = {
         "tau": units["tau"],
         "shear_modulus": xr.DataArray(variant.material.shear_modulus),

@@ -155,10 +155,11 @@ def line_and_material(study: Study) -> str:
     tables = json.loads(study.text)
     shared = {name: tables.get(name) for name in ("material", "surface")}
     grid = {key: value for key, value in tables.get("grid", {}).items() if key in GRID_KEYS}
-    profile = study.surface.profile.digest if study.surface.profile else ""
+    profile = study.surface.profile
+    heights = profile.digest if profile else study.surface.identity
     numerics = study.variants[""]
     steps = numerics.scheme, numerics.steps_per_spacing
-    return json.dumps([shared, grid, profile, study.seed, steps], sort_keys=True)
+    return json.dumps([shared, grid, heights, study.seed, steps], sort_keys=True)
 
 
 def saved_state(state: xr.Dataset, study: Study) -> SavedState:
@@ -280,7 +281,7 @@ def run(
         rectangular map the square at its centre is used.
     length : length of that period (m).
     surface : random lines in place of a profile, described by the keys of the table [surface] and
-        by hurst, roughness and spacing as in [grid].
+        by spacing, hurst and roughness as in [grid]; the last two are left out with spectrum.
     material, numerics : keys of the tables [material] and [numerics].
     normal_force : load (N). Alternatives are normal_pressure (Pa) and prescribed_indentation: that
         of the mean line (m), or the name of a file of times (s) and indentations (m).

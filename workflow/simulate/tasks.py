@@ -31,10 +31,16 @@ class LineShape(NamedTuple):
     rolloff: float = 0.0  # wave number of lambda_r in 2 pi/period, below it random ones are flat
     cutoff: int = 0  # number of the last mode; 0: N/2
     measured: str = ""  # identity of measured lines, or of random ones with their spectrum
-    slope: float = 0.0  # rms slope of measured lines, in h/dx
+    slope: float = 0.0  # rms slope of a given spectrum, in h/dx
     body: str = "foundation"  # or "half-space", which has maps (bodies.py)
     flat: bool = False  # maps of one row: uniform across, as in a line contact
     shortest: float = 2.0  # wave that matters for contacts of a map, in dx; for predictions alone
+    spectrum: str = ""  # identity of a measured spectrum, of which random lines are drawn
+
+    @property
+    def given(self) -> bool:
+        """Return whether a measurement gives the spectrum, for which no law of errors is known."""
+        return bool(self.measured or self.spectrum)
 
 
 class Problem(NamedTuple):
@@ -129,7 +135,7 @@ class Batch:
     seconds: float  # predicted
     refine: bool = True  # locate contact edges between samples (kernels/quick/contacts)
     # Heights of measured lines, a row per realization of the batch; or mode amplitudes of random
-    # lines with their spectrum; both in h. If both are None, random lines are given by H.
+    # lines with a measured spectrum; both in h. If both are None, random lines are given by H.
     heights: np.ndarray | None = field(default=None, compare=False)
     modes: np.ndarray | None = field(default=None, compare=False)
     resumed: SavedState | None = field(default=None, compare=False)  # initial state

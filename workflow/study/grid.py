@@ -79,7 +79,7 @@ GRID = {
     ),
     "roughness": Key(
         partial(checked_values, positive),
-        "The rms roughness h of the line.",
+        "The rms roughness h of the line; with `surface.spectrum` that of its waves up to L.",
         "Doubled, slopes double and F̄ halves: µ is twice its value at half the normal force.",
         "m",
         usual="required for random lines",
@@ -147,6 +147,8 @@ def read_grid(
         grid["spacing"] = _spacings(grid["spacing"], surface)
         for point in parts_at(parts, several, axes_of(several, "surface")):
             check_cutoff(point.surface, grid["spacing"])
+    if surface.power is not None:
+        grid["roughness"] = (_drawn_roughness(surface, min(grid["spacing"])),)
     grid |= several | scene.listed
     axes = {axis: grid[axis] for axis in ALL_AXES if grid.get(axis)}
     points = math.prod(map(len, axes.values()))
@@ -177,6 +179,9 @@ def _excluded(surface: Surface, scene: Scene) -> dict[str, tuple[tuple[float, ..
         excluded["hurst"] = (math.nan,), "measured lines have their own spectrum"
         excluded["spacing"] = (surface.profile.spacing,), reason
         excluded["roughness"] = (surface.profile.roughness,), reason
+    if surface.power is not None:
+        for axis in ("hurst", "roughness"):
+            excluded[axis] = (math.nan,), "surface.spectrum determines it"
     if scene.control == "indentation":
         reason = 'it follows from the indentation with scene.control = "indentation"'
         excluded |= {"normal_force": ((math.nan,), reason), "normal_pressure": ((), reason)}
@@ -190,6 +195,17 @@ def _excluded(surface: Surface, scene: Scene) -> dict[str, tuple[tuple[float, ..
     if not scene.uses_velocity:
         excluded["velocity"] = (scene.typical_speed,), "no segment of the programme depends on it"
     return excluded
+
+
+def _drawn_roughness(surface: Surface, spacing: float) -> float:
+    """Return the rms height (m) of lines of a measured spectrum. Raises UserError without waves."""
+    height = surface.drawn_roughness(round(surface.length / spacing))
+    if not height > 0.0:
+        raise UserError(
+            f"surface.length = {surface.length!r}: no whole number of its waves is one of "
+            "surface.spectrum; take a longer one"
+        )
+    return height
 
 
 def _spacings(spacings: tuple[float, ...], surface: Surface) -> tuple[float, ...]:

@@ -12,7 +12,7 @@ from .effects import ARRHENIUS, DRIVE, EFFECT_TABLES, MATERIAL, SCENE, SEGMENTS,
 from .grid import GRID
 from .numerics import NUMERICS
 from .settings import Key, as_table, as_text, check_keys, checked, integer
-from .surfaces import SURFACE
+from .surfaces import SPECTRUM, SURFACE
 from .variants import COMPARE
 
 Keys = Mapping[str, Key]
@@ -66,6 +66,7 @@ TABLES = {
 TABLE_NAMES = (*TABLES, "compare", "scales")
 SUBTABLES: dict[str, dict[str, Keys]] = {
     "material": {"material.wlf": WLF, "material.arrhenius": ARRHENIUS},
+    "surface": {"surface.spectrum": SPECTRUM},
     "scene": {
         "scene.drive": DRIVE,
         **{f"scene.{name}": keys for name, (keys, _) in EFFECT_TABLES.items()},

@@ -152,7 +152,8 @@ def check_numerics(
         surface = surfaces[label]
         of_maps = surface.body != FOUNDATION
         bounded = surface.cutoff or (surface.rolloff and not of_maps)
-        if scene.programme or surface.profile is not None or bounded or materials[label].branches:
+        given = surface.profile is not None or surface.power is not None
+        if scene.programme or given or bounded or materials[label].branches:
             raise UserError(
                 f"{where}.accuracy = {numerics.accuracy!r}: needs one velocity step of Kelvin "
                 "elements on self-affine lines or maps; give steps_per_spacing and "

@@ -22,6 +22,10 @@ FAMILIES: dict[Dimension, str] = {
     (1, 1, -2, 0, 0): "force",  # in N
     (0, 0, 0, 1, 0): "temperature",  # in K
     (0, 0, 0, 0, 1): "angle",  # in rad
+    (-1, 0, 0, 0, 0): "wave number",  # in rad/m
+    (-1, 0, 0, 0, 1): "wave number",
+    (4, 0, 0, 0, 0): "spectrum of a surface",  # in m^4
+    (3, 0, 0, 0, 0): "spectrum of a line",  # in m^3
     (0, 0, 0, 0, 0): "number",  # dimensionless
 }
 DIMENSIONS = {family: dimension for dimension, family in FAMILIES.items()}

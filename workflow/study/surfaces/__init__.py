@@ -9,6 +9,7 @@ from ...ground import public_names
 
 if TYPE_CHECKING:
     from .profile import Profile, check_load, map_of_array, profile_of_array, rows_of_map
+    from .spectrum_file import SPECTRUM
     from .surface import Surface
     from .table import (
         LINE_KIND_KEYS,

@@ -1,11 +1,21 @@
 """Lines of a study: random self-affine lines, measured lines, or random lines like them."""
 
+import hashlib
+import math
 from functools import lru_cache
 from typing import NamedTuple
 
 import numpy as np
 
-from ....kernels import amplitudes, equivalent_of_cut, matching_rolloff
+from ....kernels import (
+    IsotropicSpectrum,
+    amplitudes,
+    equivalent_amplitudes,
+    equivalent_of_cut,
+    matching_rolloff,
+    rms_height,
+)
+from ....kernels.half_space.surface import isotropic_amplitudes, rms_height_of
 from ..effects import FOUNDATION, HALF_SPACE
 from .profile import Profile
 
@@ -27,6 +37,9 @@ class Surface(NamedTuple):
     lines: str = "measured"  # with a profile: one of LINE_KINDS
     hurst: float = 1.0  # of self-affine lines like the measured ones
     body: str = FOUNDATION  # FOUNDATION or HALF_SPACE
+    power: IsotropicSpectrum | None = None  # measured, of random lines or maps
+    power_notes: str = ""  # its source, height and slope
+    rms_slope: float = 0.0  # of the waves of this spectrum that gives the cut-off; 0: none
 
     @property
     def copies(self) -> float:
@@ -74,9 +87,38 @@ class Surface(NamedTuple):
 
         A cut-off at or above the highest resolved wave number counts as absent.
         """
-        rolloff = self.length / self.rolloff if self.rolloff else 0.0
-        last = int(self.length / self.cutoff * (1.0 + 1e-9)) if self.cutoff else elements // 2
+        rolloff, least = self.length / self.rolloff if self.rolloff else 0.0, self.least_wave
+        last = int(self.length / least * (1.0 + 1e-9)) if least else elements // 2
         return rolloff, last if last < elements // 2 else 0
+
+    @property
+    def least_wave(self) -> float:
+        """Return the shortest wave (m) that is given: the cut-off, or the last one of a spectrum.
+
+        Without either, 0: it is twice the spacing.
+        """
+        return self.cutoff or (2.0 * math.pi / self.power.q[-1] if self.power else 0.0)
+
+    def drawn_amplitudes(self, elements: int) -> np.ndarray:
+        """Return the mode amplitudes (m) of random lines or maps of the measured spectrum.
+
+        C_2D is flat above the roll-off, if there is one.
+        """
+        power, rolloff = self.power, self.rolloff
+        assert power is not None
+        last = 2.0 * math.pi / self.length * (self.modes(elements)[1] or elements // 2)
+        flat = 2.0 * math.pi / rolloff if rolloff else 0.0
+
+        def isotropic(q: np.ndarray) -> np.ndarray:
+            return np.where(q <= last * (1.0 + 1e-9), power.at(np.maximum(q, flat)), 0.0)
+
+        drawn = isotropic_amplitudes if self.body == HALF_SPACE else equivalent_amplitudes
+        return drawn(isotropic, self.length, elements)
+
+    def drawn_roughness(self, elements: int) -> float:
+        """Return the rms height (m) of random lines or maps of the measured spectrum."""
+        height = rms_height_of if self.body == HALF_SPACE else rms_height
+        return height(self.drawn_amplitudes(elements))
 
     @property
     def amplitudes(self) -> np.ndarray | None:
@@ -105,12 +147,12 @@ class Surface(NamedTuple):
 
     @property
     def description(self) -> str:
-        """Description of measured lines in words; empty without a file.
+        """Description of measured lines, or of a measured spectrum, in words; else empty.
 
         Random lines are Gaussian, so that the skewness of the measured lines is stated.
         """
         if self.profile is None:
-            return ""
+            return self.power_notes
         gaussian = ""
         if self.lines != "measured":
             skewness = self.profile.skewness
@@ -136,7 +178,9 @@ class Surface(NamedTuple):
 
     @property
     def identity(self) -> str:
-        """Identity of measured lines, or lines like them, in records; empty without a file."""
+        """Identity of a measured spectrum, lines, or lines like them; empty without a file."""
+        if self.power is not None:
+            return hashlib.sha256(np.array(self.power).tobytes()).hexdigest()
         if self.profile is None:
             return ""
         exponent = f" H = {self.hurst!r}" if self.lines == "self-affine" else ""

@@ -1,9 +1,12 @@
-"""The table [surface]: settings of random self-affine lines and of measured lines."""
+"""The table [surface]: settings of random lines and of measured lines."""
 
+import math
 from collections.abc import Mapping
 from functools import partial
 from pathlib import Path
 from typing import Any
+
+import numpy as np
 
 from ....kernels.lines.self_affine import NORMALISATIONS
 from ...ground import UserError
@@ -18,12 +21,14 @@ from ..settings import (
     flag,
     pair,
     positive,
+    read_table,
     within,
 )
 from .files import read_lines
 from .gaps import GAPS
 from .profile import DETRENDS, PERIODICS, Profile, is_map, map_of_lines, profile_of_lines
 from .raw_lines import LineFile, metres
+from .spectrum_file import SPECTRUM, SPECTRUM_KEY, read_spectrum
 from .surface import LINE_KINDS, MAP_KINDS, Surface
 
 
@@ -93,6 +98,24 @@ RANDOM_KEYS = {
         "m",
         default=0.0,
         usual="twice the spacing, as in the paper",
+    ),
+}
+SPECTRUM_KEYS = {
+    "spectrum": Key(
+        lambda key, value: read_table(key, value, SPECTRUM),
+        "A measured power spectrum of which the random lines, or maps, are drawn, in place of "
+        "`grid.hurst` and `grid.roughness`. It is that of an isotropic surface, and zero beyond "
+        "its rows. `rolloff` makes C₂D flat above λ_r. The quantity `persson` takes all its waves "
+        "longer than the cut-off, also those longer than L.",
+        default=None,
+        values="`{file = …, kind = …, times = …}`",
+    ),
+    "rms_slope": Key(
+        positive,
+        "The rms slope (full gradient) of all waves of `spectrum` up to the cut-off, in place of "
+        "`cutoff`. `plan` and the result state the q₁ that follows.",
+        "Doubled, q₁ is more than twice as large, and the spacing must resolve it.",
+        default=None,
     ),
 }
 FILE_KEYS = {
@@ -168,7 +191,8 @@ LINE_KIND_KEYS = {  # also keys of comparisons
     ),
 }
 MEASURED_KEYS = FILE_KEYS | LINE_KIND_KEYS
-SURFACE = RANDOM_KEYS | MEASURED_KEYS
+SURFACE = RANDOM_KEYS | SPECTRUM_KEYS | MEASURED_KEYS
+MAX_RMS_SLOPE = 1000.0  # of a spectrum: beyond it, kind or units are wrong
 
 
 def read_surface(given: Mapping[str, Any], folder: Path, body: str | None = None) -> Surface:
@@ -179,7 +203,8 @@ def read_surface(given: Mapping[str, Any], folder: Path, body: str | None = None
     """
     if "file" in given:
         settings = filled("surface", given, FILE_KEYS)
-        for key in filter((RANDOM_KEYS.keys() - {"rolloff"}).__contains__, given):
+        random = (RANDOM_KEYS | SPECTRUM_KEYS).keys() - {"rolloff"}
+        for key in filter(random.__contains__, given):
             raise UserError(
                 f"surface.{key} = {given[key]!r:.40}: leave it out with surface.file, "
                 "measured lines"
@@ -213,6 +238,12 @@ def read_surface(given: Mapping[str, Any], folder: Path, body: str | None = None
         value = list(given[key]) if isinstance(given[key], tuple) else given[key]  # as in TOML
         raise UserError(f"surface.{key} = {value!r:.40}: goes with surface.file alone")
     surface = Surface(**filled("surface", given, RANDOM_KEYS), body=body or FOUNDATION)
+    if "spectrum" in given:
+        surface = _with_spectrum(surface, given, folder)
+    elif "rms_slope" in given:
+        raise UserError(
+            f"surface.rms_slope = {given['rms_slope']!r}: goes with {SPECTRUM_KEY} alone"
+        )
     for key in ("rolloff", "cutoff"):
         if given.get(key, 0.0) > surface.length:
             raise UserError(
@@ -225,6 +256,53 @@ def read_surface(given: Mapping[str, Any], folder: Path, body: str | None = None
             f"{surface.cutoff!r}"
         )
     return surface
+
+
+def _with_spectrum(surface: Surface, given: Mapping[str, Any], folder: Path) -> Surface:
+    """Return a surface with its measured spectrum and the cut-off of its rms slope.
+
+    given : checked values of the table. Raises UserError.
+    """
+    for key in ("normalisation", *(("cutoff",) if "rms_slope" in given else ())):
+        if key in given:
+            other = "surface.rms_slope" if key == "cutoff" else SPECTRUM_KEY
+            raise UserError(f"surface.{key} = {given[key]!r}: leave it out with {other}")
+    power, told = read_spectrum(given["spectrum"], folder)
+    longest, shortest = 2.0 * math.pi / power.q[0], 2.0 * math.pi / power.q[-1]
+    waves = f"those of {given['spectrum']['file']!r}, {shortest:.4g} to {longest:.4g} m"
+    if slope := given.get("rms_slope"):
+        try:
+            q_1 = power.wave_number_of_slope(slope)
+        except ValueError as error:
+            raise UserError(f"surface.rms_slope = {slope!r}: {error} are {waves}") from None
+        surface = surface._replace(cutoff=2.0 * math.pi / q_1, rms_slope=slope)
+        told += f"; rms slope {slope:g} is reached at q_1 = {q_1:.4g} 1/m"
+    elif surface.cutoff and surface.cutoff < shortest * (1.0 - 1e-9):
+        raise UserError(f"surface.cutoff = {surface.cutoff!r}: is shorter than all waves, {waves}")
+    surface = surface._replace(power=power)
+    longest = min(longest, surface.length)
+    if not surface.least_wave < longest:
+        raise UserError(f"surface.length = {surface.length!r}: is shorter than all waves, {waves}")
+    told += f"; {_size_of_spectrum(surface, longest, given['spectrum']['kind'])}"
+    return surface._replace(power_notes=f"{told}; heights are Gaussian")
+
+
+def _size_of_spectrum(surface: Surface, longest: float, kind: str) -> str:
+    """Return h and the slope of a measured spectrum in words. Raises UserError for a wrong kind.
+
+    longest : wave of the surface, m.
+    """
+    assert surface.power is not None
+    ends = 2.0 * math.pi / np.array([longest, surface.least_wave])
+    height, slope = (float(np.diff(part)[0]) ** 0.5 for part in surface.power.moments_below(ends))
+    size = f"h = {height:.4g} m and an rms slope of {slope:.4g}"
+    size += f" of the waves of {surface.least_wave:.4g} to {longest:.4g} m"
+    if height < surface.length and slope < MAX_RMS_SLOPE:
+        return size
+    raise UserError(
+        f"{SPECTRUM_KEY}.kind = {kind!r}: gives {size}, but h must be below surface.length and the "
+        f"slope below {MAX_RMS_SLOPE:g}; check kind, times and the units of the file"
+    )
 
 
 def read_measured_surface(given: Mapping[str, Any]) -> Profile:
@@ -268,10 +346,14 @@ def lines_like(where: str, surface: Surface, table: Mapping[str, Any]) -> Surfac
 
 def check_cutoff(surface: Surface, spacings: tuple[float, ...]) -> None:
     """Raise UserError if elements do not resolve the shortest wavelength of their lines."""
-    for key, wavelength in (("cutoff", surface.cutoff), ("rolloff", surface.rolloff)):
+    cutoff = f"cutoff = {surface.cutoff!r}:"
+    if surface.rms_slope:
+        cutoff = f"rms_slope = {surface.rms_slope!r}: its shortest wave, {surface.cutoff:.6g} m,"
+    rolloff = f"rolloff = {surface.rolloff!r}:"
+    for setting, wavelength in ((cutoff, surface.cutoff), (rolloff, surface.rolloff)):
         for spacing in spacings:
             if wavelength and wavelength < 2.0 * spacing * (1.0 - 1e-9):
                 raise UserError(
-                    f"surface.{key} = {wavelength!r}: must be two spacings or more: "
+                    f"surface.{setting} must be two spacings or more: "
                     f"{2.0 * spacing:g} at grid.spacing = {spacing!r}"
                 )
