@@ -15,7 +15,9 @@ from tests.tools.rough_rows import HURST, SIDE, Rough, normalised_friction
 pytestmark = pytest.mark.exhaustive
 
 
-@pytest.fixture(scope="module", params=["bodies", "fig7_half_space", "tyre"])
+@pytest.fixture(
+    scope="module", params=["bodies", "fig7_half_space", "tread", "second_relaxation", "tyre"]
+)
 def study(request, tmp_path_factory):
     """Return name and groups of a study at smoke scale."""
     return request.param, run(tmp_path_factory.mktemp("half_space"), request.param)
@@ -59,6 +61,8 @@ def test_the_study_shows_the_physics(study):
     {
         "bodies": _bodies,
         "fig7_half_space": _fig7_half_space,
+        "tread": _tread,
+        "second_relaxation": _second_relaxation,
         "tyre": _tyre,
     }[name](groups)
 
@@ -101,3 +105,22 @@ def _tyre(groups):
     assert np.all(np.diff(warm.contact_fraction) < 0.0)
     cold = whole.sel(temperature=20)
     assert np.all(cold.contact_fraction < warm.contact_fraction)  # it is stiffer
+
+
+def _tread(groups):
+    """Shear exceeds the loss at low speeds, and heating softens the rubber at high ones."""
+    hot, cold = (groups[name].squeeze() for name in ("", "cold"))
+    slow, fast = (hot.isel(velocity=k) for k in (0, -1))
+    assert np.all(slow.mu_1_shear > slow.mu_1_viscoelastic)
+    assert np.all(fast.mu_1_viscoelastic < cold.isel(velocity=-1).mu_1_viscoelastic)
+    assert np.all(fast.contact_fraction > cold.isel(velocity=-1).contact_fraction)
+    assert np.all(np.diff(hot.contact_temperature, axis=hot.mu_1.dims.index("velocity")) > 0.0)
+
+
+def _second_relaxation(groups):
+    """The block warms on after the contact has relaxed, and friction falls with it."""
+    heated, flash, cold = (groups[name].squeeze() for name in ("", "flash", "cold"))
+    late = heated.trace_distance > 0.5 * heated.trace_distance[-1]
+    assert np.all(np.diff(heated.trace_contact_temperature[late]) > -0.5)
+    ends = [float(data.trace_mu[-1]) for data in (heated, flash, cold)]
+    assert ends == sorted(ends)

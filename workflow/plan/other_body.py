@@ -45,6 +45,8 @@ def study_of_other_body(study: Study) -> Study | str:
     """Return the study of steady friction on the other body, or the reason if it has none."""
     if "steady" not in study.scene.quantities:
         return "steady friction is not requested"
+    if study.scene.effects.heat is not None:
+        return "the foundation has no heating, which changes the viscoelastic friction"
     surface = study.surface
     if surface.profile is not None:
         if surface.body == FOUNDATION:
