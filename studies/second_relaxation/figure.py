@@ -20,12 +20,11 @@ from elastomer_friction.workflow.result import Groups
 CAPTION = (
     "Friction (a) and mean temperature of the contact (b) of a rubber over the distance slid since "
     "a velocity step, with the heating of the block (solid), without it (dashed) and without any "
-    "heating (dotted). After each side of the surface, here 4 mm, contacts meet their own warm "
-    "tracks. The distance over which friction falls from its peak to 1/e of its decay without the "
-    "heating of the block, and that over which this heating takes a further tenth of the friction "
-    "(c). The temperature that the block adds (solid), and that of a uniform flux into a "
-    "half-space (dotted), which grows as the heated depth $\\sqrt{Ds/v}$ (d); it is higher, since "
-    "a warm contact has a lower flash temperature."
+    "heating (dotted); the distances over which friction falls from its peak to 1/e of its decay "
+    "without the heating of the block, and over which this heating takes a further tenth of it "
+    "(c); and the temperature that the block adds (solid) with that of a uniform flux into a "
+    "half-space (dotted), which grows as the heated depth $\\sqrt{Ds/v}$ (d). After each side of the surface, "
+    "here 4 mm, contacts meet their own warm tracks."
 )
 HEATED, FLASH, COLD = "", "flash", "cold"
 STYLES = {HEATED: "-", FLASH: "--", COLD: ":"}

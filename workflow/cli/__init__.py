@@ -1,8 +1,6 @@
 """The command line: elastomer-friction plan|run|status|figure|table STUDY, and other commands.
 
-Some commands are Python functions too (calls.py).
-
-It may import all other packages of the workflow; none of them may import it.
+It may import all other packages of the workflow. Some commands are functions of Python too.
 """
 
 from typing import TYPE_CHECKING

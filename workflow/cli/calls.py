@@ -7,8 +7,9 @@ from .. import report
 from ..ground import UserError
 from ..result import open_tree, result_file
 from ..study import AnyStudy, Measured, Study, read_study
+from .command_line import MAX_FAILURES
 from .commands import STUDY_ACTIONS
-from .run_options import MAX_FAILURES, announced_plan
+from .run_options import announced_plan
 
 if TYPE_CHECKING:
     import xarray as xr

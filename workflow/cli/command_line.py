@@ -14,6 +14,7 @@ from ..system import program, version_of
 from .exit_status import RESUMABLE, WRONG
 
 LAW_FORMATS = ("c", "fortran", "fmu", "json")  # written by `law`
+MAX_FAILURES = 10  # problems that may fail in a run, by default
 PRONY_FORMATS = ("study", "abaqus", "ansys")  # printed by `prony`
 
 
@@ -171,7 +172,6 @@ def _merge_options(command: argparse.ArgumentParser) -> None:
 
 def _run_options(command: argparse.ArgumentParser) -> None:
     from ..study import BATCH_SYSTEMS
-    from .run_options import MAX_FAILURES
 
     _result_options(command)
     add = command.add_argument

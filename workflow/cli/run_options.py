@@ -13,7 +13,6 @@ from ..study import Measured, Study
 from ..system import program
 from .exit_status import DONE, FAILED, RESUMABLE
 
-MAX_FAILURES = 10  # problems that may fail in a run, by default
 SECONDS_PER_POINT = 1.5e-5  # planning time per point and variant
 ANNOUNCED_SECONDS = 1.0  # planning time above which a message is printed
 OF_A_CLUSTER = ("scheduler", "workers", "batch_seconds")  # options refused by measured studies

@@ -17,7 +17,6 @@ if TYPE_CHECKING:
         MAX_SHIFT_DECADES,
         PROGRAMME_AXES,
         QUANTITIES,
-        SHIFT_KEYS,
         FromFile,
         HeatProperties,
         HoldSegment,
@@ -44,7 +43,7 @@ if TYPE_CHECKING:
     from .read import find_study, known_scales, known_studies, load_tables, read_scene, read_study
     from .schema import study_schema
     from .scripts import load_script
-    from .settings import Key, default_of, integer, positive, values_of
+    from .settings import SHIFT_KEYS, Key, default_of, integer, positive, values_of
     from .study import MAX_BLOCKS, AnyStudy, Study, read_grid_study
     from .surfaces import (
         Profile,

@@ -45,7 +45,7 @@ def start_of(body, scheme, speed):
         state = initial_state(a_line(ELEMENTS), scene, form, carried)
         return form, state.memory, state.p
     space = HalfSpace.under(form, rough(ELEMENTS, M), scene.load)
-    _, state, _ = moved_map(space, scene, float, lambda law: 1e-5, carried)
+    _, state, *_ = moved_map(space, scene, float, lambda law: 1e-5, carried)
     return form, state.body.memory, state.body.depth
 
 

@@ -45,7 +45,6 @@ if TYPE_CHECKING:
     from .shifting import (
         ARRHENIUS,
         MAX_SHIFT_DECADES,
-        SHIFT_KEYS,
         SHIFTS,
         WLF,
         shift_refusal,

@@ -14,6 +14,7 @@ from ....kernels import BACKINGS, Arrhenius, Layer, ShiftLaw, ShiftTable, Spectr
 from ...ground import UserError
 from ..settings import (
     POSITIVE,
+    SHIFT_KEYS,
     Key,
     as_text,
     checked,
@@ -27,7 +28,6 @@ from ..settings import (
 )
 from .branches import read_branches
 from .shifting import (
-    SHIFT_KEYS,
     SHIFTS,
     check_shift,
     read_shift_table,

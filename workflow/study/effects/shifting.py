@@ -13,7 +13,6 @@ from ...text_tables import read_text_table
 from ..columns import ColumnSpec, describe_columns, select_columns
 from ..settings import NUMBER, Key, as_text, number, pair, positive, read_table, two_numbers
 
-SHIFT_KEYS = ("wlf", "arrhenius", "shifts")  # keys of [material]
 MAX_SHIFT_DECADES = 30.0
 KELVIN_SUSPICION = 230.0  # degrees above the reference, from which a value is taken to be in K
 SHIFT_HEADER_ADVICE = 'a header "temperature [°C], log a_T"'
