@@ -23,8 +23,8 @@ CAPTION = (
     "heating (dotted); the distances over which friction falls from its peak to 1/e of its decay "
     "without the heating of the block, and over which this heating takes a further tenth of it "
     "(c); and the temperature that the block adds (solid) with that of a uniform flux into a "
-    "half-space (dotted), which grows as the heated depth $\\sqrt{Ds/v}$ (d). After each side of the surface, "
-    "here 4 mm, contacts meet their own warm tracks."
+    "half-space (dotted), which grows as the heated depth $\\sqrt{Ds/v}$ (d). After each side of "
+    "the surface, here 4 mm, contacts meet their own warm tracks."
 )
 HEATED, FLASH, COLD = "", "flash", "cold"
 STYLES = {HEATED: "-", FLASH: "--", COLD: ":"}
