@@ -16,7 +16,7 @@ SCALES = {
     for name, path in sorted(known_studies().items())
 }
 CASES = [(name, scale) for name, scales in SCALES.items() for scale in scales]
-MEASURED = ("accuracy", "sphere", "stability")
+MEASURED = ("accuracy", "area", "sphere", "stability")
 GRIDS = [case for case in CASES if case[0] not in MEASURED]
 
 
