@@ -102,6 +102,7 @@ FILES = {  # contents of the files beside small.toml, by name
     "smooth.csv": line_text(SMOOTH),
     "hole.csv": line_text((1, "nan", *HEIGHTS[2:])),
     "holes.csv": line_text((1, 2, 3, 4, *["nan"] * 6)),
+    "spiky.csv": line_text((3, 0, 7000, "nan", *HEIGHTS[4:])),
     "scaled.csv": "z scale: 10\n" + line_text(HEIGHTS, "x (um), z (um)"),
     "unknown.csv": line_text(HEIGHTS, "x (um), z (V)"),
     "twice.csv": "x (um), z (nm)\n" + "".join(f"{n % 5}, {z}\n" for n, z in enumerate(HEIGHTS)),

@@ -223,7 +223,7 @@ def _spectrum_options(command: argparse.ArgumentParser) -> None:
     add("--columns", help="of positions and heights, from 0 or by name, as 0,1 (from the file)")
     add("--units", help="of positions and heights, as mm,um (from the file)")
     add("--step", type=float, help="distance of samples in m, of a file without positions")
-    for key in ("gaps", "detrend", "periodic"):
+    for key in ("gaps", "spikes", "detrend", "periodic"):
         add(f"--{key}", help=f"as surface.{key}")
     text = "figure, as PNG and PDF (%(default)s)"
     add("--figure", default="results/spectrum.png", help=text)

@@ -107,7 +107,7 @@ def run_spectrum(options: argparse.Namespace) -> int:
         "file": options.file,
         "columns": words and [int(word) if word.strip().isdecimal() else word for word in words],
         "units": options.units and options.units.split(","),
-        **{key: getattr(options, key) for key in ("step", "gaps", "detrend", "periodic")},
+        **{key: getattr(options, key) for key in ("step", "gaps", "spikes", "detrend", "periodic")},
     }
     profile = read_measured_surface({key: value for key, value in given.items() if value})
     spectrum = laboratory.spectrum_of(profile)

@@ -7,11 +7,12 @@ import numpy as np
 
 from ...ground import UserError
 from ...text_tables import unit_of
-from .gaps import without_gaps
+from .gaps import gaps_filled, marked_gaps, marked_spikes
 from .positions import uniform_step
 
 KEY = "surface.file"
 MIN_SAMPLES = 8
+SPIKE_SLOPE = 3.0  # from one sample to the next; source: ISO 13473-1:2019, 7.5
 
 
 class LineFile(NamedTuple):
@@ -23,6 +24,7 @@ class LineFile(NamedTuple):
     units: tuple[str, ...] = ()  # of positions and heights; empty: those of the file
     step: float | None = None  # m, between samples; replaces positions
     gaps: str = "refuse"  # treatment of missing samples
+    spikes: str = "refuse"  # treatment of spikes
 
 
 class RawLines(NamedTuple):
@@ -78,8 +80,9 @@ def check_numbered(file: LineFile) -> None:
 def lines_of(file: LineFile, raw: RawLines) -> Lines:
     """Return lines in m, with equal steps and without gaps.
 
-    Raises UserError for missing samples, unless surface.gaps states their treatment, for missing
-    units, for too few samples, and for positions that are not uniform.
+    Raises UserError for missing samples, unless surface.gaps states their treatment, for spikes at
+    gaps, unless surface.spikes does, for missing units, for too few samples, and for positions that
+    are not uniform.
     """
     prefix = f"{KEY} = {file.name!r}"
     samples = raw.heights.shape[1]
@@ -89,7 +92,7 @@ def lines_of(file: LineFile, raw: RawLines) -> Lines:
             f"{prefix}: the position of sample {sample + 1} is missing: give surface.step in place "
             "of positions, or write it"
         )
-    heights, gap_note = without_gaps(prefix, raw.heights, file.gaps)
+    heights, gap_note = marked_gaps(prefix, raw.heights, file.gaps)
     unit, (of_positions, *of_lines) = _factors(file, raw)
     if samples < MIN_SAMPLES:
         raise UserError(f"{prefix}: {samples} samples per line: needs at least {MIN_SAMPLES}")
@@ -99,7 +102,10 @@ def lines_of(file: LineFile, raw: RawLines) -> Lines:
     assert step is not None
     if len(of_lines) != len(raw.heights):  # one unit for all lines
         of_lines = of_lines[:1] * len(raw.heights)
-    heights = heights * np.array(of_lines[: len(heights)])[:, None]
+    in_metres = np.array(of_lines[: len(heights)])[:, None]
+    least = SPIKE_SLOPE * abs(step) / in_metres
+    heights, spike_note = marked_spikes(prefix, heights, least, file.spikes)
+    heights = gaps_filled(prefix, heights) * in_metres
     if step < 0.0:
         heights = heights[:, ::-1]
     unit_source = "as given" if file.units else "as the file names them"
@@ -107,7 +113,7 @@ def lines_of(file: LineFile, raw: RawLines) -> Lines:
     distance = f"{abs(step):.6g} m apart{' in the mean' if raw.x is not None else ''}"
     parts = [
         f"{file.name}: {count}, {distance}, heights in {unit}, units {unit_source}",
-        *filter(None, (raw.description, gap_note)),
+        *filter(None, (raw.description, gap_note, spike_note)),
     ]
     return Lines(heights, abs(step), "; ".join(parts), raw.row_spacing)
 

@@ -25,7 +25,7 @@ from ..settings import (
     within,
 )
 from .files import read_lines
-from .gaps import GAPS
+from .gaps import GAPS, SPIKES
 from .profile import DETRENDS, PERIODICS, Profile, is_map, map_of_lines, profile_of_lines
 from .raw_lines import LineFile, metres
 from .spectrum_file import SPECTRUM, SPECTRUM_KEY, read_spectrum
@@ -159,6 +159,13 @@ FILE_KEYS = {
         "draws a straight line from side to side, `drop` leaves out the lines that have any.",
         default="refuse",
     ),
+    "spikes": Key(
+        partial(choice, known=SPIKES),
+        "What becomes of spikes, pairs of neighbours with a slope of 3 or more (ISO 13473-1): "
+        "`fill` draws straight lines in their place, `keep` keeps them, and `refuse` does so too, "
+        "unless a gap would be filled from one.",
+        default="refuse",
+    ),
     "detrend": Key(
         partial(choice, known=DETRENDS),
         "What is subtracted from each line: nothing, its mean, a straight line (tilt) or a "
@@ -212,7 +219,7 @@ def read_surface(given: Mapping[str, Any], folder: Path, body: str | None = None
         if body == HALF_SPACE:
             _check_map_kind("surface", given)
         name = settings["file"]
-        reading = (settings[key] for key in ("columns", "units", "step", "gaps"))
+        reading = (settings[key] for key in ("columns", "units", "step", "gaps", "spikes"))
         if settings["step"] is None and len(settings["columns"]) == 1:
             raise UserError(
                 f"surface.columns = {list(settings['columns'])!r}: must be that of positions and "

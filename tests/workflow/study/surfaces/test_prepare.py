@@ -142,9 +142,9 @@ Z = np.random.default_rng(2).normal(size=(2, 10))
 OWN = ("mm", "um")
 
 
-def lines(x=X, z=Z, own=OWN, units=(), known=0.0, gaps="refuse"):
+def lines(x=X, z=Z, own=OWN, units=(), known=0.0, **how):
     raw = RawLines(np.asarray(z), np.asarray(x), np.full(np.shape(x), known), None, own)
-    return lines_of(LineFile(Path("f"), "f", (), units, gaps=gaps), raw)
+    return lines_of(LineFile(Path("f"), "f", (), units, **how), raw)
 
 
 def test_lines_are_in_metres():
@@ -180,6 +180,23 @@ def test_gaps_are_filled_in_by_straight_lines():
     assert "3 of 20 samples were missing in 2 of 2 lines and were filled in" in found.notes
     with pytest.raises(UserError, match="line 1 of 2 holds 4 of 10 samples, too few to fill in"):
         lines(z=gappy([(0, i) for i in range(6)]), gaps="fill")
+
+
+def test_spikes_are_replaced_with_their_neighbours_in_the_units_of_a_file():
+    """ISO 13473-1: both samples of a pair with a slope of 3 or more; the step is 1000 um."""
+    z = gappy(((1, 4),))
+    z[0, 6], z[1, 5] = 4000.0, -4000.0  # um; the second beside a gap
+    kept = lines(z=z[:1])
+    assert kept.heights.max() == 4e-3
+    line = lines(z=z, gaps="fill", spikes="fill").heights
+    expected = 1e-6 * gappy([(0, 5), (0, 6), (0, 7), (1, 4), (1, 5), (1, 6)])
+    for row in expected:
+        missing = np.isnan(row)
+        row[missing] = np.interp(X[missing], X[~missing], row[~missing])
+    np.testing.assert_allclose(line, expected)
+    with pytest.raises(UserError, match="gaps would be filled in from 1 of them, as sample 6 of"):
+        lines(z=z, gaps="fill")
+    assert lines(z=z, gaps="fill", spikes="keep").heights.min() == -4e-3
 
 
 def test_lines_with_gaps_are_dropped():
