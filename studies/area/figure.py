@@ -1,5 +1,7 @@
 """Real contact area beside published values, and over the number of samples."""
 
+from typing import Any
+
 import xarray as xr
 from matplotlib import pyplot as plt
 from matplotlib.axes import Axes
@@ -62,5 +64,5 @@ def _draw(ax: Axes, values: xr.DataArray, name: str, label: str) -> None:
     marker, colour, _ = FORMS[name]
     mean, error = mean_and_error(values)
     axis = mean.dims[0]
-    form = {"marker": marker, "color": colour, "ms": 4, "lw": 0.8, "capsize": 2}
+    form: dict[str, Any] = {"marker": marker, "color": colour, "ms": 4, "lw": 0.8, "capsize": 2}
     ax.errorbar(mean[axis], mean, error, label=label, **form)
