@@ -8,6 +8,7 @@ from .estimate import Estimate
 from .step_fit import NEITHER, NOTHING, POOR, StepFit
 from .together import APART, Fit, Rates
 
+MIN_TIMING_SHARE = 0.5  # of the variance of a jump, by the moment of the step
 OPTIONS = {"tau": "--relaxation-time", "H": "--hurst", "q_max": "--q-max"}
 NAMES = {"mu_2": "friction after, mu_2", "amplitude": "amplitude", "jump": "jump", "rate": "rate"}
 
@@ -48,6 +49,7 @@ def _step(fit: StepFit, least: float) -> list[str]:
     )
     if fit.stiffness is not None:
         lines.append(_line("spring", f"{fit.stiffness:g} 1/m, of the machine, is part of the fit"))
+    lines += _moment(fit)
     if fit.factor > 1.5:
         sentence = f"errors are {math.sqrt(fit.factor):.2g} times those of independent samples"
         lines.append(_line("noise", f"is correlated; {sentence}"))
@@ -67,6 +69,20 @@ def _step(fit: StepFit, least: float) -> list[str]:
     if poor and NOTHING not in fit.why.values():
         lines.append(_line("beware", poor))
     return lines
+
+
+def _moment(fit: StepFit) -> list[str]:
+    """State by how much a and b depend on the moment of the step, if most of their error does."""
+    if fit.stiffness is not None or not (fit.jump.known and fit.rate.known):
+        return []
+    change = fit.step.change
+    sooner = abs(fit.amplitude.value) * -math.expm1(-0.5 * fit.rate.value * change)
+    # A moment anywhere in the interval has a third of the variance of one at either end.
+    if sooner**2 / 3.0 < MIN_TIMING_SHARE * fit.jump.error**2:
+        return []
+    less = sooner / abs(math.log(fit.step.ratio))
+    text = f"in the middle of {change:.3g} s between samples; at the first sample after it, "
+    return [_line("moment of the step", f"{text}a and b are {less:.2g} smaller")]
 
 
 def _together(fit: Fit) -> list[str]:

@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 
 from elastomer_friction.workflow.ground import UserError
+from elastomer_friction.workflow.laboratory import sentences
 from elastomer_friction.workflow.laboratory.estimate import correlation_factor, mean
 from elastomer_friction.workflow.laboratory.parting import constant_stretches, measured_steps
 from elastomer_friction.workflow.laboratory.step_fit import (
@@ -75,6 +76,24 @@ def test_what_has_no_step_or_too_few_samples_is_refused():
         measured_steps(record(v=(0.1, 0.1005)))
     with pytest.raises(UserError, match=r"^fit r0\.txt: 5 samples within 0\.05 s of the step"):
         measured_steps(record(n=100, span=1.0), window=0.05)
+
+
+def test_a_step_on_a_sample_is_half_an_interval_from_the_assumed_moment():
+    """The described difference gives the known jump; one lost in noise is not described."""
+    log_ratio = math.log(1.2)
+    for n, size, stated in ((40, 1e-5, True), (4000, 1e-3, False)):
+        one = record(n=n)
+        fit = fit_step(measured_steps(one._replace(friction=later(one, size)))[0])
+        (words,) = sentences._moment(fit) or [""]
+        assert bool(words) == stated
+        less = float(words.split("b are ")[1].split()[0]) if stated else 0.0
+        assert fit.jump.value - less * log_ratio == pytest.approx(0.05, rel=0.02)
+
+
+def later(one, size):
+    """Return the friction of a record whose step is at its first sample after time 0."""
+    t = one.time - one.time[one.time > 0.0].min()
+    return np.where(t < 0.0, 0.3, 0.32 + 0.03 * np.exp(-8.0 * t)) + noise(0, t.size, size)
 
 
 TRUE = {"mu_1": 0.3, "mu_2": 0.32, "jump": 0.05, "amplitude": 0.03, "rate": 8.0}
