@@ -9,13 +9,14 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from ..body.step import Forces, accept, attempt, end_leg, forces, patch_width
+from ..body.step import accept, attempt, end_leg, forces, patch_width
 from ..drive.sticking import static_force
+from ..model.friction import mean_slope
 from ..rheology.law import MIN_MAGNITUDE, law_of
 from ..rheology.time_shift import ZERO_CELSIUS
 from .body import Body
 from .heating import Heating, SlidingContact, Warmth, heated_step
-from .moved_map import MapState, MovedMap
+from .moved_map import MapState, MovedMap, slopes_in_step
 from .patches import samples_per_patch
 from .shear_force import static_shear
 
@@ -72,7 +73,7 @@ TEMPERATURE_TRACES = ("trace_contact_temperature", "trace_flash_temperature")
 class HeatedAttempt(NamedTuple):
     """Step of a HeatedMap that is not accepted yet."""
 
-    acting: Forces
+    shear: float  # part of friction over the normal force, in h/dx
     warmth: Warmth  # after the step
     temperature: float  # in the step, °C
     direction: float  # of this motion, or of the last one
@@ -134,21 +135,24 @@ def _attempt(body, state, law, step):
         law.law = law_of(body.moved.form, duration)
         attempted = attempt(body.moved, state.moved._replace(passes=passes), law.law, step)
         passes = attempted.passes
-        acting = forces(body.moved, attempted, law.law, step)
-        shear = body.heating.shear(acting.contact_fraction, speed or at_rest, temperature)
-        contact = attempted.attempted.contact.p, acting.mu + shear, after - before
-        result = attempted, acting._replace(friction=acting.friction + acting.normal * shear)
-        return SlidingContact(result, *contact, after - math.floor(after))
+        _, (p, *_), offset = attempted.attempted
+        mu, shear = mean_slope(p, slopes_in_step(body.moved, offset, law.law, step)), 0.0
+        if body.heating.law is not None:
+            area = forces(body.moved, attempted, law.law, step).contact_fraction
+            shear = body.heating.shear(area, speed or at_rest, temperature)
+        whole = math.floor(after)
+        return SlidingContact((attempted, shear), p, mu + shear, after - before, after - whole)
 
     sliding, warmth, temperature = heated_step(body.heating, state.warmth, law.dt, attempt_at)
-    moved, acting = sliding.result
-    attempted = HeatedAttempt(acting, warmth, temperature, direction, step.number)
+    moved, shear = sliding.result
+    attempted = HeatedAttempt(shear, warmth, temperature, direction, step.number)
     return state._replace(moved=moved, attempted=attempted)
 
 
 @forces.register(HeatedMap)
 def _forces(body, state, law, step):
-    return state.attempted.acting
+    acting = forces(body.moved, state.moved, law.law, step)
+    return acting._replace(friction=acting.friction + acting.normal * state.attempted.shear)
 
 
 @static_force.register(HeatedMap)

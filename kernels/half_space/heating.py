@@ -10,6 +10,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from ..compile.jit import kernel
 from ..heat.field import (
     HeatContent,
     HeatedSurface,
@@ -98,7 +99,7 @@ class Heating(NamedTuple):
                 excess = assumed - contact
                 secants = next_secant_guess(secants, assumed, excess, SHEAR_TOLERANCE, MIN_WARMING)
             if self.law is None or secants.search.ended:
-                content = HeatContent(*((mu + shear) * part for part in unit.content))
+                content = unit.content._replace(flux=(mu + shear) * unit.content.flux)
                 return Warmth(content, (mu + shear) * unit.rise, contact), shear
 
     def after_step(self, warmth: Warmth, sliding: "SlidingContact", dt: float) -> Warmth:
@@ -114,15 +115,29 @@ class Heating(NamedTuple):
 
     def _warmth(self, content: HeatContent, rise: np.ndarray, p: np.ndarray) -> Warmth:
         """Return the Warmth of a field; p : modes of the pressures."""
-        rise *= self.heat.warming
-        products = (rise.real * p.real + rise.imag * p.imag).sum(axis=0)
         samples = self.shape[0] * self.shape[1]
-        mean = float((products * two_sided(self.shape)).sum()) / (float(p[0, 0].real) * samples)
+        total = _scaled_product(rise, self.heat.warming, p, two_sided(self.shape))
+        mean = total / (float(p[0, 0].real) * samples)
         return Warmth(content, rise, self.heat.temperature + mean)
 
     def flash(self, warmth: Warmth) -> float:
         """Return the highest temperature of the surface, in °C."""
         return self.heat.temperature + float(np.fft.irfft2(warmth.rise, self.shape).max())
+
+
+@kernel
+def _scaled_product(rise, factor, p, counts):
+    """Multiply rise in place; return its scalar product with p, with two-sided ``counts``."""
+    total = 0.0
+    for row in range(rise.shape[0]):
+        in_row = 0.0
+        for column in range(rise.shape[1]):
+            value, pressure = factor * rise[row, column], p[row, column]
+            rise[row, column] = value
+            product = value.real * pressure.real + value.imag * pressure.imag
+            in_row += counts[column] * product
+        total += in_row
+    return total
 
 
 class SlidingContact(NamedTuple):

@@ -10,7 +10,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from ..body.step import Forces, accept, attempt, end_leg, forces, patch_width
+from ..body.step import Forces, Move, accept, attempt, end_leg, forces, patch_width
 from ..drive.sticking import static_force
 from ..interface.shear import ShearLaw
 from ..model.friction import mean_slope
@@ -63,7 +63,9 @@ class MovedMap(NamedTuple):
         """Return the slopes at a place, over the elements under the samples at ``offset``."""
         position = self.position(place)
         whole = math.floor(position)
-        return np.roll(self.shifts(position - whole)[1], whole - offset, axis=1)
+        slopes = self.shifts(position - whole)[1]
+        behind = (whole - offset) % slopes.shape[1]
+        return np.roll(slopes, behind, axis=1) if behind else slopes
 
 
 class AttemptedContact(NamedTuple):
@@ -167,11 +169,16 @@ def _attempt(body, state, law, step):
     return state._replace(passes=passes, attempted=AttemptedContact(w, contact, offset))
 
 
+def slopes_in_step(body: MovedMap, offset: int, law: Any, step: Move) -> np.ndarray:
+    """Return the slopes at the instant when the force of a step acts; offset : after the step."""
+    before, after = (body.slopes_over(place, offset) for place in (step.before, step.after))
+    return after + law.lag * (before - after)
+
+
 @forces.register(MovedMap)
 def _forces(body, state, law, step):
     _, contact, offset = state.attempted
-    before, after = (body.slopes_over(place, offset) for place in (step.before, step.after))
-    weight = after + law.lag * (before - after)
+    weight = slopes_in_step(body, offset, law, step)
     moved = body.position(step.after) - body.position(step.before)
     # Pressures jump at leading edges for the samples of a step alone.
     sudden = jump_weight(body.spectrum, moved / step.dt) * min(abs(moved), 1.0)

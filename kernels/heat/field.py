@@ -13,8 +13,9 @@ The square root is a sum of exponentials, from equal steps of ln y in
     1/sqrt(pi t) = (1/pi) int_0^inf exp(-y t) y^(-1/2) dy.
 
 Each mode has a variable with the rate lambda + y for every y of the ladder above SLOW_SHARE D q^2,
-and one for all below. Under a flux that is constant in a step, variables are exact. Those above the
-ladder follow the flux at once: their sum is the rest of the steady value, which is exact.
+and one for all below. Under a flux that is constant in a step, variables are exact. Their
+deviations from the steady values are stored: the steady rise is exact, and variables above the
+ladder, which follow the flux at once, have none.
 
 The mean of the flux heats a block of thickness b whose far side is held at the temperature of the
 scene: a sum over the modes of the slab, with the rates D ((n + 1/2) pi/b)^2. Without a block it
@@ -33,7 +34,6 @@ LOG_STEP = 1.0  # between rates of the ladder; rises of modes are then right to 
 SLOW_SHARE = 0.04  # of D q^2; the lower rates of a mode are one variable
 FAST_RATE = 10.0  # in the shortest step, of the highest rate of the ladder
 MAX_SLAB_MODES = 10_000
-ENDLESS_TAUS = 1e200  # a step in which every variable becomes steady; finite, for the mean mode
 
 
 class HeatedSurface(NamedTuple):
@@ -55,10 +55,12 @@ class HeatedSurface(NamedTuple):
 
 
 class HeatContent(NamedTuple):
-    """Variables of a temperature field, over a flux; in the frame of the sliding surface."""
+    """State of a temperature field, in the frame of the sliding surface; over a flux."""
 
-    modes: np.ndarray  # real and imaginary parts, shape (2, variables)
-    slab: np.ndarray  # shape (slab modes,)
+    flux: np.ndarray  # modes of the flux in the last step
+    speed: float  # of the surface in the last step, in dx/tau
+    modes: np.ndarray  # deviations of the variables, real and imaginary parts, (2, variables)
+    slab: np.ndarray  # deviations of the modes of the slab, shape (slab modes,)
 
 
 def heated_surface(
@@ -87,60 +89,73 @@ def heated_surface(
 
 
 def cold_content(surface: HeatedSurface) -> HeatContent:
-    """Return the variables of a surface at the temperature of the scene."""
+    """Return the state of a surface at the temperature of the scene."""
     variables = int(surface.widths.sum() + surface.widths[:, -1].sum())
-    return HeatContent(np.zeros((2, variables)), np.zeros(surface.slab_rates.size))
-
-
-def heat(
-    surface: HeatedSurface, content: HeatContent, flux: np.ndarray, moved: float, dt: float
-) -> tuple[HeatContent, np.ndarray]:
-    """Return the variables after a step, and the modes of the rise of the temperature.
-
-    flux : modes of a real transform, constant in the step, in the frame of the surface, which moves
-    by ``moved`` (dx) in the time dt (tau). The rise is in units of flux times dx over k.
-    """
-    return _heat(surface, content, flux, moved / dt, moved, dt)
+    flux = np.zeros((surface.q_y.size, surface.q_x.size), complex)
+    return HeatContent(flux, 0.0, np.zeros((2, variables)), np.zeros(surface.slab_rates.size))
 
 
 def steady_heat(
     surface: HeatedSurface, flux: np.ndarray, speed: float
 ) -> tuple[HeatContent, np.ndarray]:
-    """Return the variables and the rise under a constant flux, as ``heat`` does.
+    """Return the state under a constant flux, and the modes of the rise of the temperature.
 
-    speed : of the surface, signed, in dx/tau.
+    flux : modes of a real transform, in the frame of the surface, which slides at a signed speed
+    (dx/tau). The rise is in units of flux times dx over k.
     """
-    return _heat(surface, cold_content(surface), flux, speed, 0.0, ENDLESS_TAUS)
+    rise = np.empty_like(flux)
+    _fill_steady_rise(surface, flux, speed, rise)
+    return cold_content(surface)._replace(flux=flux, speed=speed), rise
 
 
-def _heat(
-    surface: HeatedSurface,
-    content: HeatContent,
-    flux: np.ndarray,
-    speed: float,
-    moved: float,
-    dt: float,
+def heat(
+    surface: HeatedSurface, content: HeatContent, flux: np.ndarray, moved: float, dt: float
 ) -> tuple[HeatContent, np.ndarray]:
-    new, rise = HeatContent(*map(np.empty_like, content)), np.empty_like(flux)
-    _heat_modes(surface, content.modes, flux, speed, moved, dt, new.modes, rise)
-    rise[0, 0] = _heat_slab(surface, content.slab, flux[0, 0].real, dt, new.slab)
-    return new, rise
+    """Return the state after a step, and the rise as in ``steady_heat``.
 
-
-# Rows of the workspace of columns: D q^2, q_x v, factor of a step, flux, sums of variables, and of
-# their steady values under a unit flux. Each but the first two is a real and an imaginary part.
-DECAY, TURN, FADE, FLUX, SUM, GAIN = 0, 1, 2, 4, 6, 8
+    flux : constant in the step, in which the surface moves by ``moved`` (dx) in the time dt (tau).
+    """
+    modes, slab, rise = *map(np.empty_like, content[2:]), np.empty_like(flux)
+    _fill_steady_rise(surface, flux, moved / dt, rise)
+    _add_modes(surface, content, flux, moved, dt, modes, rise)
+    change = (content.flux[0, 0] - flux[0, 0]).real
+    rise[0, 0] += _advance_slab(surface, content.slab, change, dt, slab)
+    return HeatContent(flux, moved / dt, modes, slab), rise
 
 
 @kernel
-def _heat_modes(surface, old, flux, speed, moved, dt, new, rise):
-    """Fill new and rise for all modes but the mean."""
+def _fill_steady_rise(surface, flux, speed, rise):
+    """Fill rise with that of a constant flux, Q/sqrt(lambda/D), and of the block for the mean."""
+    for row in range(rise.shape[0]):
+        for column in range(rise.shape[1]):
+            q_x = surface.q_x[column]
+            square = surface.q_y[row] ** 2 + q_x**2
+            turn = q_x * speed / surface.diffusivity
+            size = max(math.sqrt(square * square + turn * turn), MIN_MAGNITUDE)  # of the mean: 0
+            root = math.sqrt(0.5 * (size + square))
+            re, im = root / size, 0.5 * turn / (root * size)
+            q = flux[row, column]
+            rise[row, column] = complex(re * q.real - im * q.imag, re * q.imag + im * q.real)
+    rise[0, 0] = surface.block * flux[0, 0]
+
+
+# Rows of the workspace of columns: D q^2, q_x v before and in the step, factor of the step, flux
+# before and in it, and sum of deviations. The last four are real and imaginary parts.
+DECAY, OLD_TURN, TURN, FADE, OLD_FLUX, FLUX, SUM = 0, 1, 2, 3, 5, 7, 9
+
+
+@kernel
+def _add_modes(surface, content, flux, moved, dt, new, rise):
+    """Fill new, and add the deviations to the rise of all modes but the mean."""
     rates, weights, (below_rate, below_weight) = surface.rates, surface.weights, surface.below
-    root_d, work, at = math.sqrt(surface.diffusivity), np.empty((10, surface.q_x.size)), 0
+    root_d, work, at = math.sqrt(surface.diffusivity), np.empty((11, surface.q_x.size)), 0
+    old = content.modes
     fades, below_fades = np.exp(-rates * dt), np.exp(-below_rate * rates * dt)
     turns = np.exp(-surface.diffusivity * surface.q_x**2 * dt) * np.exp(1j * surface.q_x * moved)
     for row in range(surface.q_y.size):
-        _fill_columns(surface, surface.q_y[row], flux[row], speed, dt, turns, work)
+        _fill_columns(surface, surface.q_y[row], dt, turns, work)
+        _fill_fluxes(surface, content.speed, content.flux[row], OLD_TURN, OLD_FLUX, work)
+        _fill_fluxes(surface, moved / dt, flux[row], TURN, FLUX, work)
         begin = 0
         for j in range(rates.size):
             y, weight, end = rates[j], weights[j], surface.widths[row, j]
@@ -156,67 +171,57 @@ def _heat_modes(surface, old, flux, speed, moved, dt, new, rise):
                 _advance(work[:, columns], *parts, *factors)
                 at += size
             begin = end
-        _add_rest(work)
         for i in range(surface.q_x.size):
-            rise[row, i] = complex(root_d * work[SUM, i], root_d * work[SUM + 1, i])
+            if row > 0 or i > 0:
+                rise[row, i] += complex(root_d * work[SUM, i], root_d * work[SUM + 1, i])
 
 
 @inlined_kernel
-def _fill_columns(surface, q_y, flux, speed, dt, turns, work):
+def _fill_columns(surface, q_y, dt, turns, work):
     """Fill the workspace of a row of modes; turns : factors of a step without q_y."""
     fade = math.exp(-surface.diffusivity * q_y**2 * dt)
     for i in range(surface.q_x.size):
         work[DECAY, i] = surface.diffusivity * (q_y**2 + surface.q_x[i] ** 2)
-        work[TURN, i] = surface.q_x[i] * speed
         work[FADE, i], work[FADE + 1, i] = fade * turns[i].real, fade * turns[i].imag
-        work[FLUX, i], work[FLUX + 1, i] = flux[i].real, flux[i].imag
-        work[SUM, i] = work[SUM + 1, i] = work[GAIN, i] = work[GAIN + 1, i] = 0.0
+        work[SUM, i] = work[SUM + 1, i] = 0.0
+
+
+@inlined_kernel
+def _fill_fluxes(surface, speed, flux, turn, row, work):
+    """Fill the rows of the workspace for a speed and its flux."""
+    for i in range(surface.q_x.size):
+        work[turn, i] = surface.q_x[i] * speed
+        work[row, i], work[row + 1, i] = flux[i].real, flux[i].imag
 
 
 @inlined_kernel
 def _advance(work, old_re, old_im, new_re, new_im, rate, weight, fade):
-    """Advance variables of consecutive columns by a step, and add them to the sums.
+    """Advance the deviations of consecutive columns by a step, and add them to the sums.
 
-    A variable of the rate lambda = a - i w becomes E y + Q (1 - E)/lambda, E = exp(-lambda dt).
+    A variable y of the rate lambda = a - i w and the weight W becomes E y + Q (1 - E)/lambda, with
+    E = exp(-lambda dt). Its deviation W (y - Q/lambda) is multiplied by E after Q and lambda have
+    changed.
     """
     for i in range(old_re.size):
-        a, w = work[DECAY, i] + rate, work[TURN, i]
-        inverse = 1.0 / (a * a + w * w)
-        re, im = a * inverse, w * inverse
+        a, w_old, w = work[DECAY, i] + rate, work[OLD_TURN, i], work[TURN, i]
+        old_scale, scale = weight / (a * a + w_old * w_old), weight / (a * a + w * w)
         e_re, e_im = work[FADE, i] * fade, work[FADE + 1, i] * fade
-        g_re, g_im = (1.0 - e_re) * re + e_im * im, (1.0 - e_re) * im - e_im * re
-        q_re, q_im = work[FLUX, i], work[FLUX + 1, i]
-        y_re, y_im = old_re[i], old_im[i]
-        new_re[i] = e_re * y_re - e_im * y_im + g_re * q_re - g_im * q_im
-        new_im[i] = e_re * y_im + e_im * y_re + g_re * q_im + g_im * q_re
-        work[SUM, i] += weight * new_re[i]
-        work[SUM + 1, i] += weight * new_im[i]
-        work[GAIN, i] += weight * re
-        work[GAIN + 1, i] += weight * im
-
-
-@inlined_kernel
-def _add_rest(work):
-    """Add what follows the flux at once, so that the steady value is Q/sqrt(D q^2 - i q_x v)."""
-    for i in range(work.shape[1]):
-        decay, turn = work[DECAY, i], work[TURN, i]
-        size = max(math.sqrt(decay * decay + turn * turn), MIN_MAGNITUDE)  # zero for the mean
-        root = math.sqrt(0.5 * (size + decay))
-        re, im = root / size - work[GAIN, i], 0.5 * turn / (root * size) - work[GAIN + 1, i]
-        work[SUM, i] += re * work[FLUX, i] - im * work[FLUX + 1, i]
-        work[SUM + 1, i] += re * work[FLUX + 1, i] + im * work[FLUX, i]
+        p_re, p_im = old_scale * work[OLD_FLUX, i], old_scale * work[OLD_FLUX + 1, i]
+        q_re, q_im = scale * work[FLUX, i], scale * work[FLUX + 1, i]
+        u_re = old_re[i] + (p_re * a - p_im * w_old) - (q_re * a - q_im * w)
+        u_im = old_im[i] + (p_re * w_old + p_im * a) - (q_re * w + q_im * a)
+        new_re[i] = e_re * u_re - e_im * u_im
+        new_im[i] = e_re * u_im + e_im * u_re
+        work[SUM, i] += new_re[i]
+        work[SUM + 1, i] += new_im[i]
 
 
 @kernel
-def _heat_slab(surface, old, flux, dt, new):
-    """Fill new and return the mean temperature."""
-    if surface.block == 0.0:
-        return 0.0
-    total, rest = 0.0, 0.5 * surface.block**2 / surface.diffusivity
+def _advance_slab(surface, old, change, dt, new):
+    """Fill new, and return the deviation of the mean temperature from its steady value."""
+    total = 0.0
     for n in range(surface.slab_rates.size):
         rate = surface.slab_rates[n]
-        left = math.exp(-rate * dt)
-        new[n] = left * old[n] + flux * (1.0 - left) / rate
+        new[n] = math.exp(-rate * dt) * (old[n] + change / rate)
         total += new[n]
-        rest -= 1.0 / rate
-    return 2.0 * surface.diffusivity / surface.block * (total + rest * flux)
+    return 2.0 * surface.diffusivity / surface.block * total if surface.block > 0.0 else 0.0
