@@ -16,7 +16,15 @@ pytestmark = pytest.mark.exhaustive
 
 
 @pytest.fixture(
-    scope="module", params=["bodies", "fig7_half_space", "tread", "second_relaxation", "tyre"]
+    scope="module",
+    params=[
+        "bodies",
+        "fig7_half_space",
+        "tread",
+        "second_relaxation",
+        "rate_state_contact",
+        "tyre",
+    ],
 )
 def study(request, tmp_path_factory):
     """Return name and groups of a study at smoke scale."""
@@ -63,6 +71,7 @@ def test_the_study_shows_the_physics(study):
         "fig7_half_space": _fig7_half_space,
         "tread": _tread,
         "second_relaxation": _second_relaxation,
+        "rate_state_contact": _rate_state_contact,
         "tyre": _tyre,
     }[name](groups)
 
@@ -124,3 +133,13 @@ def _second_relaxation(groups):
     assert np.all(np.diff(heated.trace_contact_temperature[late]) > -0.5)
     ends = [float(data.trace_mu[-1]) for data in (heated, flash, cold)]
     assert ends == sorted(ends)
+
+
+def _rate_state_contact(groups):
+    """The direct effect is that of the shear alone, and changes sign at the top of the bell."""
+    data = groups[""].squeeze()
+    slow, fast = (data.isel(velocity=k) for k in (0, -1))
+    assert slow.jump > 0.0 > fast.jump
+    assert data.jump.values == pytest.approx(data.jump_shear.values)
+    assert slow.mu_2 > slow.mu_1
+    assert fast.mu_2 < fast.mu_1

@@ -23,10 +23,11 @@ def contact_warning(surface: Surface, area: float) -> str:
 
 
 def body_in_words(data: xr.Dataset) -> str:
-    """Return sentences on the body of a result, the reason for it and its shear; "" without."""
+    """Return sentences on the body of a result, the reason for it and its effects; "" without."""
     facts = [data.attrs[name] for name in ("body", "body_reason") if name in data.attrs]
     body = f"Body: {', '.join(facts)}." if facts else ""
-    return f"{body} {_shear_in_words(data)}".strip()
+    heat = f"Heating: {data.attrs['heat']}." if "heat" in data.attrs else ""
+    return " ".join(filter(None, (body, _shear_in_words(data), heat)))
 
 
 def _shear_in_words(data: xr.Dataset) -> str:

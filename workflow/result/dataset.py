@@ -55,7 +55,7 @@ def build_dataset(
     coords |= _coordinates(
         plan, variant, {str(dim) for values in data.values() for dim in values.dims}
     )
-    dataset = xr.Dataset(data, coords, _facts(plan, variant) | _shear_facts(plan, variant, data))
+    dataset = xr.Dataset(data, coords, _facts(plan, variant) | _effect_facts(plan, variant, data))
     freedom = estimates["degrees_of_freedom"]
     _annotate(dataset, int(freedom[freedom >= 0].min()))
     return dataset.set_coords([name for name in AUXILIARY if name in dataset])
@@ -120,17 +120,19 @@ def _facts(plan: Plan, variant: Variant) -> dict[str, str | int | float]:
     return facts | {name: description for name, description in files.items() if description}
 
 
-def _shear_facts(
+def _effect_facts(
     plan: Plan, variant: Variant, data: Mapping[str, xr.DataArray]
 ) -> dict[str, str | int | float]:
-    """Return the shear of the real contact in words, and the warning of an unresolved surface."""
-    shear = plan.study.effects[variant.label].shear
+    """Return heating and shear in words, and the warning of an unresolved surface."""
+    effects = plan.study.effects[variant.label]
+    shear, heat = effects.shear, effects.heat
+    heating: dict[str, str | int | float] = {} if heat is None else {"heat": heat.in_words()}
     if shear is None:
-        return {}
+        return heating
     areas = [data[name] for name in ("contact_fraction", "trace_contact_fraction") if name in data]
     largest = max((float(area.max()) for area in areas), default=0.0)
     facts = {"shear": shear.in_words(), "contact_warning": contact_warning(variant.lines, largest)}
-    return {name: words for name, words in facts.items() if words}
+    return heating | {name: words for name, words in facts.items() if words}
 
 
 def model_source(plan: Plan) -> str:

@@ -88,7 +88,7 @@ def patterns():
 def seconds(pattern, text):
     """Return the least time of five tries of a match and a search.
 
-    CPU time has ticks of up to 10 ms on some machines; the least wall time is of an undisturbed try.
+    CPU time has coarse ticks on some machines; the least wall time is of an undisturbed try.
     """
     times = []
     for _ in range(5):

@@ -18,6 +18,14 @@ class HeatProperties(NamedTuple):
     share: float = 1.0  # of the heat that enters the elastomer
     block: float | None = None  # m; None: no mean heating
 
+    def in_words(self) -> str:
+        """Return a description of the properties."""
+        block = "no mean heating" if self.block is None else f"a block of {self.block:g} m"
+        return (
+            f"{self.conductivity:g} W/(m K), {self.heat_capacity:g} J/(m3 K), "
+            f"{self.share:g} of the heat enters the rubber, {block}"
+        )
+
 
 def read_heat(where: str, table: Mapping[str, Any], _: Path) -> HeatProperties:
     """Return the properties of the checked values of a table. Raises UserError."""
