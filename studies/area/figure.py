@@ -17,7 +17,7 @@ CAPTION = (
     "over values that another group published (b): the corrected area of the program on its finest "
     "maps, and the share of samples in contact on maps of four samples in the shortest wave. Panel "
     "(c) has both areas at one pressure over the number of samples, for the same surfaces, over "
-    "their corrected area on the finest maps. Bars are standard errors over the maps."
+    "their corrected area on the finest maps; bars are standard errors over the maps."
 )
 FORMS = {"area": ("o", COLOURS[0], "corrected"), "count": ("s", COLOURS[1], "counted")}
 COUNTED_SAMPLES = 4  # in the shortest wave
