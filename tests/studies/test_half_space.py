@@ -6,6 +6,7 @@ import xarray as xr
 
 from elastomer_friction.kernels.half_space.surface import ring_amplitudes
 from elastomer_friction.studies.bodies.figure import ratios
+from elastomer_friction.studies.rate_state_contact.figure import critical_distance, steady_change
 from elastomer_friction.studies.sphere.measure import measure
 from elastomer_friction.workflow.reduce.fits import FITTED
 from elastomer_friction.workflow.study.effects import FOUNDATION, HALF_SPACE
@@ -62,6 +63,28 @@ def test_rough_rows_have_the_friction_of_full_contact_in_closed_form():
     assert normalised_friction(row, row.run(FOUNDATION, lines))[0] == pytest.approx(
         of_line, rel=1e-4
     )
+
+
+def test_the_critical_distance_is_that_of_an_exponential_relaxation():
+    """Interpolated between samples; NaN where the relaxation is within three errors of zero."""
+    speeds, lengths = np.array([1e-3, 1.0, 1.0]), np.array([1e-4, 2e-4, 2e-4])  # m/s, m
+    slid = np.linspace(0.0, 1e-3, 201)
+    deviation = 0.1 * np.exp(-slid / lengths[:, None])
+    errors = np.array([1e-3, 1e-3, 0.05])[:, None] * np.ones(slid.size)
+    curves = {
+        "deviation": deviation,
+        "deviation_error": errors,
+        "time_s": slid / (3.0 * speeds[:, None]),
+    }
+    points = xr.Dataset(
+        {name: (("velocity", "sample"), values) for name, values in curves.items()},
+        coords={"velocity": speeds, "velocity_step": 2.0},
+    )
+    distance = critical_distance(points)
+    assert distance.value[:2] == pytest.approx(1e3 * lengths[:2], rel=1e-3)
+    bound = 1e-3 / 0.1 * (1.0 + np.e)  # (error + error/e)/(slope of the deviation), over D_c
+    assert distance.error[:2] == pytest.approx(1e3 * lengths[:2] * bound, rel=0.03)
+    assert np.isnan(distance.value[2])
 
 
 def test_the_study_shows_the_physics(study):
@@ -141,5 +164,7 @@ def _rate_state_contact(groups):
     slow, fast = (data.isel(velocity=k) for k in (0, -1))
     assert slow.jump > 0.0 > fast.jump
     assert data.jump.values == pytest.approx(data.jump_shear.values)
-    assert slow.mu_2 > slow.mu_1
-    assert fast.mu_2 < fast.mu_1
+    change = steady_change(data)
+    assert change.value * np.log(3.0) == pytest.approx((data.mu_2 - data.mu_1).values)
+    assert change.value[0] > 3.0 * change.error[0]
+    assert change.value[-1] < -3.0 * change.error[-1]
