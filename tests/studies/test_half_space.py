@@ -35,7 +35,7 @@ def study(request, tmp_path_factory):
 def test_a_sphere_has_the_known_friction_on_a_half_space_and_the_foundation_twice_of_it():
     """Of first order in the samples while it is slow; published values at every speed."""
     coarse, fine = (
-        measure({"side": side, "speeds": 2, "published": 1}, 0, lambda _: None)
+        measure({"side": side, "speeds": 2, "thickness": 0.5, "published": 1}, 0, lambda _: None)
         for side in (64, 128)
     )
     slow, slower = (groups[""].isel(speed=0) for groups in (fine, coarse))
