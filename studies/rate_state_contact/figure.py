@@ -3,6 +3,7 @@
 The laws of rate and state: A. Ruina, J. Geophys. Res. 88, 10359 (1983), cited from memory.
 """
 
+import math
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -62,12 +63,12 @@ def critical_distance(points: xr.Dataset) -> OverSpeed:
         left = (point.deviation / point.deviation[0]).values
         spread = (point.deviation_error / abs(point.deviation[0])).values
         slid = (1e3 * point.time_s * point.velocity * (1.0 + point.velocity_step)).values
-        below = np.flatnonzero(left <= 1.0 / np.e)
+        below = np.flatnonzero(left <= 1.0 / math.e)
         if MIN_CHANGE * spread[0] < 1.0 and below.size:
             k = below[0]
             step = (slid[k] - slid[k - 1]) / (left[k - 1] - left[k])
-            value[row] = slid[k - 1] + (left[k - 1] - 1.0 / np.e) * step
-            error[row] = (spread[k] + spread[0] / np.e) * step
+            value[row] = slid[k - 1] + (left[k - 1] - 1.0 / math.e) * step
+            error[row] = (spread[k] + spread[0] / math.e) * step
     return OverSpeed(value, error)
 
 

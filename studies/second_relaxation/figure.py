@@ -5,6 +5,7 @@ from memory.
 """
 
 import json
+import math
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -42,7 +43,7 @@ def relaxation_distances(heated: xr.Dataset, flash: xr.Dataset) -> Distances:
     """Return the distances over which the contact and the background relax after a step."""
     slid, mu = flash.slid.values, flash.trace_mu.values
     peak = int(np.argmax(mu))
-    decay = mu[-1] + (mu[peak] - mu[-1]) / np.e
+    decay = mu[-1] + (mu[peak] - mu[-1]) / math.e
     kept = heated.trace_mu.values / mu
     return Distances(
         _first(slid[peak:], mu[peak:] <= decay) - float(slid[peak]),
