@@ -9,6 +9,7 @@ from elastomer_friction.kernels.half_space.scenes import run_scene_on_half_space
 from elastomer_friction.kernels.rheology.spectrum import relaxation_modulus
 from tests.kernels.half_space.test_limits import rough
 from tests.kernels.scene.given import PRONY, a_scene
+from tests.sizes import PLAIN_PYTHON
 
 M = 4
 
@@ -41,6 +42,7 @@ def test_unavailable_quantities_are_refused():
         run_scene_on_half_space(rough(8, M), a_scene((Slide(0.7, 2.0),), requested=("energy",)))
 
 
+@pytest.mark.skipif(PLAIN_PYTHON, reason="NUMBA_DISABLE_JIT=1: nine decades of time")
 def test_a_contact_at_rest_ages_with_the_relaxation_modulus():
     """A E(t)/sigma_0 is constant to 10 % over nine decades, for a rubber of flat loss."""
     decades = np.arange(-9.0, 3.0)
