@@ -153,8 +153,8 @@ PEM = partial(Key, _line, default="", values="the path of a file", schema=TEXT)
 CLUSTER = {
     "where": Key(
         _where,
-        "The workers that compute batches: processes of this machine, jobs of SLURM, or those of a "
-        "Dask scheduler at an address.",
+        "The workers: processes of this machine, jobs of SLURM, or those of a Dask scheduler at "
+        "an address.",
         default=THIS_MACHINE.where,
         values='`"local"`, `"slurm"`, `"tls://host:port"` or `"tcp://host:port"`',
         schema={"type": "string", "pattern": "^(local|slurm)$|://"},
@@ -163,34 +163,34 @@ CLUSTER = {
         positive,
         "The time that a run waits if no worker is there, no worker answers, or the disk cannot "
         "be written.",
-        "Doubled, a run gives up after twice the time.",
+        "Doubled, a run gives up later.",
         "s",
         default=THIS_MACHINE.patience,
     ),
     "jobs": Key(
         partial(integer, least=1),
         "The number of jobs requested from the batch system.",
-        "Doubled, twice as many workers compute, if the queue grants them.",
+        "Doubled, twice as many workers compute.",
         default=THIS_MACHINE.jobs,
     ),
     "cores": Key(
         partial(integer, least=1),
-        "The number of cores of each job. Each runs one worker of one thread.",
-        "Doubled, each job has twice as many workers, which share `memory`.",
+        "The number of cores, and of workers, of each job.",
+        "Doubled, twice as many workers share `memory`.",
         default=THIS_MACHINE.cores,
     ),
     "memory": Key(
         partial(matching, pattern=MEMORY_PATTERN, words='a size such as "4GB"'),
-        "The memory of each job. `plan` predicts what a worker needs.",
-        "Doubled, each worker may use twice as much before it is killed; the run is not faster.",
+        "The memory of each job. `plan` predicts the need of a worker.",
+        "Doubled, each worker may use twice as much before it is killed.",
         default=THIS_MACHINE.memory,
         values='a size such as `"4GB"`',
     ),
     "walltime": Key(
         _walltime,
-        "The time after which the batch system ends a job. Workers retire after 90 % of it, and "
-        "batches are predicted to take at most a twentieth of a worker's lifetime.",
-        "Doubled, workers are replaced half as often, and jobs may wait longer in the queue.",
+        "The time after which the batch system ends a job. Workers retire after 90 % of it; a "
+        "batch must fit into it.",
+        "Doubled, workers are replaced half as often, and jobs may queue longer.",
         default=THIS_MACHINE.walltime,
         values='a time such as `"12:00:00"` or `"1-00:00:00"`, at least a minute',
         schema={"type": "string", "pattern": "^([0-9]+-)?[0-9]+(:[0-9]+){0,2}$"},

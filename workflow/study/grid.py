@@ -47,15 +47,13 @@ GRID = {
     "hurst": Key(
         partial(checked_values, partial(within, least=0.0, most=1.0)),
         "The Hurst exponent H of the line. Its power spectral density falls as q^(−2H−1).",
-        "Doubled (up to 1), at the same roughness the rms slope is smaller, and for x > 1 the "
-        "relaxation rate b ≈ x^(1−H) grows more slowly with the velocity.",
+        "Doubled (up to 1), at the same roughness the rms slope is smaller.",
         usual="required for random lines",
     ),
     "normal_force": Key(
         partial(checked_values, positive),
         "The normal force F_N on the line of length L.",
-        "Doubled, F̄ doubles and more of the line touches. In full contact µ halves; in partial "
-        "contact it changes less.",
+        "Doubled in full contact, µ halves; in partial contact it changes less.",
         "N",
         usual="required unless `normal_pressure` or the indentation is given",
     ),
@@ -72,7 +70,7 @@ GRID = {
         partial(checked_values, positive),
         "The spacing Δx of the elements. It is a physical parameter: without a cut-off the "
         "shortest wavelength is 2Δx, and q_max = π/Δx. The discretisation error depends on "
-        "`numerics.steps_per_spacing` instead.",
+        "`numerics.steps_per_spacing`.",
         "Doubled, the number of elements and x halve, and the rms slope falls by about 2^(1−H).",
         "m",
         usual="required for random lines",
@@ -80,7 +78,7 @@ GRID = {
     "roughness": Key(
         partial(checked_values, positive),
         "The rms roughness h of the line; with `surface.spectrum` that of its waves up to L.",
-        "Doubled, slopes double and F̄ halves: µ is twice its value at half the normal force.",
+        "Doubled, slopes double and F̄ halves.",
         "m",
         usual="required for random lines",
     ),
@@ -88,23 +86,23 @@ GRID = {
         partial(checked_values, positive),
         "The sliding velocity v₁ before the velocity step; in a programme the reference of "
         "`ratio`.",
-        "Doubled, x doubles. For x < 1 steady friction doubles; on the plateau at larger x it "
-        "hardly changes.",
+        "Doubled, x doubles, and so does steady friction for x < 1; on the plateau it hardly "
+        "changes.",
         "m/s",
         usual="required if the motion depends on it",
     ),
     "velocity_step": Key(
         partial(checked_values, _velocity_step),
         "The relative velocity step Δv/v₁, so that v₂ = v₁ (1 + Δv/v₁).",
-        "Doubled, the jump Δµ₀ of a small step doubles; the relaxation rate b hardly changes.",
+        "Doubled, the jump Δµ₀ of a small step doubles; b hardly changes.",
         values="a number above −1, zero or at least 1e-9 in size, or a list or range",
         usual="required without a programme, unless only steady sliding is requested",
         schema=values_of_axis({"type": "number", "exclusiveMinimum": -1}),
     ),
     "prescribed_indentation": Key(
         partial(checked_values, number),
-        "The indentation d, positive if the mean line lies below the undeformed surface. It needs "
-        '`scene.control = "indentation"`.',
+        'The indentation d with `scene.control = "indentation"`, positive if the mean line lies '
+        "below the undeformed surface.",
         "Doubled in full contact, the normal force doubles and µ halves.",
         "m",
         usual="omitted with control by force",

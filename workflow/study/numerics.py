@@ -49,20 +49,18 @@ NUMERICS = {
     "scheme": Key(
         partial(choice, known=SCHEMES),
         "The time-stepping scheme. `exponential` is of second order; a free element decays by "
-        "exp(−Δt/τ) per step. `implicit-euler` is of first order; a free element decays by "
-        "1/(1 + Δt/τ), and one step per spacing gives the left branch of figure 7. Both converge "
-        "to the same result.",
+        "exp(−Δt/τ) per step. `implicit-euler` is of first order; a free element decays by 1/(1 + "
+        "Δt/τ). Both converge to the same result.",
         default=DEFAULTS.scheme,
     ),
     "steps_per_spacing": Key(
         _steps,
-        "The number m of time steps, and of samples of the line with one element each, per spacing "
-        'Δx. With `"auto"` each point takes the smallest m that keeps the discretisation error of '
-        "the requested quantities below 2 %, if possible (maps: in 2 GB), and contact edges are "
-        "located between samples, which resolves steady friction and jump to 10⁻⁵. It is 4 for "
-        "measured lines and 8 for branches and programmes, whose errors follow no known law. A "
-        "number is used at every point; `resolution_status` marks contacts that it does not "
-        "resolve.",
+        'The number m of time steps, and of samples of the line, per spacing Δx. With `"auto"` '
+        "each point takes the smallest m that keeps the discretisation error of the requested "
+        "quantities below 2 %, if possible (maps: in 2 GB), and contact edges are located between "
+        "samples, which resolves steady friction and jump to 10⁻⁵; measured lines have m = 4, "
+        "branches and programmes m = 8. A number is used at every point; `resolution_status` "
+        "marks contacts that it does not resolve.",
         "Doubled, the error of µ₁ falls to about a third, those of Δµ₀ and b to about half; "
         "steady states take twice the time, relaxation up to four times.",
         default=None,
@@ -72,38 +70,37 @@ NUMERICS = {
     ),
     "samples": Key(
         partial(integer, least=8, most=10_000),
-        "The number of points stored of each relaxation curve or trace.",
-        "Doubled, the file is larger, and the fit of eq. 6 uses more points and changes slightly.",
+        "The number of stored points of each relaxation curve or trace.",
+        "Doubled, the file is larger, and the fit of eq. 6 changes slightly.",
         default=DEFAULTS.curve_samples,
         usual="64; 200 in `scene.run`",
     ),
     "horizon": Key(
         partial(within, least=1.0, most=100.0),
         "The duration of the marched relaxation, in expected relaxation times.",
-        "Doubled, the march takes twice as many steps; beyond 4 the rate changes by about 0.5 %.",
+        "Doubled, the march takes twice as long; beyond 4 the rate changes by about 0.5 %.",
         default=None,
         usual="4; 6 if `accuracy` is below 1 %",
     ),
     "accuracy": Key(
         ACCURACY,
-        "The requested relative error of µ₁, Δµ₀ and b, if they are requested: standard error plus "
-        "bound of the discretisation error. The program chooses m and the number of lines, in "
-        "place of `study.realizations`.",
+        "The requested relative error of µ₁, Δµ₀ and b: standard error plus bound of the "
+        "discretisation error. The program chooses m and the number of lines, in place of "
+        "`study.realizations`.",
         "Doubled, a quarter of the lines and often fewer steps suffice.",
         default=None,
     ),
     "max_realizations": Key(
         partial(integer, least=1),
         "With `accuracy`, the maximum number of lines of a point. The result marks points that "
-        "have not reached the accuracy.",
-        "Doubled, points that are hard to determine may take twice the time for an error smaller "
-        "by √2.",
+        "miss the accuracy.",
+        "Doubled, such points take twice the time for an error smaller by √2.",
         default=DEFAULTS.max_realizations,
     ),
     "negligible": Key(
         partial(within, least=0.0, most=1.0),
-        "A share of the jump Δµ₀. If the relaxation is significantly smaller than this share, no "
-        "line is added to determine b, and `fit_status` is `negligible`.",
+        "A share of the jump Δµ₀. If the relaxation is significantly smaller, no line is added to "
+        "determine b, and `fit_status` is `negligible`.",
         "Doubled, b remains undetermined at more points with x < 1.",
         default=None,
         usual="0; 0.01 if `accuracy` is given",

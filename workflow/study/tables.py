@@ -19,15 +19,14 @@ Keys = Mapping[str, Key]
 HEAD = {
     "title": Key(
         as_text,
-        "The title of the output of `plan`, of the figure and of the result file.",
+        "The title in `plan`, in the figure and in the result file.",
         default="",
         usual="the name of the study",
     ),
     "seed": Key(
         partial(integer, least=0),
-        "The seed of the random lines, together with H, the number of elements and the index of "
-        "the realization.",
-        "Doubled, or changed in any way, it draws other lines; estimates change within their "
+        "The seed of the random lines.",
+        "Doubled or changed in any way, it draws other lines, and estimates change within their "
         "standard errors.",
         default=0,
     ),
@@ -36,18 +35,18 @@ STUDY = HEAD | {
     "realizations": Key(
         partial(integer, least=2),
         "The number of lines over which estimates are averaged. For random lines it is rounded up "
-        "to whole quartets, four lines from one set of random phases, and to at least two blocks.",
-        "Doubled, standard errors fall by √2, and the time doubles, except for stored lines.",
+        "to whole quartets (four lines from one set of random phases) and to at least two blocks.",
+        "Doubled, standard errors fall by √2 and the time doubles.",
         default=None,
         usual='all measured lines with `surface.lines = "measured"`, else required',
     ),
     "realizations_per_block": Key(
         partial(integer, least=1),
-        "The number of lines in a block. The mean of a block is one record of the store, and the "
-        "jackknife leaves out one block at a time. It must divide `realizations` into at least two "
-        "blocks; for random lines it is rounded up to a multiple of four.",
-        "Doubled, the store holds half as many records; with fewer than 32 blocks standard errors "
-        "are less reliable.",
+        "The number of lines in a block, whose mean is one record of the store; the jackknife "
+        "leaves out one block at a time. It must divide `realizations` into at least two blocks; "
+        "for random lines it is rounded up to a multiple of four.",
+        "Doubled, the store holds half as many records; standard errors are less reliable with "
+        "fewer than 32 blocks.",
         default=1,
     ),
 }

@@ -36,30 +36,30 @@ HEAT = {
     "conductivity": Key(
         positive,
         "The thermal conductivity k of the elastomer.",
-        "Doubled at slow sliding, the contact warms half as much; at fast sliding, 1/√2 times.",
+        "Doubled, the contact warms half as much at slow sliding and 1/√2 times at fast sliding.",
         "W/(m K)",
     ),
     "heat_capacity": Key(
         positive,
         "The heat capacity of the elastomer per volume.",
-        "Doubled at fast sliding, the contact warms 1/√2 times as much; at slow sliding it does "
+        "Doubled, the contact warms 1/√2 times as much at fast sliding; at slow sliding it does "
         "not matter.",
         "J/(m³ K)",
     ),
     "share": Key(
         partial(within, least=MIN_SHARE, most=1.0),
         "The share of the heat that enters the surface of the elastomer. The default is an upper "
-        "bound: the other body takes a part, and losses lie below the surface.",
+        "bound, because the other body takes a part.",
         "Doubled, friction of a given size warms twice as much.",
         default=1.0,
     ),
     "block": Key(
         positive,
-        "The thickness of a block of elastomer whose far side is held at the temperature of the "
-        "scene. The mean of the heat flux warms it, in a programme from its start on.",
+        "The thickness of a block of elastomer whose far side stays at the temperature of the "
+        "scene. The mean heat flux warms it, in a programme from its start.",
         "Doubled, the steady mean rise doubles, and takes four times as long.",
         "m",
         default=None,
-        usual="none: the mean of the flux warms nothing, as it has no steady state on a half-space",
+        usual="none: the mean flux warms nothing, as a half-space has no steady state",
     ),
 }

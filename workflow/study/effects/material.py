@@ -216,28 +216,24 @@ def _merged(branches: tuple[Branch, ...]) -> tuple[Branch, ...]:
 MATERIAL = {
     "shear_modulus": Key(
         positive,
-        "The relaxed (static, long-time) shear modulus G of the elastomer.",
-        "Doubled, a Kelvin element behaves exactly as under half the normal force, because both "
-        "enter only through F̄.",
+        "The relaxed (static, long-time) shear modulus G.",
+        "Doubled, a Kelvin element behaves as under half the normal force.",
         "Pa",
     ),
     "relaxation_time": Key(
         partial(within, least=0.0, most=TIME_RANGE[1]),
-        "The relaxation time τ = η/G of a dashpot of viscosity η parallel to the springs, the only "
-        "time of a material without branches. 0 means no dashpot, and needs branches.",
-        "Doubled, friction of a Kelvin element at v equals its former friction at 2v, and "
-        "relaxation takes twice as long.",
+        "The relaxation time τ = η/G of a dashpot of viscosity η parallel to the springs. 0 means "
+        "no dashpot, and needs branches.",
+        "Doubled, friction of a Kelvin element at v equals its former friction at 2v.",
         "s",
         default=None,
         usual="0 with branches, else required",
     ),
     "branches": Key(
         _branches,
-        "A Prony series: Maxwell elements of modulus g_b (Pa) and relaxation time t_b (s), in any "
-        "order, so that G(t) = G + Σ g_b exp(−t/t_b).",
-        "With all g_b doubled, their instantaneous forces and the energy dissipated in a given "
-        "motion double. With all t_b doubled and no dashpot, friction at v equals its former value "
-        "at 2v.",
+        "A Prony series of Maxwell elements in any order: G(t) = G + Σ g_b exp(−t/t_b), with g_b "
+        "in Pa and t_b in s.",
+        "With all t_b doubled and no dashpot, friction at v equals its former value at 2v.",
         default=(),
         values="a list of `[g_b, t_b]`, 200 at most, g_b from 1e-9 to 1e9 times `shear_modulus`, "
         "t_b from 1e-30 to 1e30",
@@ -251,10 +247,9 @@ MATERIAL = {
     ),
     "branches_file": Key(
         as_text,
-        "A text file in the folder of `study.toml` with columns g_b (Pa) and t_b (s), or in the "
-        "order and units of its header, in place of `branches`. Shares of G₀ (a column `alpha`, or "
-        "rows below `*VISCOELASTIC`) are read too. The command `prony` writes such a file from "
-        "measured moduli.",
+        "A text file beside `study.toml` with columns g_b (Pa) and t_b (s), or as its header "
+        "says, in place of `branches`. Shares of G₀ (a column `alpha`, or rows below "
+        "`*VISCOELASTIC`) are read too; `prony` writes such a file from measured moduli.",
         default="",
         values="the name of a file",
     ),
@@ -262,8 +257,8 @@ MATERIAL = {
     "temperature": Key(
         number,
         "The temperature of the elastomer, with `wlf`, `arrhenius` or a table of shifts.",
-        "A higher temperature shortens all times: friction at v equals that at a_T v and the "
-        "reference temperature. Doubling degrees Celsius has no meaning.",
+        "Friction at v equals that at a_T v and the reference temperature; doubling degrees "
+        "Celsius has no meaning.",
         "°C",
         default=None,
         values="a number above `reference` − c2, or within the table",
@@ -272,13 +267,13 @@ MATERIAL = {
         partial(within, least=0.0, most=0.5),
         "Poisson's ratio ν. The contact stiffness is E* = 2G/(1−ν), the paper's 4G for an "
         "incompressible elastomer.",
-        "Doubled from 0.25 to 0.5, E* rises by half, which acts as a force smaller by a third.",
+        "Doubled from 0.25 to 0.5, E* rises by half.",
         default=0.5,
     ),
     "thickness": Key(
         positive,
-        "The thickness of the elastomer on a rigid base, for a half-space only. It matters below "
-        "the longest wave of the surface, or the width of the contact.",
+        "The thickness of the elastomer on a rigid base, for a half-space only. It matters if it "
+        "is below the longest wave of the surface or the width of the contact.",
         "Doubled, waves longer than the thickness meet a softer elastomer.",
         "m",
         default=None,
@@ -287,8 +282,8 @@ MATERIAL = {
     ),
     "backing": Key(
         partial(choice, known=BACKINGS),
-        "The lower side of a layer with `thickness`: `bonded` to the base, or `free` to slide on "
-        "it without friction.",
+        "The lower side of the layer: `bonded` to the base, or `free` to slide on it without "
+        "friction.",
         default=BACKINGS[0],
     ),
 }

@@ -136,9 +136,9 @@ def _check(table: Mapping[str, Any], scene: Scene, materials: tuple[Material, ..
 SCENE = {
     "body": Key(
         partial(choice, known=(FOUNDATION, HALF_SPACE)),
-        "The elastic body. `foundation` is the paper's row of independent elements along a line; "
-        "`half-space` is a deep elastic block with a periodic square surface of side "
-        "`surface.length`, on which each pressed point lowers its neighbours (docs/bodies.md).",
+        "The elastic body: `foundation` is the paper's row of independent elements along a line; "
+        "`half-space` is a deep elastic block under a periodic square surface of side "
+        "`surface.length` (docs/bodies.md).",
         default=None,
         usual="a half-space for a random surface under `grid.normal_pressure` and for a measured "
         "map whose steps are known both ways, unless `surface.lines` or a prescribed indentation "
@@ -146,8 +146,7 @@ SCENE = {
     ),
     "quantities": Key(
         read_quantities,
-        "The computed quantities, by the names of the table below. The result contains only these. "
-        "Steady states and jumps do not need the march of a relaxation.",
+        "The computed quantities, by the names of the table below. The result contains only these.",
         default=None,
         values="a list of names of quantities",
         usual='`["steady", "jump", "relaxation"]`; without a dashpot `["steady", "relaxation", '
@@ -157,22 +156,22 @@ SCENE = {
     ),
     "indentation_rate": Key(
         flag,
-        "Whether the rate ḋ of the indentation enters the force of an element. `false` gives eq. 3 "
-        "as printed in the paper, without physical relaxation. It is meant for comparison and "
-        "limited to one velocity step of Kelvin elements.",
+        "Whether the rate ḋ of the indentation enters the force of an element. `false` gives eq. "
+        "3 as printed in the paper, without physical relaxation, for one velocity step of Kelvin "
+        "elements.",
         default=True,
     ),
     "control": Key(
         partial(choice, known=(FORCE, INDENTATION)),
         "The control of the contact: a constant normal force or, in a programme, a given "
-        "indentation from which the force follows.",
+        "indentation.",
         default=FORCE,
     ),
     "indentation_file": Key(
         as_text,
-        "A text file in the folder of `study.toml` with columns time (s) and indentation (m), in "
-        "place of `grid.prescribed_indentation`. The indentation is linear between the times and "
-        "constant beyond them.",
+        "A text file beside `study.toml` with columns time (s) and indentation (m), in place of "
+        "`grid.prescribed_indentation`. The indentation is linear between the times and constant "
+        "beyond them.",
         default="",
         values="the name of a file",
     ),
@@ -180,37 +179,37 @@ SCENE = {
         partial(choice, known=(STEADY, RELAXED, FRESH)),
         "The initial state of a programme: steady sliding at its first velocity, rest with the "
         "elastomer fully relaxed under the load, or rest immediately after loading, which needs a "
-        "material without a dashpot. Its influence vanishes after a few relaxation times.",
+        "material without a dashpot.",
         default=STEADY,
     ),
     "repeat": Key(
         partial(integer, least=1, most=MAX_SEGMENTS),
-        "The number of times that the programme is run.",
+        "The number of times that the programme runs.",
         "Doubled, the march takes twice as long.",
         default=1,
     ),
     "drive": Key(
         lambda key, value: read_table(key, value, DRIVE),
-        "The spring and damper through which a drive pulls the line; segments `pull` give the "
-        "motion of the drive. Initially the spring is stretched by steady friction, or slack if "
-        "the scene does not begin in steady sliding.",
+        "The spring and damper through which a drive pulls the line; segments `pull` move the "
+        "drive. Initially the spring carries steady friction, or is slack if the scene does not "
+        "start in steady sliding.",
         default=None,
         values="a table, `[scene.drive]`",
         usual="none: the programme moves the line itself",
     ),
     "shear": effect_key(
         "shear",
-        "The shear stress τ_f of the real contact of a half-space. Friction is then the sum of the "
-        "viscoelastic part and τ_f times the real contact area.",
+        "The shear stress τ_f of the real contact of a half-space. Friction is the viscoelastic "
+        "part plus τ_f times the real contact area.",
     ),
     "heat": effect_key(
         "heat",
-        "The heat of friction, which warms the contact of a half-space and shortens the relaxation "
-        "times there (docs/effects.md).",
+        "The heat of friction, which warms the contact of a half-space and shortens its "
+        "relaxation times (docs/effects.md).",
     ),
     "programme": Key(
         lambda _, value: [value] if isinstance(value, dict) else value,
-        "The motion of the line as successive segments `[[scene.programme]]`, in place of "
+        "The motion as successive segments `[[scene.programme]]`, in place of "
         "`grid.velocity_step`. Without a programme there is one velocity step from v₁ to v₂.",
         default=None,
         values="a segment or a list of up to 1000: either `slide`, `hold`, `ramp`, `oscillate` and "

@@ -40,39 +40,38 @@ OPTIONAL_PAIR = partial(
 )
 SLIDE = {
     "velocity": OPTIONAL_NOT_ZERO(
-        "The velocity, backwards if negative. Give either it or `ratio`.",
-        "Doubled, x doubles, and the same distance takes half the time.",
+        "The velocity, backwards if negative, unless `ratio` is given.",
+        "Doubled, x doubles.",
         "m/s",
     ),
     "ratio": OPTIONAL_NOT_ZERO(
         "The velocity as a multiple of `grid.velocity`.",
-        "Doubled, the motion is twice as fast.",
+        "Doubled, so is the velocity.",
     ),
     "distance": Key(
         positive,
-        "The distance that the line, or the drive, moves. Give either it or `duration`.",
-        "Doubled, the march of this segment takes twice as long.",
+        "The distance that the line, or the drive, moves, unless `duration` is given.",
+        "Doubled, the march takes twice as long.",
         "m",
         default=None,
     ),
     "duration": Key(
         positive,
         "The duration of the segment.",
-        "Doubled, the march of this segment takes twice as long.",
+        "Doubled, the march takes twice as long.",
         "s",
         default=None,
     ),
 }
 RAMP = {
     "velocity": OPTIONAL_PAIR(
-        "The velocities at the beginning and at the end; the velocity is linear in time between "
-        "them. Give either them or `ratio`.",
-        "Doubled, the line moves twice as far in the same time, in twice as many steps.",
+        "The first and the last velocity, linear in time between them, unless `ratio` is given.",
+        "Doubled, the march takes twice as long.",
         "m/s",
     ),
     "ratio": OPTIONAL_PAIR(
         "Both velocities as multiples of `grid.velocity`.",
-        "Doubled, the line moves twice as far in the same time.",
+        "Doubled, so are the velocities.",
     ),
     "duration": Key(
         positive,
@@ -84,8 +83,8 @@ RAMP = {
 OSCILLATE = {
     "velocity": Key(
         number,
-        "The mean velocity, on which the oscillation is superposed. Give either it or `ratio`.",
-        "Doubled, the mean motion is twice as fast.",
+        "The mean velocity, on which the oscillation is superposed, unless `ratio` is given.",
+        "Doubled, so is the mean motion.",
         "m/s",
         default=None,
         usual="0 without `ratio`",
@@ -93,13 +92,13 @@ OSCILLATE = {
     "ratio": Key(
         number,
         "The mean velocity as a multiple of `grid.velocity`.",
-        "Doubled, the mean motion is twice as fast.",
+        "Doubled, so is the mean motion.",
         default=None,
     ),
     "amplitude": Key(
         positive,
-        "The amplitude of the sinusoidal displacement. Give either it or `velocity_amplitude`.",
-        "Doubled, a loop of small amplitude dissipates four times the work.",
+        "The amplitude of the displacement, unless `velocity_amplitude` is given.",
+        "Doubled, a small loop dissipates four times the work.",
         "m",
         default=None,
     ),
@@ -107,39 +106,38 @@ OSCILLATE = {
         partial(one_or_several, positive),
         "The amplitude of the velocity, 2π `frequency` times that of the displacement. A list "
         "makes it a dimension of the result.",
-        "Doubled, a loop of small amplitude dissipates four times the work.",
+        "Doubled, a small loop dissipates four times the work.",
         "m/s",
         default=None,
     ),
     "frequency": Key(
         partial(one_or_several, positive),
         "The frequency of the oscillation. A list makes it a dimension of the result.",
-        "Doubled, the response is that of the material at twice the frequency.",
+        "Doubled, the material responds at twice the frequency.",
         "Hz",
     ),
     "cycles": Key(
         partial(integer, least=1),
         "The number of cycles. The loop is that of the last cycle; the mean is taken over the "
-        "second half of the cycles.",
-        "Doubled, the march takes twice as long, and the initial state has less influence.",
+        "second half.",
+        "Doubled, the march takes twice as long, and the initial state matters less.",
     ),
 }
 HOLD = {
     "duration": Key(
         partial(one_or_several, positive),
-        "The duration of rest. A list or range makes one programme for each value and the "
-        "dimension `hold` of the result; at most one hold of a programme may have one.",
-        "Doubled, the contact ages twice as long, at the cost of a few steps, which grow with the "
-        "age.",
+        "The duration of rest. A list makes one programme for each value and the dimension `hold` "
+        "of the result; at most one hold of a programme may have one.",
+        "Doubled, the contact ages twice as long, for a few more steps.",
         "s",
     ),
 }
 FILE = {  # its value is text, not a table
     "file": Key(
         as_text,
-        "A text file with columns time (s, increasing) and velocity (m/s), or in the units and "
-        "the order of its header. The velocity is linear between the rows, and the first row is at "
-        't = 0. From Python, `{"time": …, "velocity": …}` with two arrays may be given instead.',
+        "A text file with columns time (s, increasing from 0) and velocity (m/s), or as its "
+        'header says; the velocity is linear between the rows. Python also takes `{"time": …, '
+        '"velocity": …}` with two arrays.',
         values="the name of a file with 2 to 100000 rows",
         usual="none",
     ),
@@ -148,9 +146,9 @@ FILE = {  # its value is text, not a table
 PULL = {
     "velocity": Key(
         number,
-        "The velocity of the drive, backwards if negative; 0 holds it. Give one of it, `ratio` and "
-        "`file`.",
-        "Doubled, the drive and on average the line move twice as fast.",
+        "The velocity of the drive, backwards if negative, 0 to hold it, unless `ratio` or `file` "
+        "is given.",
+        "Doubled, the line moves twice as fast on average.",
         "m/s",
         default=None,
     ),
@@ -160,33 +158,32 @@ PULL = {
     "duration": replace(
         SLIDE["duration"],
         check=partial(one_or_several, positive),
-        means="The duration of the segment. At velocity 0, a list or range makes one programme for "
-        "each value and the dimension `hold` of the result.",
-        doubled="Doubled, the march of this segment takes twice as long; at velocity 0 the contact "
-        "ages twice as long.",
+        means="The duration of the segment. At velocity 0, a list makes one programme for each "
+        "value and the dimension `hold` of the result.",
+        doubled="Doubled, the march takes twice as long, or the contact ages twice as long.",
     ),
 }
 
 DRIVE = {
     "stiffness": Key(
         partial(one_or_several, positive),
-        "The stiffness k of the spring between the drive and the line. A list makes it a "
-        "dimension of the result.",
-        "Doubled, the line follows the drive more closely. If friction falls with the velocity, "
-        "there is stick-slip below a critical stiffness.",
+        "The stiffness k of the spring between drive and line. A list makes it a dimension of the "
+        "result.",
+        "Doubled, the line follows the drive more closely; stick-slip needs a stiffness below a "
+        "critical one.",
         "N/m",
     ),
     "mass": Key(
         partial(within, least=0.0, most=MAX_MASS_OR_DAMPING),
         "The mass of the slider.",
-        "Doubled, the slider accelerates and stops more slowly.",
+        "Doubled, the slider accelerates half as fast.",
         "kg",
         default=0.0,
     ),
     "damping": Key(
         partial(within, least=0.0, most=MAX_MASS_OR_DAMPING),
         "The constant c of a damper parallel to the spring, with the force c (dY/dt − dX/dt).",
-        "Doubled, the damper resists the motion relative to the drive twice as strongly.",
+        "Doubled, so is that force.",
         "N s/m",
         default=0.0,
     ),

@@ -112,7 +112,7 @@ SHEAR = {
     "stress": Key(
         partial(within, least=0.0, most=MAX_SHEAR_STRESS),
         "The shear stress τ₀ of the real contact: the maximum of a bell over the velocity, or a "
-        "constant. Measure it with a smooth sphere or on smooth glass, where nothing else acts.",
+        "constant. It can be measured with a smooth sphere or on smooth glass.",
         "Doubled, the shear part of the friction doubles.",
         "Pa",
         default=None,
@@ -128,16 +128,16 @@ SHEAR = {
     ),
     "width": Key(
         positive,
-        "The width w of the bell, after which τ_f has fallen to 1/e; c = 1/w² in the literature.",
-        "Doubled, the stress falls half as fast over the logarithm of the velocity.",
+        "The width w of the bell, at which τ_f has fallen to 1/e; c = 1/w² in the literature.",
+        "Doubled, the bell is twice as wide.",
         "decades",
         default=None,
         usual="required with `velocity`",
     ),
     "creep_velocity": Key(
         positive,
-        "The velocity below which the stress of a bell remains that at it. A bell vanishes at "
-        "rest, so that nothing would stick. It is the static stress after a hold.",
+        "The velocity below which the stress stays constant. It gives the static stress after a "
+        "hold, where a bell would vanish.",
         "Doubled, the static stress is that at twice the velocity.",
         "m/s",
         default=None,
@@ -153,7 +153,7 @@ SHEAR = {
     ),
     "reference": Key(
         number,
-        "The temperature to which the bell, or the table, belongs.",
+        "The temperature of the bell or the table.",
         "Doubling degrees Celsius has no meaning.",
         "°C",
         default=None,
@@ -161,9 +161,9 @@ SHEAR = {
     ),
     "file": Key(
         as_text,
-        "A text file in the folder of `study.toml` with columns v (m/s) and τ_f (Pa), or in the "
-        "units and order of its header. It is linear over the logarithm of v. Below its first row "
-        "it keeps the first stress; a velocity beyond the last row is refused.",
+        "A text file beside `study.toml` with columns v (m/s) and τ_f (Pa), or as its header "
+        "says, interpolated over the logarithm of v. Below the first row the stress is constant; "
+        "a velocity beyond the last row is refused.",
         default="",
         values="the name of a file",
     ),

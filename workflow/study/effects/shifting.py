@@ -118,8 +118,7 @@ def check_shift(where: str, laws: dict[str, ShiftLaw | None], value: float | Non
 REFERENCE = Key(
     number,
     "The temperature to which the given relaxation times refer.",
-    "With a reference ten degrees higher, all curves equal those at a temperature ten degrees "
-    "lower. Doubling degrees Celsius has no meaning.",
+    "Doubling degrees Celsius has no meaning.",
     "°C",
 )
 WLF = {
@@ -148,33 +147,31 @@ ARRHENIUS = {
 SHIFTS = {
     "wlf": Key(
         lambda key, value: Wlf(**read_table(key, value, WLF)),
-        "The constants of the shift of Williams, Landel and Ferry, log₁₀ a_T = −c1 (T − "
-        "reference)/(c2 + T − reference). All relaxation times are multiplied by a_T. It needs "
-        "`temperature`. The law of Vogel, Fulcher and Tammann is the same with c2 = reference − T₀ "
-        "and c1 = B/(c2 ln 10).",
+        "The shift of Williams, Landel and Ferry, log₁₀ a_T = −c1 (T − reference)/(c2 + T − "
+        "reference); a_T multiplies all relaxation times. The law of Vogel, Fulcher and Tammann "
+        "is the same with c2 = reference − T₀ and c1 = B/(c2 ln 10).",
         default=None,
         values="`{c1 = …, c2 = …, reference = …}`",
     ),
     "arrhenius": Key(
         lambda key, value: Arrhenius(**read_table(key, value, ARRHENIUS)),
-        "The constants of the shift of Arrhenius, ln a_T = E_a/R (1/T − 1/reference) with "
-        "temperatures in K, in place of `wlf`.",
+        "The shift of Arrhenius, ln a_T = E_a/R (1/T − 1/reference) with temperatures in K, in "
+        "place of `wlf`.",
         default=None,
         values="`{activation_energy = …, reference = …}`",
     ),
     "shifts": Key(
         _shift_table,
-        "A measured table of the shift, rows `[T, log₁₀ a_T]` with T in °C, in place of `wlf`, "
-        "interpolated linearly; temperatures must lie within it. The command `prony` prints one "
-        "from moduli at several temperatures.",
+        "A measured table of the shift, with T in °C, in place of `wlf`. It is interpolated "
+        "linearly and not extrapolated; `prony` prints one from moduli at several temperatures.",
         default=None,
         values="a list of at least two rows `[T, log₁₀ a_T]`",
         schema={"type": "array", "minItems": 2, "items": pair(NUMBER, NUMBER)},
     ),
     "shifts_file": Key(
         as_text,
-        "A text file in the folder of `study.toml` with these columns, in place of `shifts`. A "
-        "column may also be named a_T or ln a_T.",
+        "A text file beside `study.toml` with these columns, in place of `shifts`; a column may "
+        "also be named a_T or ln a_T.",
         default="",
         values="the name of a file",
     ),

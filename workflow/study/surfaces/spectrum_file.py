@@ -44,19 +44,19 @@ KINDS: dict[str, tuple[str, str, Callable[[np.ndarray, np.ndarray], np.ndarray]]
 SPECTRUM = {
     "file": Key(
         as_text,
-        "A text file beside `study.toml` with columns q = 2π/λ and C(q), ascending in q, or in the "
-        "order and units of its header.",
+        "A text file beside `study.toml` with columns q = 2π/λ, ascending, and C(q), or as its "
+        "header says.",
         values="the name of a file",
     ),
     "kind": Key(
         partial(choice, known=tuple(KINDS)),
-        'What C is: `"2D"` with ∫C d²q = h², in m⁴; in m³ `"equivalent"`, πqC₂D; `"profile"`, the '
-        'spectrum of a straight cut over both signs of q, which is inverted; `"profile+"`, twice '
-        "that, over q > 0.",
+        'The definition of C: `"2D"` with ∫C d²q = h² (m⁴); in m³ `"equivalent"`, πqC₂D; '
+        '`"profile"`, the spectrum of a straight cut over both signs of q, which is inverted; '
+        '`"profile+"`, twice that, over q > 0.',
     ),
     "times": Key(
         positive,
-        "A factor of C, as 39.478 for a file that has 4π² less.",
+        "A factor of C, such as 39.478 = 4π².",
         "Doubled, h and slopes grow by √2.",
         default=1.0,
     ),

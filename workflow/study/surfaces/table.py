@@ -61,39 +61,36 @@ RANDOM_KEYS = {
     "length": Key(
         positive,
         "The length L of the periodic line.",
-        "Doubled at the same spacing, elements and computing time double, the longest wave "
-        "doubles, F̄ halves, and at the same roughness the rms slope falls by about 2^H.",
+        "Doubled at the same spacing, elements and time double and F̄ halves; at the same "
+        "roughness the rms slope falls by about 2^H.",
         "m",
         usual="required for random lines alone",
     ),
     "normalisation": Key(
         partial(choice, known=NORMALISATIONS),
-        'What the roughness h is: with `"modal"` the rms height of every line; with `"integral"` '
-        "the integral of the spectral density as the paper defines it, which differs by a factor "
-        "from 1.04 (H = 0) to 1.55 (H = 1) at 5000 elements.",
+        'The meaning of the roughness h: with `"modal"` the rms height of every line; with '
+        '`"integral"` the integral of the spectral density as in the paper, which differs by a '
+        "factor from 1.04 (H = 0) to 1.55 (H = 1) at 5000 elements.",
         default="modal",
     ),
     "snap_spacing": Key(
         flag,
         "Whether each spacing is moved to the nearest that divides the length into 2^a 3^b 5^c "
-        "elements, which are quick for the Fourier transform. Otherwise it must divide the "
-        "length.",
+        "elements, for which the Fourier transform is fast. Otherwise it must divide the length.",
         default=False,
     ),
     "rolloff": Key(
         positive,
-        "The wavelength λ_r above which the power spectrum is flat. With `file` it only turns "
-        "`grid.normal_pressure` into the force of a line.",
-        "Doubled, more of the roughness lies in long waves: at the same h the rms slope falls by "
-        "about 2^H.",
+        "The wavelength λ_r above which the power spectrum is flat. With `file` it only "
+        "determines the force of `grid.normal_pressure`.",
+        "Doubled at the same h, the rms slope falls by about 2^H.",
         "m",
         default=0.0,
         usual="none: the power law extends to the length, as in the paper",
     ),
     "cutoff": Key(
         positive,
-        "The shortest wavelength of the line, at least two spacings. It makes the roughness "
-        "independent of the spacing.",
+        "The shortest wavelength of the line, at least two spacings.",
         "Doubled, q_max = 2π/cutoff and x halve, and the rms slope falls by about 2^(1−H).",
         "m",
         default=0.0,
@@ -103,34 +100,33 @@ RANDOM_KEYS = {
 SPECTRUM_KEYS = {
     "spectrum": Key(
         lambda key, value: read_table(key, value, SPECTRUM),
-        "A measured power spectrum of which the random lines, or maps, are drawn, in place of "
-        "`grid.hurst` and `grid.roughness`. It is that of an isotropic surface, and zero beyond "
-        "its rows. `rolloff` makes C₂D flat above λ_r. The quantity `persson` takes all its waves "
-        "longer than the cut-off, also those longer than L.",
+        "The measured power spectrum of an isotropic surface, from which random lines or maps are "
+        "drawn in place of `grid.hurst` and `grid.roughness`. It is zero beyond its rows; "
+        "`rolloff` makes C₂D flat above λ_r.",
         default=None,
         values="`{file = …, kind = …, times = …}`",
     ),
     "rms_slope": Key(
         positive,
-        "The rms slope (full gradient) of all waves of `spectrum` up to the cut-off, in place of "
-        "`cutoff`. `plan` and the result state the q₁ that follows.",
-        "Doubled, q₁ is more than twice as large, and the spacing must resolve it.",
+        "The rms slope (full gradient) of all waves of `spectrum` up to the cut-off q₁, in place "
+        "of `cutoff`. `plan` and the result state q₁.",
+        "Doubled, q₁ more than doubles, and the spacing must resolve it.",
         default=None,
     ),
 }
 FILE_KEYS = {
     "file": Key(
         as_text,
-        "A file of measured lines beside `study.toml`: text of any suffix, `.npy`, `.nc`, or what "
-        "SurfaceTopography knows. H, spacing and roughness are then those of the file. The next "
-        "keys need it.",
+        "A file of measured lines beside `study.toml`: text of any suffix, `.npy`, `.nc`, or a "
+        "format of SurfaceTopography. It determines H, spacing and roughness; the keys below need "
+        "it.",
         values="the name of a file",
         usual="none: lines are random",
     ),
     "columns": Key(
         _as_columns,
-        "The columns of positions and of the heights of one line or more, from 0, or in netCDF "
-        "the names of the two variables.",
+        "The columns, counted from 0, of positions and of the heights of one or more lines; in "
+        "netCDF the names of the two variables.",
         default=(),
         values='whole numbers as `[0, 1]`, or two names as `["x", "height"]`',
         usual="those that the header names, else the first two, or the only variable of heights",
@@ -147,7 +143,7 @@ FILE_KEYS = {
     "step": Key(
         positive,
         "The distance of two samples of a file without positions: columns of heights, or a matrix "
-        "with a row for each line. `columns` are then of heights alone.",
+        "with a row for each line.",
         "Doubled, slopes are half as steep.",
         "m",
         default=None,
@@ -155,45 +151,44 @@ FILE_KEYS = {
     ),
     "gaps": Key(
         partial(choice, known=GAPS),
-        "What becomes of missing samples, and of codes such as −9999: `refuse` counts them, `fill` "
-        "draws a straight line from side to side, `drop` leaves out the lines that have any.",
+        "The treatment of missing samples and of codes such as −9999: `refuse` stops and counts "
+        "them, `fill` interpolates linearly, `drop` leaves out lines that have any.",
         default="refuse",
     ),
     "spikes": Key(
         partial(choice, known=SPIKES),
-        "What becomes of spikes, pairs of neighbours with a slope of 3 or more (ISO 13473-1): "
-        "`fill` draws straight lines in their place, `keep` keeps them, and `refuse` does so too, "
-        "unless a gap would be filled from one.",
+        "The treatment of spikes, neighbours with a slope of 3 or more (ISO 13473-1): `fill` "
+        "interpolates linearly, `keep` keeps them; `refuse` keeps them too, but stops if a gap "
+        "would be filled from one.",
         default="refuse",
     ),
     "detrend": Key(
         partial(choice, known=DETRENDS),
-        "What is subtracted from each line: nothing, its mean, a straight line (tilt) or a "
-        "parabola (tilt and bow). A higher degree removes longer waves, and roughness with them.",
+        "The part subtracted from each line: nothing, its mean, a straight line (tilt) or a "
+        "parabola (tilt and bow). Higher degrees remove long waves of the roughness too.",
         default="line",
     ),
     "periodic": Key(
         partial(choice, known=PERIODICS),
         "How a measured line becomes periodic: `mirror` appends it reversed, which loses the "
         "direction of a texture; `taper` brings both ends to the mean height over a tenth of the "
-        "length; `none` takes it as one period, with a step where the ends do not meet.",
+        "length; `none` takes it as one period, with a step if the ends differ.",
         default="mirror",
     ),
 }
 LINE_KIND_KEYS = {  # also keys of comparisons
     "lines": Key(
         partial(choice, known=LINE_KINDS),
-        "Whether the measured lines slide, random lines of the same mean power spectrum, random "
-        "lines equivalent to the isotropic surface that they are cuts of, or self-affine lines of "
-        "the same rms height and slope. A cut has half the mean square slope of the equivalent "
-        "line.",
+        "The lines that slide: the measured ones, random lines of the same mean power spectrum, "
+        "random lines equivalent to the isotropic surface of which the measured ones are cuts, or "
+        "self-affine lines of the same rms height and slope. A cut has half the mean square slope "
+        "of the equivalent line.",
         default="measured",
     ),
     "hurst": Key(
         partial(within, least=0.0, most=1.0),
-        'The Hurst exponent of lines that are `"self-affine"`.',
-        "A larger one puts more of the roughness into long waves; doubling is possible up to H = "
-        "1.",
+        'The Hurst exponent of `"self-affine"` lines.',
+        "Doubled (up to 1), more of the roughness lies in long waves.",
         default=1.0,
     ),
 }
