@@ -11,7 +11,8 @@ CAPTION = (
     "Friction is shown of a rigid sphere that slides over a Kelvin half-space, over layers half a "
     "radius of contact thick on a rigid base, and over the foundation with the profile x²/R, over "
     "the speed in radii of contact per relaxation time, beside the closed form for slow sliding, "
-    "which holds for any thickness. Panel (b) has a standard linear solid and the "
+    "which holds for any thickness, and the shear part of a constant stress of 1e-4 E* on the real "
+    "contact of the half-space. Panel (b) has a standard linear solid and the "
     "published values of Carbone and Putignano (2013), with periods of 9, 12 and 36 radii of "
     "contact; those of (a) are 6 radii where sliding is slow and up to 24, and with 48 radii µ of "
     "the half-space is 3 % larger at the last point."
@@ -39,6 +40,7 @@ def draw(groups: Groups) -> Figure:
     data = groups[""]
     for name, marker, colour in zip(BACKINGS, "^v", COLOURS[2:], strict=False):
         axes[0, 0].plot(data.speed, data[name], marker, color=colour, label=f"{name} layer", ms=4)
+    axes[0, 0].plot(data.speed, data.shear, "d", color=COLOURS[4], label="shear", ms=4)
     axes[0, 0].plot(data.speed, data.closed, "k--", lw=0.8, label="$v \\tau/R$")
     axes[0, 0].plot(data.speed, 2.0 * data.closed, "k:", lw=0.8, label="$2 v \\tau/R$")
     axes[0, 0].set_ylim(1e-5, 0.2)

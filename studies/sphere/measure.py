@@ -3,7 +3,8 @@
 At rest on the relaxed body the contact radius is a = (3 F_N R/(4 E*))^(1/3). For v -> 0 a Kelvin
 half-space has F_x = (4/3) E* tau v a^3/R^2, so that mu = v tau/R, and so have layers of any
 thickness. Source: N. V. Brilliantov, T. Poeschel, Europhys. Lett. 42, 511 (1998),
-doi:10.1209/epl/i1998-00281-7. The unit of length is the side of the cell, and E* = 1.
+doi:10.1209/epl/i1998-00281-7. A constant shear stress tau_f of the contact adds tau_f A/F_N, where
+A = pi a^2 for v -> 0. The unit of length is the side of the cell, and E* = 1.
 """
 
 from collections.abc import Callable
@@ -42,6 +43,7 @@ SETTINGS = {  # documented in docs/reference/measures.md
     "side": Key(partial(integer, least=16)),
     "speeds": Key(partial(integer, least=2)),
     "thickness": Key(positive),
+    "shear_stress": Key(positive),
     "published": Key(partial(integer, least=0)),
 }
 
@@ -59,15 +61,19 @@ def measure(settings: dict, seed: int, advance: Callable[[float], None]) -> dict
     speeds = np.geomspace(MIN_SPEED, MAX_SPEED, settings["speeds"])
     side, seconds = settings["side"], SECONDS_PER_SAMPLE * settings["side"] ** 2
     layers = [Layer(settings["thickness"], backing, poisson=0.5) for backing in BACKINGS]
-    frictions, on_layers = [], []
+    frictions, areas, on_layers = [], [], []
     for speed in speeds:
         cell = cell_at(speed, side)
         ratio = _radius(cell) / _radius(MIN_CELL)
-        frictions.append([mu * ratio for mu in _both(side, speed, KELVIN, cell)])
-        on_layers.append([_on_map(side, speed, KELVIN, cell, layer) * ratio for layer in layers])
+        *both, area = _both(side, speed, KELVIN, cell)
+        frictions.append([mu * ratio for mu in both])
+        areas.append(area)
+        on_layers.append([_on_map(side, speed, KELVIN, cell, layer)[0] * ratio for layer in layers])
         advance((1 + len(layers)) * seconds)
     known = dict(zip(BACKINGS, np.transpose(on_layers), strict=True))
-    known["closed"] = speeds / _radius(MIN_CELL)  # v tau/R from v tau/a
+    radius = _radius(MIN_CELL)
+    known["closed"] = speeds / radius  # v tau/R from v tau/a
+    known["shear"] = settings["shear_stress"] * np.array(areas) / (4.0 / 3.0 / radius)
     groups = {"": _over_speed(speeds, frictions, known, "v tau over the radius of contact at rest")}
     if settings["published"]:
         groups["published"] = _published(settings["side"])
@@ -88,18 +94,22 @@ def _radius(cell: float) -> float:
     return 10.0 * cell
 
 
-def _both(side: int, speed: float, spectrum: Spectrum, cell: float) -> tuple[float, float]:
-    """Return mu of half-space and foundation. speed : v tau/a, cell : side in contact radii a."""
+def _both(side: int, speed: float, spectrum: Spectrum, cell: float) -> tuple[float, float, float]:
+    """Return mu of half-space and foundation, and the real contact area of the half-space in a^2.
+
+    speed : v tau/a. cell : side in contact radii a.
+    """
     heights = _places(side, cell) ** 2 / _radius(cell)
     line = Line.from_samples(heights, np.gradient(heights), 1)
     foundation = run_case(line, _case(side, speed, spectrum, cell), STEADY).mu_1
-    return _on_map(side, speed, spectrum, cell), foundation * side / cell
+    half_space, area = _on_map(side, speed, spectrum, cell)
+    return half_space, foundation * side / cell, area
 
 
 def _on_map(
     side: int, speed: float, spectrum: Spectrum, cell: float, layer: Layer | None = None
-) -> float:
-    """Return mu of a half-space or a layer, whose thickness is in contact radii; cf. ``_both``."""
+) -> tuple[float, float]:
+    """Return mu and area of a half-space, or of a layer with a thickness in a; cf. ``_both``."""
     x, case = _places(side, cell), _case(side, speed, spectrum, cell)
     heights = (x[:, None] ** 2 + x**2) / (2.0 * _radius(cell))
     # Slopes of a paraboloid in heights per element, one-sided at the seam.
@@ -107,7 +117,8 @@ def _on_map(
     if layer is not None:
         scaled = layer._replace(thickness=layer.thickness * side / cell)
         case = case._replace(effects=Effects(layer=scaled))
-    return run_on_half_space(surface, case, STEADY).mu_1 * side / cell
+    sliding = run_on_half_space(surface, case, STEADY)
+    return sliding.mu_1 * side / cell, sliding.contact_fraction * cell**2
 
 
 def _places(side: int, cell: float) -> np.ndarray:
@@ -127,7 +138,7 @@ def _published(side: int) -> xr.Dataset:
     frictions = []
     for speed, _, cell in PUBLISHED:
         # Slopes scale with a/R, which differs from that of the computation.
-        ours = _both(side, speed * TIME / 0.01, SLS, cell)
+        *ours, _ = _both(side, speed * TIME / 0.01, SLS, cell)
         frictions.append([mu * _radius(cell) * rest / RADIUS for mu in ours])
     known = {"published": np.array([mu for _, mu, _ in PUBLISHED])}
     return _over_speed(np.array(speeds), frictions, known, "v 10 ms over the radius of contact")

@@ -35,13 +35,19 @@ def study(request, tmp_path_factory):
 def test_a_sphere_has_the_known_friction_on_a_half_space_and_the_foundation_twice_of_it():
     """Of first order in the samples while it is slow; published values at every speed."""
     coarse, fine = (
-        measure({"side": side, "speeds": 2, "thickness": 0.5, "published": 1}, 0, lambda _: None)
+        measure(
+            {"side": side, "speeds": 2, "thickness": 0.5, "shear_stress": 1e-4, "published": 1},
+            0,
+            lambda _: None,
+        )
         for side in (64, 128)
     )
     slow, slower = (groups[""].isel(speed=0) for groups in (fine, coarse))
     extrapolated = 2.0 * slow.half_space - slower.half_space
     assert float(extrapolated) == pytest.approx(float(slow.closed), rel=2e-3)
     assert float(slow.foundation) == pytest.approx(2.0 * float(slow.closed), rel=0.01)
+    # tau pi a^2/F_N with F_N = (4/3) E* a^3/R and R = 60 a.
+    assert float(slow.shear) == pytest.approx(1e-4 * np.pi * 0.75 * 60.0, rel=0.02)
     published = fine["published"]
     assert published.half_space.values == pytest.approx(published.published.values, rel=0.06)
     check_drawing("sphere", fine)
