@@ -11,14 +11,13 @@ FITTED, NO_RELAXATION, NOT_EXPONENTIAL, UNDETERMINED, NOT_FINITE, NO_STATE, NEGL
 
 STATUS_MEANINGS = "fitted no_relaxation not_exponential undetermined not_finite no_state negligible"
 STATUS_COMMENT = (
-    "no_relaxation: mu after the first step differs from mu_2 by less than three standard errors "
-    "or by rounding; not_exponential: eq. 6 leaves over a fifth of the sum of squares; "
-    "undetermined: it decays, but b is less than three of its standard errors (noise, or too short "
-    "a window), or does not differ between blocks, or all samples but the first are rounding; "
-    "not_finite: the curve holds NaN or inf; fewer than 15 blocks need more than three; no_state: "
-    "b of a rate-and-state law differs from zero by less than three standard errors; negligible: "
-    "what relaxes is surely less than the share of the jump that numerics.negligible says, and the "
-    "accuracy of b was not sought"
+    "no_relaxation: mu after the first step differs from mu_2 by less than three standard "
+    "errors (more with fewer than 15 blocks) or by rounding; not_exponential: eq. 6 leaves "
+    "over a fifth of the sum of squares; undetermined: b is less than three standard errors, "
+    "does not differ between blocks, or all samples but the first are rounding; not_finite: "
+    "the curve contains NaN or inf; no_state: b of a rate-and-state law is less than three "
+    "standard errors; negligible: the relaxation is significantly below the share "
+    "numerics.negligible of the jump"
 )
 
 WINDOW_END = 0.05  # the window ends where the deviation has decreased to this share

@@ -29,7 +29,7 @@ RESOLUTION_COMMENT: str = (
     f"resolved: samples_per_contact is {RESOLVED_SAMPLES:g} or more, and bias_bound at most "
     f"{BIAS:g} for measured lines and {MAP_BIAS:g} for maps; coarse: above "
     f"{UNRESOLVED_SAMPLES:g} sample; unresolved: contacts are no wider than a sample, so that "
-    "points touch one by one"
+    "points touch singly"
 )
 NARROW_CONTACTS = f"contacts of fewer than {RESOLVED_SAMPLES:g} samples"
 LARGE_BIAS = (

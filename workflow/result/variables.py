@@ -27,15 +27,15 @@ SLOPE_SCALE: Powers = {"roughness": 1, "spacing": -1}
 FLAG_DTYPE, COUNT_DTYPE = "int8", "int32"
 
 ERROR_COMMENT = (
-    "value +- t * error, t of Student with degrees_of_freedom, is an interval of confidence"
+    "value +- t * error is a confidence interval, with Student's t for degrees_of_freedom"
 )
 SIGN_OF_D = (
-    "positive where the mean line lies below the undeformed surface of the elastomer; negative "
-    "where only peaks touch, as at light loads"
+    "positive if the mean line lies below the undeformed surface of the elastomer; negative "
+    "at light loads"
 )
 BIAS_COMMENT = (
-    "9 in 10 problems keep it (docs/accuracy.md); no standard error shows it; NaN: not known for "
-    "materials with branches, programmes and prescribed indentation"
+    "9 in 10 problems are within it (docs/accuracy.md); not part of the standard error; NaN: "
+    "unknown, for materials with branches, programmes and prescribed indentation"
 )
 
 
@@ -89,8 +89,8 @@ VARIABLES = {
     "area_persson": Variable("real contact area at v1 by Persson's theory, over the nominal one"),
     "model_ratio": Variable(
         "mu_1 of the foundation over that of a half-space",
-        comment="at one nominal pressure; the error of the model. The attribute "
-        "model_ratio_source tells a measurement on both bodies from an order of magnitude",
+        comment="at the same nominal pressure: the error of the model. The attribute "
+        "model_ratio_source names its source",
     ),
     "model_realizations": Variable(
         "number of realizations of the other body in model_ratio", dtype=COUNT_DTYPE
@@ -105,7 +105,7 @@ VARIABLES = {
     ),
     "relaxation_rate_free": Variable(
         "relaxation rate b of eq. 6, per tau",
-        comment="fit with mu_2 free; NaN where the window does not determine rate and offset both",
+        comment="fit with mu_2 free; NaN if the window does not determine both rate and offset",
     ),
     "amplitude": Variable("amplitude mu* of eq. 6, with mu_2 known", SLOPE_SCALE),
     "fit_status": Variable("outcome of the fit of eq. 6", comment=STATUS_COMMENT, dtype=FLAG_DTYPE),
@@ -139,23 +139,23 @@ VARIABLES = {
     ),
     "degrees_of_freedom": Variable(
         "degrees of freedom of the standard errors",
-        comment="groups of blocks, or tiles of a single map, - 1",
+        comment="groups of blocks, or tiles of a single map, less one",
         dtype=COUNT_DTYPE,
     ),
     "steps_per_spacing": Variable("steps, and elements, per spacing dx", dtype=COUNT_DTYPE),
     "accuracy_reached": Variable(
-        "relative standard error plus bound of the discretisation error, the largest of what was "
-        "asked for",
-        comment="inf: not known; NaN: nothing that was asked for has a relative error here",
+        "relative standard error plus bound of the discretisation error, maximum of the "
+        "requested quantities",
+        comment="inf: unknown; NaN: no requested quantity has a relative error",
     ),
     "accuracy_status": Variable("whether numerics.accuracy was met", dtype=FLAG_DTYPE),
     "bias_bound": Variable(
-        "bound of the relative discretisation error, the largest of what was asked for",
+        "bound of the relative discretisation error, maximum of the requested quantities",
         comment=BIAS_COMMENT,
     ),
     "samples_per_contact": Variable(
-        "samples per patch of contact at v1, median over the load",
-        comment="of the march; of the samples that friction rests on where nothing is marched",
+        "samples per contact patch at v1, median over the load",
+        comment="during the march, or in steady sliding without a march",
     ),
     "resolution_status": Variable(
         "whether contacts are resolved", comment=RESOLUTION_COMMENT, dtype=FLAG_DTYPE
@@ -166,15 +166,13 @@ VARIABLES = {
     "alpha_free": Variable("exponent of b = c x^alpha over the same points", dims=HURST_DIMS),
     "alpha_prefactor": Variable("prefactor c of b = c x^alpha", dims=HURST_DIMS),
     "alpha_scatter": Variable("rms of log10(b / x^alpha)", dims=HURST_DIMS),
-    "alpha_bias": Variable(
-        "what the bias of b may add to alpha, all points off in one direction", dims=HURST_DIMS
-    ),
+    "alpha_bias": Variable("largest change of alpha by biases of b of equal sign", dims=HURST_DIMS),
     "alpha_free_bias": Variable(
-        "what the bias of b may add to alpha_free, fast and slow points off in opposite directions",
+        "largest change of alpha_free by biases of b of opposite sign at fast and slow points",
         dims=HURST_DIMS,
     ),
     "alpha_unresolved": Variable(
-        "number of fitted points with x > 1 left out of the fit of eq. 13, as unresolved",
+        "number of unresolved points with x > 1 left out of the fit of eq. 13",
         dims=HURST_DIMS,
         dtype=COUNT_DTYPE,
     ),
@@ -199,8 +197,8 @@ TIME_SCALE, RATE_SCALE = {"tau": 1}, {"roughness": 1, "spacing": -1, "tau": -1}
 LENGTH_SCALE, SPEED_SCALE = {"spacing": 1}, {"spacing": 1, "tau": -1}
 
 SLIP_COMMENT = "of the second half of the last segment; the mean over the lines"
-TRACE_COMMENT = "as resolution_status, of the narrowest contacts and of trace_mu_bias"
-CHANGE_COMMENT = "since the last kept sample of the segment before"
+TRACE_COMMENT = "as resolution_status, for the narrowest contacts and trace_mu_bias"
+CHANGE_COMMENT = "since the last recorded sample of the previous segment"
 NO_STATE_COMMENT = (
     "mu = mu* + a ln(v/v*) + b ln(v* theta/D_c); b and D_c from mu - mu_2 after the velocity step, "
     "from its largest value until it has fallen to 5 %, with mu_2 known; (a - b) ln r = mu_2 - mu_1"
@@ -247,23 +245,24 @@ SCENES = {
     ),
     "trace_contact_fraction": Variable("share of the line in contact", dims=EVENT_DIMS),
     "trace_samples_per_contact": Variable(
-        "samples per patch of contact in the march, median over the load", dims=EVENT_DIMS
+        "samples per contact patch in the march, median over the load", dims=EVENT_DIMS
     ),
     "trace_resolution_status": Variable(
         "whether the contacts of a trace are resolved", comment=TRACE_COMMENT, dtype=FLAG_DTYPE
     ),
     "trace_mu_bias": Variable(
-        "bound of the relative discretisation error of trace_mu, in the mean over its squares",
-        comment="9 in 10 traces keep it; no standard error shows it; NaN: not known, where the "
-        "trace does not start with steady sliding or mu_1 was not asked for",
+        "bound of the relative discretisation error of trace_mu, root mean square",
+        comment="9 in 10 traces are within it; not part of the standard error; NaN: unknown, "
+        "if the trace does not start with steady sliding or mu_1 was not requested",
     ),
     "trace_remembered": Variable(
         "share of the first contact that a branch still holds after one period",
-        comment="0: none, as the motion covers no period or starts with steady sliding; otherwise "
-        "the trace repeats its first contact every period: take a longer line, or start steady",
+        comment="0: the motion covers no period or starts with steady sliding; otherwise the "
+        "trace repeats its first contact every period: take a longer line, or start "
+        "steady",
     ),
     "drive_swing": Variable(
-        "greatest less least force of the drive over F_N", SLOPE_SCALE, comment=SLIP_COMMENT
+        "largest minus smallest force of the drive over F_N", SLOPE_SCALE, comment=SLIP_COMMENT
     ),
     "slip_period": Variable("period of stick and slip", TIME_SCALE, "s", comment=SLIP_COMMENT),
     "peak_velocity": Variable(
@@ -277,7 +276,7 @@ SCENES = {
     "peak_time": Variable("time of the peak since the velocity step", TIME_SCALE, "s"),
     "initial_rate": Variable("rate of mu just after the velocity step", RATE_SCALE, "s-1"),
     "static_peak": Variable("largest mu on sliding after the last hold", SLOPE_SCALE),
-    "healing": Variable("static peak over mu before the last hold", SLOPE_SCALE),
+    "healing": Variable("static peak minus mu before the last hold", SLOPE_SCALE),
     "mu_end_of_hold": Variable("mu at the end of the last hold", SLOPE_SCALE),
     "peak_distance": Variable("distance from the end of the hold to the peak", LENGTH_SCALE, "m"),
     "loop_work": Variable(
@@ -288,8 +287,7 @@ SCENES = {
     "mu_cycle_mean": Variable(
         "mean friction over mean normal force in an oscillation",
         SLOPE_SCALE,
-        comment="over the later half of the cycles of the last oscillation, from all its steps; "
-        "the mean over the lines",
+        comment="over the second half of the cycles of the last oscillation; mean over the lines",
     ),
     "mu_cycle_share": Variable("mean friction in an oscillation over mu_1"),
     "stored_energy": Variable("energy stored in the foundation", ENERGY_SCALE, "J", EVENT_DIMS),
@@ -304,10 +302,10 @@ SCENES = {
         ENERGY_SCALE,
         "J",
         EVENT_DIMS,
-        comment="of the discretisation; for a Kelvin element 4 sum p g, g the gap before",
+        comment="a discretisation error; for a Kelvin element 4 sum p g, with the previous gap g",
     ),
     "balance_residual": Variable(
-        "work less the change of stored energy, dissipation and closing work, over dissipation"
+        "(work - change of stored energy - dissipation - closing work)/dissipation"
     ),
     "contact_length": Variable("mean number of contacts of a length", dims=BIN_DIMS),
     "snapshot_height": Variable(
@@ -324,7 +322,7 @@ SCENES = {
         "b of rate and state", SLOPE_SCALE, dims=LAW_DIMS, comment=NO_STATE_COMMENT
     ),
     "rate_state_a_minus_b": Variable(
-        "a - b of rate and state", SLOPE_SCALE, comment="(mu_2 - mu_1)/ln(v2/v1), whatever the law"
+        "a - b of rate and state", SLOPE_SCALE, comment="(mu_2 - mu_1)/ln(v2/v1), for either law"
     ),
     "rate_state_dc": Variable(
         "critical distance D_c", LENGTH_SCALE, "m", LAW_DIMS, comment=NO_STATE_COMMENT
@@ -340,7 +338,7 @@ SCENES = {
         "internal variables of the elements, dimensionless", dims=(*GRID_DIMS, "unit", "x")
     ),
     "state_p": Variable("pressures of the elements, dimensionless", dims=STATE_DIMS),
-    "state_d": Variable("indentation over the deepest point, in roughnesses"),
+    "state_d": Variable("indentation above the lowest point of the line, over h"),
     "state_position": Variable("position of the line, in samples"),
     "state_time": Variable("time, in tau"),
     "state_speed": Variable("speed before the next segment, v tau/dx"),

@@ -70,7 +70,7 @@ def test_fit_status_explains_its_codes(dataset):
     for meaning in meanings[2:]:
         assert f"{meaning}: " in attributes["comment"]
     assert [errors_needed(blocks) > 3.0 for blocks in (14, 15)] == [True, False]
-    assert "fewer than 15 blocks need more than three" in attributes["comment"]
+    assert "more with fewer than 15 blocks" in attributes["comment"]
 
 
 def test_coordinates_are_in_si_units(with_models):
