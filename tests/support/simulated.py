@@ -1,13 +1,14 @@
 """A simulated cluster with the interface of a Pool of workers."""
 
 from collections import Counter
-from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
+from collections.abc import Callable, Collection, Iterable, Iterator
 from concurrent.futures import Future
 from typing import Any
 
-from elastomer_friction.workflow.cluster.blame import Blame
-from elastomer_friction.workflow.cluster.flow import Stream
-from elastomer_friction.workflow.cluster.node import Arrival, Node, Snapshot, WorkerDied
+from elastomer_friction.workflow.cluster import Arrival, Call, Snapshot, WorkerDied
+from elastomer_friction.workflow.run.blame import Blame
+from elastomer_friction.workflow.run.node import Node
+from elastomer_friction.workflow.run.stream import Stream
 from elastomer_friction.workflow.system import Watch
 from tests.support.simulated_workers import Task, Workers
 
@@ -42,14 +43,14 @@ class Cluster(Workers):
         """Return the simulated time."""
         return self.now
 
-    def submit(self, nodes: list[Node], workers: Collection[str] = ()) -> list[str]:
-        """Give out nodes."""
-        tasks = [Task(str(next(self.numbers)), node.item, workers) for node in nodes]
-        self.tasks |= {task.key: task for task in tasks}
-        for node, task in zip(nodes, tasks, strict=True):
-            node.result = task
+    def submit(self, calls: list[Call], workers: Collection[str] = ()) -> dict[str, Task]:
+        """Give out calls."""
+        tasks = [Task(str(next(self.numbers)), call.item, workers) for call in calls]
+        submitted = {task.key: task for task in tasks}
+        self.tasks |= submitted
+        for task in tasks:
             self.assign(task)
-        return [task.key for task in tasks]
+        return submitted
 
     def take(self, seconds: float) -> list[Arrival]:
         """Wait up to ``seconds`` for the first results; return all that have arrived."""
@@ -57,11 +58,10 @@ class Cluster(Workers):
         ended, self.ended = self.ended, []
         return [arrival for arrival in ended if self.tasks.pop(arrival.key, None)]
 
-    def drop(self, nodes: Mapping[str, Node]) -> None:
+    def drop(self, keys: Iterable[str]) -> None:
         """Wait for some no more."""
-        for key, node in nodes.items():
+        for key in keys:
             self.forget(self.tasks.pop(key))
-            node.result = None
 
     def pending(self, key: str) -> bool:
         """Return whether a task is unfinished."""

@@ -11,7 +11,7 @@ from heapq import heappop, heappush
 from itertools import count
 from typing import Any
 
-from elastomer_friction.workflow.cluster.node import Arrival, WorkerDied
+from elastomer_friction.workflow.cluster import Arrival, WorkerDied
 
 ALLOWED_FAILURES = 3  # number of workers that dask lets a task kill
 GIVEN_UP = 45.0  # s, silence after which dask gives up a worker; 30 to 60 in dask

@@ -1,6 +1,6 @@
-"""Execution of batches on local processes, batch jobs or a running scheduler.
+"""Calls of functions on local processes, batch jobs or a running scheduler.
 
-Only this package and ``run`` import dask's scheduler.
+Only this package imports dask's scheduler.
 """
 
 from typing import TYPE_CHECKING
@@ -8,11 +8,8 @@ from typing import TYPE_CHECKING
 from ..ground import public_names
 
 if TYPE_CHECKING:
-    from .blame import Blame
     from .client import open_client
-    from .flow import Stream
-    from .node import Arrival, Node, Snapshot, WorkerDied
     from .pool import Pool
-    from .worker import run_batch
+    from .remote_call import Arrival, Call, ResultLost, Snapshot, WorkerDied
 
 __all__, __getattr__, __dir__ = public_names(__name__, __file__)

@@ -1,15 +1,11 @@
 """Clients of local processes, batch jobs, or a running scheduler."""
 
 import asyncio
-import concurrent.futures
 import contextlib
 import importlib.util
 import logging
-import signal
 import tempfile
-import threading
 from collections.abc import Iterator
-from multiprocessing import resource_tracker
 from typing import Any
 
 import dask
@@ -22,9 +18,9 @@ from tornado.ioloop import IOLoop
 
 from ..ground import UserError
 from ..study import BATCH_SYSTEMS, LOCAL, Cluster
-from ..system import THREADS, Watch, own_versions, require, say
+from ..system import THREADS, loop_without_ctrl_c, own_versions, require, say
 from .jobs import ADAPT_INTERVAL, job_cluster
-from .security import new_security, no_pages, scheduler_options, security_of
+from .security import new_security, private_pages, security_of
 
 SCHEDULER_PACKAGES = ("dask", "distributed")  # a scheduler needs nothing else
 CONNECT_SECONDS = 10
@@ -35,10 +31,7 @@ WORKER_TTL = "25s"  # silence after which dask restarts a worker; also the perio
 
 @contextlib.contextmanager
 def open_client(
-    cluster: Cluster,
-    workers: int | None = None,
-    dashboard: bool = False,
-    watch: Watch | None = None,
+    cluster: Cluster, workers: int | None = None, dashboard: bool = False
 ) -> Iterator[Client]:
     """Yield a client of the cluster.
 
@@ -65,15 +58,13 @@ def open_client(
         logging.getLogger(name).setLevel(logging.CRITICAL)
     with contextlib.ExitStack() as stack:
         stack.enter_context(dask.config.set(settings))
-        loop = stack.enter_context(_loop_without_ctrl_c())
+        loop = stack.enter_context(loop_without_ctrl_c())
         if cluster.where == LOCAL:
             local = _local_cluster(loop, workers or CPU_COUNT, dashboard)
             client = sync(loop, _connected, stack.enter_context(local))
         elif cluster.where in BATCH_SYSTEMS:
             jobs = job_cluster(loop, cluster, dashboard)
             client = sync(loop, _connected, stack.enter_context(jobs))
-            if watch:
-                watch.follow(cluster.log_folder)
         else:
             client = _client_of(loop, cluster)
         stack.callback(sync, loop, _closed, client)
@@ -88,42 +79,14 @@ def _local_cluster(loop: IOLoop, count: int, dashboard: bool) -> Iterator[LocalC
     # Workers import code from this folder, which must therefore belong to this user alone.
     with tempfile.TemporaryDirectory(prefix="elastomer-friction-") as folder:
         security = new_security(folder)
+        pages, scheduler_options = private_pages(security, dashboard)
         options: dict[str, Any] = {"n_workers": count, "threads_per_worker": 1}
-        options |= {"scheduler_kwargs": scheduler_options(dashboard), "local_directory": folder}
+        options |= {"scheduler_kwargs": scheduler_options, "local_directory": folder}
         options |= {"loop": loop, "security": security, "silence_logs": logging.CRITICAL}
-        pages = dask.config.set(no_pages(security, dashboard))
-        with pages, LocalCluster(**options) as local:
+        with dask.config.set(pages), LocalCluster(**options) as local:
             # Replace any nanny that gave up because its worker was killed during a restart.
             local.adapt(minimum=count, maximum=count, interval=ADAPT_INTERVAL)
             yield local
-
-
-@contextlib.contextmanager
-def _loop_without_ctrl_c() -> Iterator[IOLoop]:
-    """Yield the event loop of a thread that blocks SIGINT.
-
-    Ctrl-C is sent to the whole process group. Workers started from the thread inherit the block.
-    """
-    started: concurrent.futures.Future[IOLoop] = concurrent.futures.Future()
-    finished = asyncio.Event()
-
-    async def until_finished() -> None:
-        started.set_result(IOLoop.current())
-        await finished.wait()
-
-    def run() -> None:
-        signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
-        asyncio.run(until_finished())
-
-    resource_tracker.ensure_running()  # a later start would unblock the signal in that thread
-    thread = threading.Thread(target=run, name="IO loop", daemon=True)
-    thread.start()
-    loop = started.result()  # not dask's LoopRunner: it runs on if a client does not connect
-    try:
-        yield loop
-    finally:
-        loop.add_callback(finished.set)
-        thread.join(CLOSE_SECONDS)
 
 
 def _client_of(loop: IOLoop, cluster: Cluster) -> Client:

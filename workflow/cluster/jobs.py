@@ -16,7 +16,7 @@ from tornado.ioloop import IOLoop
 from ..ground import UserError
 from ..study import BATCH_SYSTEMS, Cluster
 from ..system import PROGRAM_ROOT, THREADS, interface_named, refused
-from .security import new_security, no_pages, scheduler_options
+from .security import new_security, private_pages
 
 # Workers import code from their local folder, which must therefore belong to this user alone. They
 # import nothing from the folder in which the job was submitted.
@@ -26,7 +26,6 @@ PRIVATE_FOLDER_LINES = (
     "export DASK_TEMPORARY_DIRECTORY=$(mktemp -d)",
     "trap 'rm -rf \"$DASK_TEMPORARY_DIRECTORY\"' EXIT",
 )
-OUTPUT_OPTIONS = (("-e", "err"), ("-o", "out"))  # of sbatch, and the ends of their files
 ADAPT_INTERVAL = "5s"  # between checks for lost workers
 LIFETIME_STAGGER = 0.1  # random share of the lifetime, so that workers do not all retire at once
 
@@ -50,7 +49,7 @@ def job_cluster(loop: IOLoop, cluster: Cluster, dashboard: bool = False) -> Iter
         keys = tempfile.TemporaryDirectory(prefix=".tls-", dir=logs.resolve())
     with keys as folder:
         security = new_security(folder, quoted=True)
-        pages, options = no_pages(security, dashboard), scheduler_options(dashboard)
+        pages, options = private_pages(security, dashboard)
         shared = {"loop": loop, "security": security, "scheduler_options": options}
         with dask.config.set(pages), start(**shared, **_settings(cluster, pages)) as jobs:
             _try_submitting(name, jobs.job_script())
@@ -60,7 +59,7 @@ def job_cluster(loop: IOLoop, cluster: Cluster, dashboard: bool = False) -> Iter
 
 
 def _settings(cluster: Cluster, pages: dict[str, Any]) -> dict[str, Any]:
-    """Return the arguments of dask-jobqueue's cluster. pages : dask settings of ``no_pages``."""
+    """Return the arguments of dask-jobqueue's cluster. pages : settings of dask."""
     settings = {f"DASK_{name.replace('.', '__').upper()}": value for name, value in pages.items()}
     exported = [f"export {k}={shlex.quote(str(v))}" for k, v in {**THREADS, **settings}.items()]
     stagger = LIFETIME_STAGGER * cluster.lifetime
@@ -86,7 +85,8 @@ def _settings(cluster: Cluster, pages: dict[str, Any]) -> dict[str, Any]:
 def _output_directives(folder: Path) -> list[str]:
     """Return the directives for the output of jobs, quoted as SLURM reads them."""
     escaped = re.sub(r'(["\\])', r"\\\1", str(folder)).replace("%", "%%")
-    return [f'{option} "{escaped}/dask-worker-%J.{end}"' for option, end in OUTPUT_OPTIONS]
+    name = f"{escaped}/dask-worker-%J"
+    return [f'-e "{name}.err"', f'-o "{name}.out"']
 
 
 def _try_submitting(name: str, script: str) -> None:

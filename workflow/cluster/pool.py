@@ -1,6 +1,6 @@
 """Pool of the workers of a dask client: submission, arrivals, and snapshots.
 
-No call blocks on a process that may have been stopped: requests are awaited in the event loop of
+No method blocks on a process that may have been stopped: requests are awaited in the event loop of
 the client. The states of all futures are looked at together and finished results are fetched
 together: dask's ``as_completed`` starts a coroutine for each future, which costs the driver more.
 """
@@ -10,7 +10,7 @@ import contextlib
 import pickle
 import time
 import uuid
-from collections.abc import Callable, Collection, Mapping
+from collections.abc import Callable, Collection, Iterable
 from concurrent.futures import Future as Answer
 from queue import SimpleQueue
 from typing import Any, cast
@@ -21,42 +21,43 @@ from distributed.protocol.pickle import dumps
 from distributed.scheduler import KilledWorker
 
 from ..ground import UserError
-from .node import Arrival, Node, ResultLost, Snapshot, WorkerDied
+from .remote_call import Arrival, Call, ResultLost, Snapshot, WorkerDied
 from .worker import ADDRESS_ATTRIBUTE, forget_tasks, with_address
 
 SCHEDULER_LOST = "the scheduler was lost; run again to resume"
 CONNECTION_LOST = "scheduler-connection-lost"  # dask's reason of cancelled futures
 FETCH_SECONDS = 30.0  # timeout of a transfer, after which the result is recomputed
-FORGET, NO_KWARGS = dumps(forget_tasks), dumps({})
 
 
 class Pool:
-    """Workers that compute nodes."""
+    """Workers that compute calls."""
 
     monotonic = staticmethod(time.monotonic)
 
     def __init__(self, client: Client, functions: dict[str, Callable]) -> None:
-        """Create a pool. functions : by name of the nodes."""
+        """Create a pool. functions : by name of the calls."""
         self._client, self._loop = client, cast(Any, client.loop).asyncio_loop
         self._scheduler: Any = client.scheduler
         self._functions = {name: dumps(function) for name, function in functions.items()}
         self._pending: dict[str, Future] = {}
         self._arrivals: SimpleQueue[Arrival] = SimpleQueue()
 
-    def submit(self, nodes: list[Node], workers: Collection[str] = ()) -> list[str]:
-        """Submit nodes, restricted to ``workers`` unless it is empty; return their keys."""
+    def submit(self, calls: list[Call], workers: Collection[str] = ()) -> dict[str, Future]:
+        """Submit calls, restricted to ``workers`` unless it is empty; return futures by key."""
         uid = uuid.uuid4()
-        keys = [f"{node.name}-{uid}-{number}" for number, node in enumerate(nodes)]
-        functions = [self._functions[node.name] for node in nodes]
-        items = [pickle.dumps(node.item, 5) for node in nodes]
-        inputs = [[other.result for other in node.given] for node in nodes]
-        where: Any = [*workers] or None
+        keys = [f"{call.name}-{uid}-{number}" for number, call in enumerate(calls)]
         futures = self._client.map(
-            with_address, functions, items, inputs, key=cast(Any, keys), pure=False, workers=where
+            with_address,
+            [self._functions[call.name] for call in calls],
+            [pickle.dumps(call.item, 5) for call in calls],
+            [call.inputs for call in calls],
+            key=cast(Any, keys),
+            pure=False,
+            workers=cast(Any, [*workers] or None),
         )
-        for node, key, future in zip(nodes, keys, futures, strict=True):
-            node.result = self._pending[key] = future
-        return keys
+        submitted = dict(zip(keys, futures, strict=True))
+        self._pending |= submitted
+        return submitted
 
     def take(self, seconds: float) -> list[Arrival]:
         """Return what has arrived after the given time, and fetch what is finished."""
@@ -67,20 +68,17 @@ class Pool:
             asyncio.run_coroutine_threadsafe(self._fetch(finished), self._loop)
         return [self._arrivals.get_nowait() for _ in range(self._arrivals.qsize())]
 
-    def drop(self, nodes: Mapping[str, Node]) -> None:
-        """Stop waiting for nodes, given by key; those that no worker has started do not run."""
-        for key, node in nodes.items():
+    def drop(self, keys: Iterable[str]) -> None:
+        """Stop waiting for calls; those that no worker has started do not run without a future."""
+        for key in keys:
             self._pending.pop(key, None)
-            if node.result is not None:
-                node.result.release()
-                node.result = None
 
-    def holds(self, node: Node) -> bool:
-        """Return whether a worker still has the result of a node that is done."""
-        return node.result is not None and node.result.status == "finished"
+    def holds(self, future: Future) -> bool:
+        """Return whether a worker still has the result of a call that is done."""
+        return future.status == "finished"
 
     def pending(self, key: str) -> bool:
-        """Return whether a node is unfinished."""
+        """Return whether a call is unfinished."""
         return key in self._pending and self._pending[key].status == "pending"
 
     def request_snapshot(self) -> "Answer[Snapshot]":
@@ -114,9 +112,7 @@ class Pool:
         for arrival in arrivals:
             self._arrivals.put(arrival)
         with contextlib.suppress(OSError):  # the next snapshot reports a lost scheduler
-            await self._scheduler.run_function(
-                function=FORGET, args=dumps((keys,)), kwargs=NO_KWARGS
-            )
+            await self._client.run_on_scheduler(forget_tasks, keys)
 
 
 def _meaning(future: Future, error: Exception) -> Exception:

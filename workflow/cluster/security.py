@@ -22,21 +22,17 @@ TLS_FILES = {
 }
 
 
-def scheduler_options(dashboard: bool) -> dict[str, Any]:
-    """Return options of a scheduler whose HTTP port is reachable only from this machine."""
-    return {"dashboard": dashboard, "dashboard_address": "127.0.0.1:0"}  # 0: any free port
+def private_pages(security: Any, dashboard: bool) -> tuple[dict[str, Any], dict[str, Any]]:
+    """Return settings of dask without HTTP pages except the dashboard, and scheduler options.
 
-
-def no_pages(security: Any, dashboard: bool) -> dict[str, Any]:
-    """Return settings of dask that disable all HTTP pages except the dashboard.
-
-    Without the dashboard, the HTTP port uses TLS: clients without certificate are refused at once.
+    The HTTP port of the scheduler is reachable only from this machine. Without the dashboard it
+    uses TLS: clients without certificate are refused at once.
     """
-    workers: dict[str, Any] = {"distributed.worker.http.routes": []}
-    if dashboard:
-        return workers
-    tls = {"distributed.scheduler.dashboard.tls.cert": security.tls_worker_cert}
-    return workers | tls | {"distributed.scheduler.http.routes": []}
+    settings: dict[str, Any] = {"distributed.worker.http.routes": []}
+    if not dashboard:
+        settings["distributed.scheduler.http.routes"] = []
+        settings["distributed.scheduler.dashboard.tls.cert"] = security.tls_worker_cert
+    return settings, {"dashboard": dashboard, "dashboard_address": "127.0.0.1:0"}  # any free port
 
 
 class QuotedSecurity(Security):

@@ -1,26 +1,15 @@
 """Functions that run on workers and on the scheduler, which need no setup."""
 
 import pickle
-from collections.abc import Callable, Collection
+from collections.abc import Collection
 from functools import lru_cache
 from typing import Any
 
 from distributed import get_worker
 
-from ..simulate import Batch, BatchResult, block_means
-from ..system import Versions, require
-
 ADDRESS_ATTRIBUTE = "elastomer_friction_worker"  # attribute of an error: address of its worker
 
 unpickled = lru_cache(8)(pickle.loads)  # of functions, which are the same for many tasks
-
-
-def run_batch(
-    batch: Batch, expected: Versions, work: Callable[[Batch], BatchResult] = block_means
-) -> BatchResult:
-    """Compute a batch. Raises UserError if the versions here differ from those of the driver."""
-    require(expected)
-    return work(batch)
 
 
 def with_address(function: bytes, item: bytes, inputs: list[tuple[str, Any]]) -> tuple[str, Any]:

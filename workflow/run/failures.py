@@ -5,11 +5,12 @@ import math
 import sys
 from typing import Any
 
-from ..cluster import Node, WorkerDied
+from ..cluster import WorkerDied
 from ..ground import UserError
 from ..plan import Plan
 from ..simulate import Batch, Task
 from ..store import Store
+from .node import Node
 from .workers import MARCH
 
 
@@ -30,7 +31,7 @@ class Failures:
         return record[0] in self.store.failed or record in self.store
 
     def __call__(self, node: Node, error: Exception, alone: bool) -> list[Node]:
-        """Return the replacements of a failed node (see cluster/flow.py); a fit has none."""
+        """Return the replacements of a failed node (see ``Stream``); a fit has none."""
         if node.name == MARCH:
             return [Node(MARCH, batch) for batch in self.replaced(node.item, error, alone)]
         if isinstance(error, WorkerDied) and not alone:

@@ -6,10 +6,10 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from .. import reduce
-from ..cluster import Node
 from ..plan import JACKKNIFE_GROUPS, Missing, Plan, Variant, make_batches
 from ..simulate import Record, Task
 from ..store import DamagedShard
+from .node import Node
 from .workers import FIT, MARCH, fit_seconds
 
 if TYPE_CHECKING:

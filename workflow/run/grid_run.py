@@ -9,7 +9,6 @@ import numpy as np
 
 from ...kernels.compile import cache
 from .. import result as results
-from ..cluster import Blame, Stream
 from ..ground import UserError
 from ..plan import (
     JACKKNIFE_GROUPS,
@@ -35,6 +34,7 @@ from ..system import (
     import_dask,
     report_compilation,
 )
+from .blame import Blame
 from .collect import Collector, Rounds
 from .failures import Failures
 from .graph import FitNode
@@ -49,6 +49,7 @@ from .status import (
     study_source,
 )
 from .store_key import KEY_ATTRIBUTE, is_unchanged, result_key
+from .stream import Stream
 from .summary import Summary
 from .workers import RunOptions, fit_seconds, open_pool
 

@@ -2,7 +2,7 @@
 
 import sys
 import time
-from collections.abc import Callable, Collection, Iterator, Mapping
+from collections.abc import Callable, Collection, Iterable, Iterator
 from concurrent.futures import Future
 from contextlib import contextmanager
 from functools import partial
@@ -10,11 +10,11 @@ from itertools import count
 from typing import Any, NamedTuple
 
 from .. import cluster, reduce
-from ..cluster import Arrival, Node, Snapshot
+from ..cluster import Arrival, Call, Snapshot
 from ..plan import Plan
 from ..simulate import Batch, BatchResult, block_means
-from ..study import LOCAL, THIS_MACHINE, Cluster
-from ..system import Watch, own_versions
+from ..study import BATCH_SYSTEMS, LOCAL, THIS_MACHINE, Cluster
+from ..system import Versions, Watch, own_versions, require
 
 SECONDS_HERE = 10.0  # predicted time below which this process computes without workers
 SECONDS_PER_FIT = 3e-5  # core time of one fit to one jackknife replicate
@@ -64,9 +64,19 @@ def open_pool(how: RunOptions, seconds: float, watch: Watch) -> Iterator[Any]:
         return
     if how.cluster.where == LOCAL:
         print("Starting worker processes, about 3 s.", file=sys.stderr)
-    with cluster.open_client(how.cluster, how.workers, how.dashboard, watch) as client:
-        march = partial(cluster.run_batch, expected=own_versions(), work=how.work)
+    with cluster.open_client(how.cluster, how.workers, how.dashboard) as client:
+        if how.cluster.where in BATCH_SYSTEMS:
+            watch.follow(how.cluster.log_folder)
+        march = partial(run_batch, expected=own_versions(), work=how.work)
         yield cluster.Pool(client, functions_of(march))
+
+
+def run_batch(
+    batch: Batch, expected: Versions, work: Callable[[Batch], BatchResult] = block_means
+) -> BatchResult:
+    """Compute a batch. Raises UserError if the versions here differ from those of the driver."""
+    require(expected)
+    return work(batch)
 
 
 def functions_of(march: Callable[..., BatchResult]) -> dict[str, Callable[..., Any]]:
@@ -75,47 +85,45 @@ def functions_of(march: Callable[..., BatchResult]) -> dict[str, Callable[..., A
 
 
 class PoolHere:
-    """A ``cluster.Pool`` whose only worker is this process, which computes a node in ``take``."""
+    """A ``cluster.Pool`` whose only worker is this process, which computes a call in ``take``."""
 
     monotonic = staticmethod(time.monotonic)
 
     def __init__(self, functions: dict[str, Callable[..., Any]]) -> None:
-        """Create a pool. functions : by name of the nodes."""
+        """Create a pool. functions : by name of the calls."""
         self.functions, self.numbers = functions, count()
-        self.submitted: dict[str, Node] = {}  # by key
+        self.submitted: dict[str, tuple[Call, Future[Any]]] = {}  # by key
 
-    def submit(self, nodes: list[Node], workers: Collection[str] = ()) -> list[str]:
-        """Submit nodes; return their keys."""
-        keys = [str(next(self.numbers)) for _ in nodes]
-        for key, node in zip(keys, nodes, strict=True):
-            self.submitted[key], node.result = node, HERE
-        return keys
+    def submit(self, calls: list[Call], workers: Collection[str] = ()) -> dict[str, Future]:
+        """Submit calls; return futures by key."""
+        submitted = {str(next(self.numbers)): (call, Future[Any]()) for call in calls}
+        self.submitted |= submitted
+        return {key: future for key, (_, future) in submitted.items()}
 
     def take(self, seconds: float) -> list[Arrival]:
-        """Compute the next node; return what comes of it."""
+        """Compute the next call; return its outcome."""
         if not self.submitted:
             return []
-        key, node = next(iter(self.submitted.items()))
+        key, (call, future) = next(iter(self.submitted.items()))
         del self.submitted[key]
         try:
-            inputs = [other.result for other in node.given]
-            node.result = self.functions[node.name](node.item, *inputs)
+            inputs = [other.result() for other in call.inputs]
+            future.set_result(self.functions[call.name](call.item, *inputs))
         except Exception as error:
             return [Arrival(key, HERE, error=error)]
-        return [Arrival(key, HERE, node.result)]
+        return [Arrival(key, HERE, future.result())]
 
-    def drop(self, nodes: Mapping[str, Node]) -> None:
-        """Compute nodes, given by key, no more."""
-        for key, node in nodes.items():
+    def drop(self, keys: Iterable[str]) -> None:
+        """Compute calls no more."""
+        for key in keys:
             self.submitted.pop(key, None)
-            node.result = None
 
-    def holds(self, node: Node) -> bool:
-        """Return whether the result of a node that is done is still in memory."""
-        return node.result is not None
+    def holds(self, future: Future) -> bool:
+        """Return whether the result of a call that is done is there, as it is as long as it."""
+        return future.done()
 
     def pending(self, key: str) -> bool:
-        """Return whether a node is unfinished."""
+        """Return whether a call is unfinished."""
         return key in self.submitted
 
     def request_snapshot(self) -> "Future[Snapshot]":

@@ -23,6 +23,7 @@ if TYPE_CHECKING:
         sizes_in,
         write_durably,
     )
+    from .event_loop import loop_without_ctrl_c
     from .lock import LOCK, hold, holder
     from .netcdf_sandbox import unreadable
     from .network import interface_named

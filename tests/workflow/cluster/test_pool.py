@@ -8,8 +8,8 @@ from threading import Event
 import pytest
 from distributed.comm import CommClosedError
 
+from elastomer_friction.workflow.cluster import Call, ResultLost
 from elastomer_friction.workflow.cluster import pool as module
-from elastomer_friction.workflow.cluster.node import Node, ResultLost
 from elastomer_friction.workflow.cluster.pool import Pool
 from elastomer_friction.workflow.ground import UserError
 from tests.support.python import PATIENCE
@@ -23,9 +23,8 @@ def arrival(pool):
 
 
 def submitted(pool, items, workers=()):
-    """Submit marches; return them by key."""
-    nodes = [Node("march", item) for item in items]
-    return dict(zip(pool.submit(nodes, workers), nodes, strict=True))
+    """Submit marches; return their futures by key."""
+    return pool.submit([Call("march", item, []) for item in items], workers)
 
 
 def reciprocal(value):
@@ -35,13 +34,14 @@ def reciprocal(value):
 
 def test_what_is_for_one_worker_is_computed_there_and_what_is_dropped_does_not_come(client):
     pool, (first, _) = Pool(client, {"march": reciprocal}), client.nthreads()
-    nodes = submitted(pool, [1.0, 2.0, 3.0], [first])
-    dropped = next(iter(nodes))
-    pool.drop({dropped: nodes.pop(dropped)})
+    futures = submitted(pool, [1.0, 2.0, 3.0], [first])
+    dropped = next(iter(futures))
+    pool.drop([dropped])
+    del futures[dropped]
     actual = []
     while len(actual) < 2:
         actual += pool.take(0.01)
-    assert {one.key: one.address for one in actual} == dict.fromkeys(nodes, first)
+    assert {one.key: one.address for one in actual} == dict.fromkeys(futures, first)
     assert pool.take(0.05) == []
 
 
@@ -70,14 +70,14 @@ def test_a_snapshot_tells_who_is_there_who_takes_up_work_and_what_has_running(cl
             [second],
             set(),
         )
-        nodes = submitted(pool, [1], [second]) | submitted(pool, [2], [first])
-        running, waiting = nodes
+        futures = submitted(pool, [1], [second]) | submitted(pool, [2], [first])
+        running, waiting = futures
         while not (actual := pool.request_snapshot().result(PATIENCE)).running:
             time.sleep(0.01)
         assert {*actual.running} == {running}
         assert pool.pending(running)
         assert pool.pending(waiting)
-        pool.drop(nodes)
+        pool.drop(futures)
     finally:
         SEEN.set()
         client.run_on_scheduler(change, "running", first)
@@ -92,9 +92,9 @@ def test_a_result_that_does_not_come_is_lost(client, monkeypatch):
     monkeypatch.setattr(module, "FETCH_SECONDS", 0.05)
     monkeypatch.setattr(client, "_gather", never)
     pool = Pool(client, {"march": reciprocal})
-    (key,) = submitted(pool, [4.0])
+    futures = submitted(pool, [4.0])
     lost = arrival(pool)
-    assert (lost.key, lost.address) == (key, "")
+    assert ([lost.key], lost.address) == ([*futures], "")
     assert isinstance(lost.error, ResultLost)
 
 

@@ -10,8 +10,7 @@ from cryptography import x509
 
 from elastomer_friction.workflow.cluster.security import (
     new_security,
-    no_pages,
-    scheduler_options,
+    private_pages,
     security_of,
 )
 from elastomer_friction.workflow.ground import UserError
@@ -31,14 +30,13 @@ def files(tmp_path):
 def test_no_page_is_served_unless_it_is_asked_for(tmp_path):
     security = new_security(str(tmp_path))
     workers = {"distributed.worker.http.routes": []}
-    assert no_pages(security, True) == workers
-    settings = no_pages(security, False)
+    options = {"dashboard": True, "dashboard_address": "127.0.0.1:0"}
+    assert private_pages(security, True) == (workers, options)
+    settings, options = private_pages(security, False)
     context = ssl.create_default_context(purpose=ssl.Purpose.CLIENT_AUTH)
     context.load_cert_chain(settings.pop("distributed.scheduler.dashboard.tls.cert"))
     assert settings == workers | {"distributed.scheduler.http.routes": []}
-    for dashboard in (False, True):
-        options = scheduler_options(dashboard)
-        assert options == {"dashboard": dashboard, "dashboard_address": "127.0.0.1:0"}
+    assert options == {"dashboard": False, "dashboard_address": "127.0.0.1:0"}
 
 
 def test_a_clock_that_is_set_back_leaves_our_certificate_valid(files):

@@ -7,8 +7,8 @@ import pytest
 
 from elastomer_friction.workflow.cluster import client as client_module
 from elastomer_friction.workflow.cluster.client import SCHEDULER_PACKAGES, open_client
-from elastomer_friction.workflow.cluster.worker import run_batch
 from elastomer_friction.workflow.ground import UserError
+from elastomer_friction.workflow.run.workers import run_batch
 from elastomer_friction.workflow.simulate.realizations import block_means
 from elastomer_friction.workflow.study.cluster import Cluster
 from elastomer_friction.workflow.system import own_versions, version_of

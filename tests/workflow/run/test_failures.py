@@ -5,7 +5,7 @@ import dataclasses
 import numpy as np
 import pytest
 
-from elastomer_friction.workflow.cluster.node import WorkerDied
+from elastomer_friction.workflow.cluster import WorkerDied
 from elastomer_friction.workflow.ground import UserError
 from elastomer_friction.workflow.run.failures import Failures
 from elastomer_friction.workflow.simulate.realizations import block_means

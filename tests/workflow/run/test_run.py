@@ -7,12 +7,12 @@ import numpy as np
 import pytest
 import xarray as xr
 
-from elastomer_friction.workflow.cluster.node import Node
 from elastomer_friction.workflow.ground import UserError
 from elastomer_friction.workflow.plan.plan import make_plan
 from elastomer_friction.workflow.run import collect, workers
 from elastomer_friction.workflow.run import grid_run as driver
 from elastomer_friction.workflow.run.grid_run import run_plan
+from elastomer_friction.workflow.run.node import Node
 from elastomer_friction.workflow.run.status import status_file
 from elastomer_friction.workflow.run.workers import SECONDS_HERE, PoolHere, RunOptions
 from elastomer_friction.workflow.store import journal

@@ -8,9 +8,9 @@ from collections import Counter
 import pytest
 from distributed import Client, get_worker
 
-from elastomer_friction.workflow.cluster.node import Node
 from elastomer_friction.workflow.cluster.pool import Pool
 from elastomer_friction.workflow.ground import UserError
+from elastomer_friction.workflow.run.node import Node
 from elastomer_friction.workflow.system.watch import Watch
 from tests.support.python import PATIENCE, standing
 from tests.support.simulated import stream, streamed

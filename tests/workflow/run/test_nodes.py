@@ -9,8 +9,8 @@ from pathlib import Path
 from distributed import get_worker
 
 from elastomer_friction.workflow.cluster.client import open_client
-from elastomer_friction.workflow.cluster.node import Node
 from elastomer_friction.workflow.cluster.pool import Pool
+from elastomer_friction.workflow.run.node import Node
 from elastomer_friction.workflow.study.cluster import Cluster
 from tests.support.python import PATIENCE
 from tests.support.simulated import stream

@@ -1,15 +1,16 @@
 """The graph of a run through the workers, with a bounded window that is refilled in bulk."""
 
 import math
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, field
 from itertools import islice
 from typing import Any
 
+from ..cluster import ResultLost, Snapshot, WorkerDied
 from ..ground import UserError
 from ..system import BEAT_SECONDS, NO_ANSWER, QUIET_SECONDS, Watch, say
 from .blame import Blame
-from .node import Node, ResultLost, Snapshot, WorkerDied
+from .node import Node
 
 NODES_PER_THREAD, MIN_WINDOW = 4, 8  # nodes in flight
 BOUND_NODES_PER_THREAD = 2  # if nodes are bound to workers: fewer, so that others take the rest
@@ -37,8 +38,7 @@ class Stream:
     retry: Callable[[Node, Exception, bool], list[Node]]
     blame: Blame  # state of the workers, also from earlier streams
     in_flight: dict[str, Node] = field(default_factory=dict)  # by key
-    again: list[Node] = field(default_factory=list)  # submitted before the rest of the source
-    waiting: list[Node] = field(default_factory=list)  # for nodes that are not submitted
+    queue: list[Node] = field(default_factory=list)  # they wait for other nodes, or for a worker
     alone: list[Node] = field(default_factory=list)  # submitted after the rest, one at a time
     isolated: bool = False  # whether the node in flight is the only one
     drawn: bool = False  # whether there were nodes to submit the last time
@@ -54,7 +54,7 @@ class Stream:
         try:
             self._look()
             self._submit()
-            while self.in_flight or ((self.drawn or self.again) and not self.watch()):
+            while self.in_flight or ((self.drawn or self.queue) and not self.watch()):
                 yield from self._take()
                 self._look()
                 self._submit()
@@ -62,47 +62,42 @@ class Stream:
             self._drop([*self.in_flight])
 
     def _submit(self) -> None:
-        """Fill the window from the retries and the source; then submit nodes one at a time."""
+        """Fill the window from the queue and the source; then submit nodes one at a time."""
         free = self.window - len(self.in_flight)
         if self.watch() or free <= self.window // 8 or (self.isolated and self.in_flight):
             return  # refilled in bulk
-        nodes = self.again[:free]
-        del self.again[:free]
-        nodes += islice(self.source, free - len(nodes))
+        nodes = [*self.queue, *islice(self.source, max(free - len(self.queue), 0))]
         self.drawn = bool(nodes)
-        self._send_ready([node for node in nodes if not node.inputs])
-        self.waiting += [node for node in nodes if node.inputs]
-        waiting, self.waiting = self.waiting, []
-        for node in waiting:
-            ready = all(other.done or other.result is not None for other in node.needs())
-            self._send_ready([node]) if ready else self.waiting.append(node)
+        self.queue = [node for node in nodes if node.inputs or node.failed]
+        self._send([node for node in nodes if not (node.inputs or node.failed)])
+        for node in [node for node in self.queue if self._ready(node)]:
+            self.queue.remove(node)
+            self._send([node], node.failed)
         self.isolated = self.isolated and len(self.in_flight) < 2
-        if not (self.in_flight or self.again) and self.alone:
-            self._send_ready([self.alone.pop()])
+        retried = any(node.failed for node in self.queue)
+        if self.alone and not (self.in_flight or retried):
+            self._send([self.alone.pop()])
             self.isolated = True
 
-    def _send_ready(self, nodes: list[Node]) -> None:
-        """Submit nodes; those that failed elsewhere, or wait for a worker that may come."""
-        blame = self.blame
-        self._send([n for n in nodes if not n.failed], blame.fit() if blame.excluded else [])
-        for node in (node for node in nodes if node.failed):
-            if blame.awaited(node.failed):
-                self.again.append(node)
-            else:
-                self._send([node], blame.fit(node.failed))
+    def _ready(self, node: Node) -> bool:
+        """Return whether the inputs of a node are submitted, and it waits for no worker."""
+        submitted = all(other.done or other.result is not None for other in node.needs())
+        return submitted and not (node.failed and self.blame.awaited(node.failed))
 
-    def _send(self, nodes: list[Node], workers: list[str]) -> None:
-        """Submit nodes that are needed, restricted to ``workers`` unless it is empty.
+    def _send(self, nodes: list[Node], failed: Sequence[str] = ()) -> None:
+        """Submit nodes that are needed, to other workers than those at which they failed.
 
         A preference would not do, since idle workers steal nodes and a failing worker is idle.
         """
+        workers = self.blame.fit(failed) if failed or self.blame.excluded else []
         for other in (other for node in nodes for other in node.needs() if other.done):
-            if not self.pool.holds(other):
+            if other.result is not None and not self.pool.holds(other.result):
                 other.result = None
         if nodes := [node for node in nodes if node.prepare()]:
-            self.in_flight |= zip(self.pool.submit(nodes, workers), nodes, strict=True)
-            for node in nodes:
-                node.workers, node.worker = workers, ""
+            futures = self.pool.submit([node.call() for node in nodes], workers)
+            self.in_flight |= zip(futures, nodes, strict=True)
+            for node, future in zip(nodes, futures.values(), strict=True):
+                node.result, node.workers, node.worker = future, workers, ""
 
     def _take(self) -> Iterator[tuple[Node, Any]]:
         """Yield the arrived (node, value), and schedule replacements of failed nodes."""
@@ -126,7 +121,7 @@ class Stream:
         """
         node.result = None
         withdrawn = [key for key, other in self.in_flight.items() if node in other.given]
-        self.waiting += self._drop(withdrawn)
+        self.queue += self._drop(withdrawn)
         if not all(other.done for other in node.given):
             error = ResultLost()
         if isinstance(error, WorkerDied):
@@ -135,12 +130,12 @@ class Stream:
             node.failed.append(address)
         given_up = node.deaths > MAX_WORKER_DEATHS or self.blame.to_be_given_up(node.failed)
         if not (given_up or isinstance(error, UserError)):
-            self.again.append(node)
+            self.queue.append(node)
             return
         node.failed, node.deaths = [], 0
         nodes = self.retry(node, error, self.isolated)
         node.instead = None if node in nodes else nodes
-        (self.alone if isinstance(error, WorkerDied) else self.again).extend(nodes)
+        (self.alone if isinstance(error, WorkerDied) else self.queue).extend(nodes)
 
     def _look(self) -> None:
         """Once a second, and after a stop, request a snapshot; report to the watch."""
@@ -185,6 +180,8 @@ class Stream:
 
     def _drop(self, keys: list[str]) -> list[Node]:
         """Stop waiting for nodes; return them."""
-        nodes = {key: self.in_flight.pop(key) for key in keys}
-        self.pool.drop(nodes)
-        return [*nodes.values()]
+        self.pool.drop(keys)
+        nodes = [self.in_flight.pop(key) for key in keys]
+        for node in nodes:
+            node.result = None
+        return nodes

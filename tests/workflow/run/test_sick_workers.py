@@ -2,7 +2,7 @@
 
 from concurrent.futures import Future
 
-from elastomer_friction.workflow.cluster.node import WorkerDied
+from elastomer_friction.workflow.cluster import WorkerDied
 from elastomer_friction.workflow.system import Watch
 from tests.support.simulated import ERROR, Cluster, first, sick, sound, streamed, tries
 from tests.support.simulated_workers import DIE

@@ -1,6 +1,6 @@
 """Simulated: what is tried instead of an item that was alone in the cluster."""
 
-from elastomer_friction.workflow.cluster.node import WorkerDied
+from elastomer_friction.workflow.cluster import WorkerDied
 from tests.support.simulated import Cluster, streamed
 from tests.support.simulated_workers import DIE
 

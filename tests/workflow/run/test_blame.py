@@ -2,8 +2,8 @@
 
 import pytest
 
-from elastomer_friction.workflow.cluster.blame import RESTART_SECONDS, Blame
-from elastomer_friction.workflow.cluster.node import Snapshot
+from elastomer_friction.workflow.cluster import Snapshot
+from elastomer_friction.workflow.run.blame import RESTART_SECONDS, Blame
 
 A, B, C = (f"tls://127.0.0.1:{port}" for port in (1, 2, 3))
 FAR = {name: f"tls://10.0.0.{name[0]}:{name[1]}" for name in ("11", "12", "21", "31")}

@@ -7,8 +7,8 @@ import weakref
 import numpy as np
 
 from elastomer_friction.workflow.cluster.client import open_client
-from elastomer_friction.workflow.cluster.node import Node
 from elastomer_friction.workflow.cluster.pool import Pool
+from elastomer_friction.workflow.run.node import Node
 from elastomer_friction.workflow.study.cluster import Cluster
 from tests.support.python import PATIENCE
 from tests.support.simulated import stream

@@ -8,8 +8,8 @@ from collections import Counter
 from collections.abc import Iterable
 from dataclasses import dataclass, field
 
+from ..cluster import Snapshot
 from ..system import say
-from .node import Snapshot
 
 MAX_CONSECUTIVE_FAILURES = 3  # of items that succeed elsewhere; then the worker is excluded
 RESTART_SECONDS = 30.0  # time within which a lost worker is expected to restart

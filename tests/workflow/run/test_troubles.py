@@ -4,7 +4,7 @@ import random
 
 import pytest
 
-from elastomer_friction.workflow.cluster.node import WorkerDied
+from elastomer_friction.workflow.cluster import WorkerDied
 from tests.support.simulated import Cluster, first, sick, sound, streamed, tries
 
 
