@@ -35,8 +35,9 @@ MAX_MAP_SAMPLES = 4096**2  # of a map; a worker then needs 4 GiB and more
 # result depends on the machine.
 AUTO_BYTES = 2e9
 WORKER_BYTES = 235e6  # interpreter, libraries, machine code
-# Memory measured on maps of 512^2 and 1024^2 samples, without branches and with 13.
-MAP_BYTES, BRANCH_BYTES = 260.0, 25.0  # per sample; the second for each branch
+# Memory measured on maps of 512^2 and 1024^2 samples, without branches and with 13, and marches of
+# 512^2 samples with heat, whose field needs 146 to 480 bytes per sample at 0.01 to 30 m/s.
+MAP_BYTES, BRANCH_BYTES, HEAT_BYTES = 260.0, 25.0, 480.0  # per sample; the second for each branch
 # Terms of ln(scatter): constant, and coefficients of ln(contact area), ln(free area), ln(longest
 # waves per side), ln(elements per longest wave), H and ln(x).
 SCATTER = {
@@ -72,6 +73,8 @@ def largest_error(problem: Problem, quantities: tuple[str, ...], steps: Numbers)
 def map_bytes(problem: Problem, steps: Numbers) -> Numbers:
     """Return the memory of a map with its fields."""
     per_sample = MAP_BYTES + BRANCH_BYTES * len(problem.spectrum.moduli)
+    if problem.effects.heat:
+        per_sample += HEAT_BYTES
     return per_sample * problem.samples(steps)
 
 
