@@ -96,9 +96,8 @@ def with_lists(table: str, keys: Mapping[str, Key]) -> dict[str, Key]:
 
 
 def _listed(key: Key) -> Key:
-    means = f"{key.means} A list makes it a dimension of the result."
     values = f"{key.values}, or a list or range of them" if key.values else ""
-    return replace(key, check=partial(one_or_several, key.check), means=means, values=values)
+    return replace(key, check=partial(one_or_several, key.check), values=values)
 
 
 def separated(tables: Mapping[str, dict[str, Any]]) -> tuple[dict[str, dict[str, Any]], Grid]:

@@ -161,8 +161,8 @@ CLUSTER = {
     ),
     "patience": Key(
         positive,
-        "The time that a run waits if no worker is there, no worker answers, or the disk cannot "
-        "be written.",
+        "The time that a run waits if no worker is there or answers, or the disk cannot be "
+        "written.",
         "Doubled, a run gives up later.",
         "s",
         default=THIS_MACHINE.patience,
@@ -209,8 +209,8 @@ CLUSTER = {
     ),
     "log_folder": Key(
         _line,
-        "The folder for the output of jobs, relative to the working folder. Every node must have "
-        "access to it, because the certificates of a run are stored next to it.",
+        "The folder for the output of jobs, relative to the working folder, to which every node "
+        "needs access.",
         default=THIS_MACHINE.log_folder,
         values="one line of text",
         schema=TEXT,

@@ -57,10 +57,9 @@ NUMERICS = {
         _steps,
         'The number m of time steps, and of samples of the line, per spacing Δx. With `"auto"` '
         "each point takes the smallest m that keeps the discretisation error of the requested "
-        "quantities below 2 %, if possible (maps: in 2 GB), and contact edges are located between "
-        "samples, which resolves steady friction and jump to 10⁻⁵; measured lines have m = 4, "
-        "branches and programmes m = 8. A number is used at every point; `resolution_status` "
-        "marks contacts that it does not resolve.",
+        "quantities below 2 %, if possible (maps: in 2 GB), and resolves steady friction and jump "
+        "to 10⁻⁵; measured lines have m = 4, branches and programmes m = 8. A number is used at "
+        "every point; `resolution_status` marks contacts that it does not resolve.",
         "Doubled, the error of µ₁ falls to about a third, those of Δµ₀ and b to about half; "
         "steady states take twice the time, relaxation up to four times.",
         default=None,
@@ -85,8 +84,7 @@ NUMERICS = {
     "accuracy": Key(
         ACCURACY,
         "The requested relative error of µ₁, Δµ₀ and b: standard error plus bound of the "
-        "discretisation error. The program chooses m and the number of lines, in place of "
-        "`study.realizations`.",
+        "discretisation error. The program chooses m and the number of lines.",
         "Doubled, a quarter of the lines and often fewer steps suffice.",
         default=None,
     ),
@@ -100,7 +98,7 @@ NUMERICS = {
     "negligible": Key(
         partial(within, least=0.0, most=1.0),
         "A share of the jump Δµ₀. If the relaxation is significantly smaller, no line is added to "
-        "determine b, and `fit_status` is `negligible`.",
+        "determine b (`fit_status` is `negligible`).",
         "Doubled, b remains undetermined at more points with x < 1.",
         default=None,
         usual="0; 0.01 if `accuracy` is given",

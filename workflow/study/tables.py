@@ -26,8 +26,7 @@ HEAD = {
     "seed": Key(
         partial(integer, least=0),
         "The seed of the random lines.",
-        "Doubled or changed in any way, it draws other lines, and estimates change within their "
-        "standard errors.",
+        "Doubled, other lines are drawn.",
         default=0,
     ),
 }
@@ -35,16 +34,16 @@ STUDY = HEAD | {
     "realizations": Key(
         partial(integer, least=2),
         "The number of lines over which estimates are averaged. For random lines it is rounded up "
-        "to whole quartets (four lines from one set of random phases) and to at least two blocks.",
+        "to whole quartets and to at least two blocks.",
         "Doubled, standard errors fall by √2 and the time doubles.",
         default=None,
         usual='all measured lines with `surface.lines = "measured"`, else required',
     ),
     "realizations_per_block": Key(
         partial(integer, least=1),
-        "The number of lines in a block, whose mean is one record of the store; the jackknife "
-        "leaves out one block at a time. It must divide `realizations` into at least two blocks; "
-        "for random lines it is rounded up to a multiple of four.",
+        "The number of lines in a block, whose mean is one record of the store. It must divide "
+        "`realizations` into at least two blocks; for random lines it is rounded up to a multiple "
+        "of four.",
         "Doubled, the store holds half as many records; standard errors are less reliable with "
         "fewer than 32 blocks.",
         default=1,

@@ -48,8 +48,8 @@ HEAT = {
     ),
     "share": Key(
         partial(within, least=MIN_SHARE, most=1.0),
-        "The share of the heat that enters the surface of the elastomer. The default is an upper "
-        "bound, because the other body takes a part.",
+        "The share of the heat that enters the surface of the elastomer; the default is an upper "
+        "bound.",
         "Doubled, friction of a given size warms twice as much.",
         default=1.0,
     ),

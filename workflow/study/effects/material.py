@@ -249,7 +249,7 @@ MATERIAL = {
         as_text,
         "A text file beside `study.toml` with columns g_b (Pa) and t_b (s), or as its header "
         "says, in place of `branches`. Shares of G₀ (a column `alpha`, or rows below "
-        "`*VISCOELASTIC`) are read too; `prony` writes such a file from measured moduli.",
+        "`*VISCOELASTIC`) are read too.",
         default="",
         values="the name of a file",
     ),
@@ -272,8 +272,7 @@ MATERIAL = {
     ),
     "thickness": Key(
         positive,
-        "The thickness of the elastomer on a rigid base, for a half-space only. It matters if it "
-        "is below the longest wave of the surface or the width of the contact.",
+        "The thickness of the elastomer on a rigid base, for a half-space only.",
         "Doubled, waves longer than the thickness meet a softer elastomer.",
         "m",
         default=None,

@@ -69,40 +69,38 @@ class Quantity(NamedTuple):
 
 QUANTITIES = {
     "steady": Quantity(
-        "steady sliding at v1 and v2 (no relaxation is marched)",
+        "steady sliding at v1 and v2",
         ("mu_1", "mu_2", "indentation", "contact_fraction"),
         accuracy_estimate="mu_1",
         requirements=(CONSTANT_FORCE, MOTION),
     ),
     "persson": Quantity(
-        "friction and contact area by Persson's theory (closed form)",
+        "friction and contact area by Persson's theory",
         requirements=(CONSTANT_FORCE, MOTION),
     ),
     "model_ratio": Quantity(
-        "steady friction on the other body too, which shows the error of the model",
+        "steady friction on the other body too: the error of the model",
         needs=("steady",),
         requirements=(CONSTANT_FORCE, MOTION),
     ),
     "jump": Quantity(
-        "jump at t0+ (no relaxation is marched)",
+        "jump at t0+",
         ("jump",),
         accuracy_estimate="jump",
         requirements=(CONSTANT_FORCE, VELOCITY_STEP, _jump),
     ),
     "relaxation": Quantity(
-        "relaxation after the jump (time marching)",
+        "relaxation after the jump",
         accuracy_estimate="relaxation_rate",
         requirements=(CONSTANT_FORCE, VELOCITY_STEP),
     ),
-    "models": Quantity("fits beyond eq. 6 (no further simulation)", needs=("relaxation",)),
+    "models": Quantity("fits beyond eq. 6", needs=("relaxation",)),
     "peak": Quantity(
         "peak of the friction after the velocity step, and its first slope",
         needs=("relaxation", "trace"),
         requirements=(CONSTANT_FORCE, VELOCITY_STEP),
     ),
-    "trace": Quantity(
-        "friction over time along the programme (time marching)", requirements=(PROGRAMME,)
-    ),
+    "trace": Quantity("friction over time along the programme", requirements=(PROGRAMME,)),
     "stick_slip": Quantity(
         "stick-slip: amplitude of the drive's force, period and highest velocity",
         requirements=(PULLED_LINE,),

@@ -136,9 +136,9 @@ def _check(table: Mapping[str, Any], scene: Scene, materials: tuple[Material, ..
 SCENE = {
     "body": Key(
         partial(choice, known=(FOUNDATION, HALF_SPACE)),
-        "The elastic body: `foundation` is the paper's row of independent elements along a line; "
-        "`half-space` is a deep elastic block under a periodic square surface of side "
-        "`surface.length` (docs/bodies.md).",
+        "`foundation` is the paper's row of independent elements along a line; `half-space` is a "
+        "deep elastic block under a periodic square surface of side `surface.length` "
+        "(docs/bodies.md).",
         default=None,
         usual="a half-space for a random surface under `grid.normal_pressure` and for a measured "
         "map whose steps are known both ways, unless `surface.lines` or a prescribed indentation "
@@ -191,8 +191,7 @@ SCENE = {
     "drive": Key(
         lambda key, value: read_table(key, value, DRIVE),
         "The spring and damper through which a drive pulls the line; segments `pull` move the "
-        "drive. Initially the spring carries steady friction, or is slack if the scene does not "
-        "start in steady sliding.",
+        "drive. Initially the spring carries steady friction, or is slack without steady sliding.",
         default=None,
         values="a table, `[scene.drive]`",
         usual="none: the programme moves the line itself",
@@ -210,7 +209,7 @@ SCENE = {
     "programme": Key(
         lambda _, value: [value] if isinstance(value, dict) else value,
         "The motion as successive segments `[[scene.programme]]`, in place of "
-        "`grid.velocity_step`. Without a programme there is one velocity step from v₁ to v₂.",
+        "`grid.velocity_step`.",
         default=None,
         values="a segment or a list of up to 1000: either `slide`, `hold`, `ramp`, `oscillate` and "
         "`file`, or only `pull`",

@@ -104,15 +104,14 @@ OSCILLATE = {
     ),
     "velocity_amplitude": Key(
         partial(one_or_several, positive),
-        "The amplitude of the velocity, 2π `frequency` times that of the displacement. A list "
-        "makes it a dimension of the result.",
+        "The amplitude of the velocity, 2π `frequency` times that of the displacement.",
         "Doubled, a small loop dissipates four times the work.",
         "m/s",
         default=None,
     ),
     "frequency": Key(
         partial(one_or_several, positive),
-        "The frequency of the oscillation. A list makes it a dimension of the result.",
+        "The frequency of the oscillation.",
         "Doubled, the material responds at twice the frequency.",
         "Hz",
     ),
@@ -127,7 +126,7 @@ HOLD = {
     "duration": Key(
         partial(one_or_several, positive),
         "The duration of rest. A list makes one programme for each value and the dimension `hold` "
-        "of the result; at most one hold of a programme may have one.",
+        "of the result; only one hold of a programme may have one.",
         "Doubled, the contact ages twice as long, for a few more steps.",
         "s",
     ),
@@ -167,10 +166,8 @@ PULL = {
 DRIVE = {
     "stiffness": Key(
         partial(one_or_several, positive),
-        "The stiffness k of the spring between drive and line. A list makes it a dimension of the "
-        "result.",
-        "Doubled, the line follows the drive more closely; stick-slip needs a stiffness below a "
-        "critical one.",
+        "The stiffness k of the spring between drive and line.",
+        "Doubled, the line follows the drive more closely; stick-slip needs a low stiffness.",
         "N/m",
     ),
     "mass": Key(

@@ -112,7 +112,7 @@ SHEAR = {
     "stress": Key(
         partial(within, least=0.0, most=MAX_SHEAR_STRESS),
         "The shear stress τ₀ of the real contact: the maximum of a bell over the velocity, or a "
-        "constant. It can be measured with a smooth sphere or on smooth glass.",
+        "constant.",
         "Doubled, the shear part of the friction doubles.",
         "Pa",
         default=None,
@@ -136,8 +136,7 @@ SHEAR = {
     ),
     "creep_velocity": Key(
         positive,
-        "The velocity below which the stress stays constant. It gives the static stress after a "
-        "hold, where a bell would vanish.",
+        "The velocity below which the stress stays constant, so that it does not vanish in a hold.",
         "Doubled, the static stress is that at twice the velocity.",
         "m/s",
         default=None,

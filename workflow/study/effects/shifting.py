@@ -162,8 +162,8 @@ SHIFTS = {
     ),
     "shifts": Key(
         _shift_table,
-        "A measured table of the shift, with T in °C, in place of `wlf`. It is interpolated "
-        "linearly and not extrapolated; `prony` prints one from moduli at several temperatures.",
+        "A measured table of the shift, with T in °C, in place of `wlf`, interpolated linearly "
+        "and not extrapolated.",
         default=None,
         values="a list of at least two rows `[T, log₁₀ a_T]`",
         schema={"type": "array", "minItems": 2, "items": pair(NUMBER, NUMBER)},

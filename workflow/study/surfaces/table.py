@@ -100,16 +100,15 @@ RANDOM_KEYS = {
 SPECTRUM_KEYS = {
     "spectrum": Key(
         lambda key, value: read_table(key, value, SPECTRUM),
-        "The measured power spectrum of an isotropic surface, from which random lines or maps are "
-        "drawn in place of `grid.hurst` and `grid.roughness`. It is zero beyond its rows; "
-        "`rolloff` makes C₂D flat above λ_r.",
+        "The measured power spectrum of an isotropic surface, in place of `grid.hurst` and "
+        "`grid.roughness`. It is zero beyond its rows; `rolloff` makes C₂D flat above λ_r.",
         default=None,
         values="`{file = …, kind = …, times = …}`",
     ),
     "rms_slope": Key(
         positive,
         "The rms slope (full gradient) of all waves of `spectrum` up to the cut-off q₁, in place "
-        "of `cutoff`. `plan` and the result state q₁.",
+        "of `cutoff`.",
         "Doubled, q₁ more than doubles, and the spacing must resolve it.",
         default=None,
     ),
@@ -125,8 +124,8 @@ FILE_KEYS = {
     ),
     "columns": Key(
         _as_columns,
-        "The columns, counted from 0, of positions and of the heights of one or more lines; in "
-        "netCDF the names of the two variables.",
+        "The columns, from 0, of positions and of the heights of one or more lines; in netCDF the "
+        "names of the two variables.",
         default=(),
         values='whole numbers as `[0, 1]`, or two names as `["x", "height"]`',
         usual="those that the header names, else the first two, or the only variable of heights",
@@ -142,8 +141,7 @@ FILE_KEYS = {
     ),
     "step": Key(
         positive,
-        "The distance of two samples of a file without positions: columns of heights, or a matrix "
-        "with a row for each line.",
+        "The distance of two samples of a file without positions.",
         "Doubled, slopes are half as steep.",
         "m",
         default=None,
@@ -180,9 +178,8 @@ LINE_KIND_KEYS = {  # also keys of comparisons
     "lines": Key(
         partial(choice, known=LINE_KINDS),
         "The lines that slide: the measured ones, random lines of the same mean power spectrum, "
-        "random lines equivalent to the isotropic surface of which the measured ones are cuts, or "
-        "self-affine lines of the same rms height and slope. A cut has half the mean square slope "
-        "of the equivalent line.",
+        "random lines equivalent to the isotropic surface, or self-affine lines of the same rms "
+        "height and slope. A cut has half the mean square slope of the equivalent line.",
         default="measured",
     ),
     "hurst": Key(
