@@ -132,5 +132,5 @@ intervals: $(TOOLS) ## Check that stated errors are true, over many small studie
 	$(BIN)/python -m tests.tools.map_intervals
 
 clean: ## Remove .venv and caches, keep results
-	rm -rf $(VENV) $(VENV)-* .pytest_cache .ruff_cache .mypy_cache .hypothesis .import_linter_cache *.egg-info
+	rm -rf $(VENV) $(VENV)-* .pytest_cache .ruff_cache .mypy_cache .hypothesis .import_linter_cache src/*.egg-info
 	find . -name __pycache__ -type d -prune -exec rm -rf {} +

@@ -1,6 +1,7 @@
 """The package as installed and imported: its public names and its command."""
 
 import os
+import re
 import subprocess
 import sys
 import tomllib
@@ -17,12 +18,13 @@ from tests.support.python import ROOT, printed, python
 from tests.support.runs import run
 from tests.support.small import small_study, write_study
 
+SOURCES = ROOT / "src"
 CALL = "import sys; from elastomer_friction.__main__ import main; sys.exit(main())"
 
 
-def called(*arguments: str, path: str = str(ROOT), folder: Path = ROOT) -> tuple[int, str, str]:
+def called(*arguments: str, path: Path = SOURCES, folder: Path = ROOT) -> tuple[int, str, str]:
     """Run the command; return its exit status, stdout and stderr. path : of the package."""
-    done = python("-P", "-c", CALL, *arguments, cwd=folder, PYTHONPATH=path)
+    done = python("-P", "-c", CALL, *arguments, cwd=folder, PYTHONPATH=str(path))
     return done.returncode, done.stdout, done.stderr
 
 
@@ -92,6 +94,14 @@ def test_the_citation_is_of_this_version():
     assert f"\n## {project['version']} (" in (ROOT / "CHANGELOG.md").read_text("utf-8")
 
 
+def test_type_checkers_find_the_package(tmp_path):
+    """An editable install must be a folder on the path, not a hook that only Python runs."""
+    readme = (ROOT / "README.md").read_text(encoding="utf-8")
+    (tmp_path / "example.py").write_text(re.search(r"```python\n(.*?)```", readme, re.DOTALL)[1])
+    words = ("-m", "mypy", "--strict", "--follow-imports", "skip", "example.py")
+    assert printed(*words, cwd=tmp_path).startswith("Success")
+
+
 @pytest.mark.exhaustive
 def test_a_wheel_holds_all_that_the_command_needs(tmp_path, monkeypatch):
     """It is built from the sources, installed without dependencies, and used elsewhere."""
@@ -108,8 +118,8 @@ def test_a_wheel_holds_all_that_the_command_needs(tmp_path, monkeypatch):
     site, away = tmp_path / "site", tmp_path / "away"
     subprocess.run([*pip, "install", "--no-deps", "--target", site, wheel], check=True)
     away.mkdir()
-    status, out, err = called("studies", path=str(site), folder=away)
+    status, out, err = called("studies", path=site, folder=away)
     assert (status, err) == (0, "")
     assert "fig7" in out
-    assert called("new", "mine", path=str(site), folder=away)[0] == 0
+    assert called("new", "mine", path=site, folder=away)[0] == 0
     assert (away / "studies" / "mine" / "study.toml").is_file()

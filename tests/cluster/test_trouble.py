@@ -65,7 +65,7 @@ def assert_refused(run, log):
 
 def test_a_worker_that_joins_later_with_other_sources_is_refused(tmp_path):
     edited, log = tmp_path / "edited", tmp_path / "log"
-    for name in ("elastomer_friction", "kernels", "workflow", "studies"):
+    for name in ("src", "kernels", "workflow", "studies"):
         shutil.copytree(ROOT / name, edited / name, symlinks=True)
     with (edited / "kernels" / "model" / "steady.py").open("a") as file:
         file.write("# edited\n")
@@ -75,7 +75,8 @@ def test_a_worker_that_joins_later_with_other_sources_is_refused(tmp_path):
     processes = [start(log, *STUDY, *options)]
     try:
         wait_while(lambda: not shards(tmp_path), processes[0], log)
-        processes.append(start_worker(edited / "worker.log", cluster.address, cwd=edited))
+        path = str(edited / "src")
+        processes.append(start_worker(edited / "worker.log", cluster.address, PYTHONPATH=path))
         assert_refused(processes[0], log)
         again = tmp_path / "again"  # the stranger is still there
         processes.append(start(again, *STUDY, *options))

@@ -81,6 +81,7 @@ def installed(which: str) -> Path | None:
 def try_it(inside: Path) -> None:
     """Run a study at smoke scale, draw its figure, and run the tests in one environment."""
     env = {**os.environ, "NUMBA_CACHE_DIR": str(inside.parents[1] / "machine-code")}
+    env["PYTHONPATH"] = str(ROOT / "src")  # the program is not installed there
     env.pop("PYTHONDONTWRITEBYTECODE", None)  # pip wrote no bytecode: write it at the first start
     with tempfile.TemporaryDirectory() as out:
         study = ["fig2", "--scale", "smoke", "--out", out]

@@ -15,7 +15,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 ROOT = Path(__file__).resolve().parents[2]
-ROOMS = ("kernels", "workflow", "studies", "elastomer_friction", "tests")
+ROOMS = ("kernels", "workflow", "studies", "src", "tests")
 DEFINITIONS = (ast.Module, ast.ClassDef, ast.FunctionDef, ast.AsyncFunctionDef)
 
 # A docstring opens with a verb or a noun, never with a clause that lacks its main verb.

@@ -15,14 +15,13 @@ from tornado.ioloop import IOLoop
 
 from ..ground import UserError
 from ..study import BATCH_SYSTEMS, Cluster
-from ..system import PROGRAM_ROOT, THREADS, interface_named, refused
+from ..system import THREADS, interface_named, refused
 from .security import new_security, private_pages
 
 # Workers import code from their local folder, which must therefore belong to this user alone. They
 # import nothing from the folder in which the job was submitted.
 PRIVATE_FOLDER_LINES = (
     "export PYTHONSAFEPATH=1",
-    f"export PYTHONPATH={shlex.quote(str(PROGRAM_ROOT))}${{PYTHONPATH:+:$PYTHONPATH}}",
     "export DASK_TEMPORARY_DIRECTORY=$(mktemp -d)",
     "trap 'rm -rf \"$DASK_TEMPORARY_DIRECTORY\"' EXIT",
 )
