@@ -169,7 +169,7 @@ CLUSTER = {
     ),
     "jobs": Key(
         partial(integer, least=1),
-        "The number of jobs requested from the batch system.",
+        "The number of jobs.",
         "Doubled, twice as many workers compute.",
         default=THIS_MACHINE.jobs,
     ),
@@ -190,7 +190,7 @@ CLUSTER = {
         _walltime,
         "The time after which the batch system ends a job. Workers retire after 90 % of it; a "
         "batch must fit into it.",
-        "Doubled, workers are replaced half as often, and jobs may queue longer.",
+        "Doubled, workers are replaced half as often.",
         default=THIS_MACHINE.walltime,
         values='a time such as `"12:00:00"` or `"1-00:00:00"`, at least a minute',
         schema={"type": "string", "pattern": "^([0-9]+-)?[0-9]+(:[0-9]+){0,2}$"},

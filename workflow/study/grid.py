@@ -68,9 +68,8 @@ GRID = {
     ),
     "spacing": Key(
         partial(checked_values, positive),
-        "The spacing Δx of the elements. It is a physical parameter: without a cut-off the "
-        "shortest wavelength is 2Δx, and q_max = π/Δx. The discretisation error depends on "
-        "`numerics.steps_per_spacing`.",
+        "The spacing Δx of the elements, a physical parameter: without a cut-off the shortest "
+        "wavelength is 2Δx, and q_max = π/Δx.",
         "Doubled, the number of elements and x halve, and the rms slope falls by about 2^(1−H).",
         "m",
         usual="required for random lines",

@@ -49,8 +49,7 @@ NUMERICS = {
     "scheme": Key(
         partial(choice, known=SCHEMES),
         "The time-stepping scheme. `exponential` is of second order; a free element decays by "
-        "exp(−Δt/τ) per step. `implicit-euler` is of first order; a free element decays by 1/(1 + "
-        "Δt/τ). Both converge to the same result.",
+        "exp(−Δt/τ) per step. `implicit-euler` is of first order; it decays by 1/(1 + Δt/τ).",
         default=DEFAULTS.scheme,
     ),
     "steps_per_spacing": Key(
@@ -70,7 +69,7 @@ NUMERICS = {
     "samples": Key(
         partial(integer, least=8, most=10_000),
         "The number of stored points of each relaxation curve or trace.",
-        "Doubled, the file is larger, and the fit of eq. 6 changes slightly.",
+        "Doubled, the file is larger.",
         default=DEFAULTS.curve_samples,
         usual="64; 200 in `scene.run`",
     ),
@@ -92,7 +91,7 @@ NUMERICS = {
         partial(integer, least=1),
         "With `accuracy`, the maximum number of lines of a point. The result marks points that "
         "miss the accuracy.",
-        "Doubled, such points take twice the time for an error smaller by √2.",
+        "Doubled, hard points take twice the time for an error smaller by √2.",
         default=DEFAULTS.max_realizations,
     ),
     "negligible": Key(

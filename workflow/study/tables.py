@@ -19,7 +19,7 @@ Keys = Mapping[str, Key]
 HEAD = {
     "title": Key(
         as_text,
-        "The title in `plan`, in the figure and in the result file.",
+        "The title in `plan`, the figure and the result file.",
         default="",
         usual="the name of the study",
     ),

@@ -157,8 +157,7 @@ SCENE = {
     "indentation_rate": Key(
         flag,
         "Whether the rate ḋ of the indentation enters the force of an element. `false` gives eq. "
-        "3 as printed in the paper, without physical relaxation, for one velocity step of Kelvin "
-        "elements.",
+        "3 as printed, without physical relaxation, for one velocity step of Kelvin elements.",
         default=True,
     ),
     "control": Key(

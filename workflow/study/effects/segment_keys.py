@@ -117,9 +117,9 @@ OSCILLATE = {
     ),
     "cycles": Key(
         partial(integer, least=1),
-        "The number of cycles. The loop is that of the last cycle; the mean is taken over the "
-        "second half.",
-        "Doubled, the march takes twice as long, and the initial state matters less.",
+        "The number of cycles. The loop is that of the last cycle, the mean that of the second "
+        "half.",
+        "Doubled, the march takes twice as long.",
     ),
 }
 HOLD = {
@@ -127,7 +127,7 @@ HOLD = {
         partial(one_or_several, positive),
         "The duration of rest. A list makes one programme for each value and the dimension `hold` "
         "of the result; only one hold of a programme may have one.",
-        "Doubled, the contact ages twice as long, for a few more steps.",
+        "Doubled, the contact ages twice as long.",
         "s",
     ),
 }
@@ -152,14 +152,16 @@ PULL = {
         default=None,
     ),
     "ratio": SLIDE["ratio"],
-    "file": replace(FILE["file"], default=None),
+    "file": replace(
+        FILE["file"], means="A text file of velocities, as for a segment `file`.", default=None
+    ),
     "distance": SLIDE["distance"],
     "duration": replace(
         SLIDE["duration"],
         check=partial(one_or_several, positive),
         means="The duration of the segment. At velocity 0, a list makes one programme for each "
         "value and the dimension `hold` of the result.",
-        doubled="Doubled, the march takes twice as long, or the contact ages twice as long.",
+        doubled="Doubled, the march or the ageing takes twice as long.",
     ),
 }
 

@@ -149,7 +149,7 @@ SHIFTS = {
         lambda key, value: Wlf(**read_table(key, value, WLF)),
         "The shift of Williams, Landel and Ferry, log₁₀ a_T = −c1 (T − reference)/(c2 + T − "
         "reference); a_T multiplies all relaxation times. The law of Vogel, Fulcher and Tammann "
-        "is the same with c2 = reference − T₀ and c1 = B/(c2 ln 10).",
+        "has c2 = reference − T₀ and c1 = B/(c2 ln 10).",
         default=None,
         values="`{c1 = …, c2 = …, reference = …}`",
     ),

@@ -61,8 +61,7 @@ RANDOM_KEYS = {
     "length": Key(
         positive,
         "The length L of the periodic line.",
-        "Doubled at the same spacing, elements and time double and F̄ halves; at the same "
-        "roughness the rms slope falls by about 2^H.",
+        "Doubled at the same spacing, elements and time double and F̄ halves.",
         "m",
         usual="required for random lines alone",
     ),
@@ -149,8 +148,8 @@ FILE_KEYS = {
     ),
     "gaps": Key(
         partial(choice, known=GAPS),
-        "The treatment of missing samples and of codes such as −9999: `refuse` stops and counts "
-        "them, `fill` interpolates linearly, `drop` leaves out lines that have any.",
+        "The treatment of missing samples and codes such as −9999: `refuse` stops and counts "
+        "them, `fill` interpolates linearly, `drop` leaves out their lines.",
         default="refuse",
     ),
     "spikes": Key(
@@ -163,14 +162,14 @@ FILE_KEYS = {
     "detrend": Key(
         partial(choice, known=DETRENDS),
         "The part subtracted from each line: nothing, its mean, a straight line (tilt) or a "
-        "parabola (tilt and bow). Higher degrees remove long waves of the roughness too.",
+        "parabola (tilt and bow).",
         default="line",
     ),
     "periodic": Key(
         partial(choice, known=PERIODICS),
         "How a measured line becomes periodic: `mirror` appends it reversed, which loses the "
         "direction of a texture; `taper` brings both ends to the mean height over a tenth of the "
-        "length; `none` takes it as one period, with a step if the ends differ.",
+        "length; `none` takes it as one period.",
         default="mirror",
     ),
 }
