@@ -61,6 +61,7 @@ class Scale(NamedTuple):
     roughness: float  # h, m
     reference: float  # velocity, m/s
     stiffness: float  # E* L of the lines, N/m
+    normal_force: float  # N
 
 
 def with_scene(base: Problem, scene: Scene, scale: Scale, depth: float) -> Problem:
@@ -96,7 +97,9 @@ def _drive(spring: Spring | None, scale: Scale) -> Drive | None:
     if spring is None:
         return None
     unit = scale.stiffness * (scale.roughness / scale.spacing) ** 2  # of a spring, N/m
-    stiffness, mass, damping = spring
+    stiffness, mass, damping, per_normal_force = spring
+    if per_normal_force:
+        unit /= scale.normal_force
     return Drive(
         rounded(stiffness / unit),
         rounded(mass / (unit * scale.tau**2)),

@@ -100,6 +100,8 @@ def _settings(
     if parts.scene.programme:
         names += ["velocity"]
         names += ["prescribed_indentation"] if "prescribed_indentation" in points else []
+    if parts.scene.drive and parts.scene.drive.per_normal_force:
+        names += ["normal_force"]
     rows = np.stack([points[name].ravel() for name in names], axis=1)
     different, inverse = np.unique(rows, axis=0, return_inverse=True)
     spectrum, tau, nan = _rounded_spectrum(parts.material), parts.material.tau, math.nan
@@ -116,7 +118,7 @@ def _settings(
     for row in different.tolist():
         at = dict(zip(names, row, strict=True)).get
         units = at("dx", nan), tau, at("roughness", nan)
-        scale = Scale(*units, at("velocity", nan), stiffness)
+        scale = Scale(*units, at("velocity", nan), stiffness, at("normal_force", nan))
         depth = at("prescribed_indentation", nan)
         problem = with_scene(plain[int(row[0])], parts.scene, scale, depth)
         effects = scaled_effects(parts.scene.effects, parts.material, scale, problem.effects)

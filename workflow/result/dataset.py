@@ -58,6 +58,9 @@ def build_dataset(
     dataset = xr.Dataset(data, coords, _facts(plan, variant) | _effect_facts(plan, variant, data))
     freedom = estimates["degrees_of_freedom"]
     _annotate(dataset, int(freedom[freedom >= 0].min()))
+    drive = plan.study.scene.drive
+    if drive and drive.per_normal_force and "stiffness" in dataset.coords:
+        dataset.coords["stiffness"].attrs["units"] = "m-1"
     return dataset.set_coords([name for name in AUXILIARY if name in dataset])
 
 

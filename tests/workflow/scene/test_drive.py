@@ -64,6 +64,24 @@ def test_stiffness_and_the_velocity_of_the_grid_are_axes():
     np.testing.assert_allclose(by_stiffness[2] / by_stiffness[0], 100.0, rtol=1e-9)
 
 
+def test_a_machine_per_normal_force_is_scaled_to_that_of_each_point():
+    def drives(machine, *forces):
+        study = small_study(
+            f"scene.drive={machine}",
+            "scene.programme=[{pull={ratio=1, distance=1e-3}}]",
+            'scene.quantities=["trace"]',
+            f"grid.normal_force={list(forces)}",
+            text=without("grid.velocity_step"),
+        )
+        return {task.problem.drive for task in make_plan(study).variants[0].tasks}
+
+    scaled = "{stiffness=3e3, mass=1e-3, damping=0.2, per_normal_force=true}"
+    expected = drives("{stiffness=6e3, mass=2e-3, damping=0.4}", 2.0)
+    expected |= drives("{stiffness=9e3, mass=3e-3, damping=0.6}", 3.0)
+    assert len(expected) == 2
+    assert drives(scaled, 2.0, 3.0) == expected
+
+
 def test_sticking_and_slipping_is_told_by_swing_period_and_velocity():
     actual = pulled(
         1e9,

@@ -100,6 +100,7 @@ class Spring(NamedTuple):
     stiffness: float  # N/m
     mass: float = 0.0  # kg, of the slider
     damping: float = 0.0  # N s/m, parallel to the spring
+    per_normal_force: bool = False  # whether all three are per newton of the normal force
 
 
 class Scene(NamedTuple):

@@ -9,6 +9,7 @@ from ..settings import (
     NUMBER,
     Key,
     as_text,
+    flag,
     integer,
     number,
     one_or_several,
@@ -185,6 +186,12 @@ DRIVE = {
         "Doubled, so is that force.",
         "N s/m",
         default=0.0,
+    ),
+    "per_normal_force": Key(
+        flag,
+        "Whether `stiffness`, `mass` and `damping` are those of the machine over its normal force, "
+        "in 1/m, kg/N and s/m. They are then multiplied by the normal force of the model.",
+        default=False,
     ),
 }
 
