@@ -112,11 +112,11 @@ def map_of_lines(file: LineFile, lines: Lines, detrend: str, periodic: str) -> P
     side = len(square)
     levelled = _level_map(square, detrend)
     check_not_flat(prefix, levelled[None], square[None])
-    assumed = " (assumed)" if lines.row_spacing is None else ""
-    cut = "" if rows == samples else f"; the middle {side} x {side} of {rows} x {samples}"
+    assumed = " (row distance assumed equal)" if lines.row_spacing is None else ""
+    cut = "" if rows == samples else f", the middle of {rows} x {samples}"
     notes = (
-        f"{lines.notes}; a map, rows as far apart as samples{assumed}{cut}; {detrend} removed, "
-        f"{periodic}"
+        f"{lines.notes}; map of {side} x {side}{cut}, pitch {lines.step:.4g} m{assumed}; "
+        f"{detrend} removed, {periodic}"
     )
     whole = make_periodic(make_periodic(levelled, periodic).T, periodic).T
     return _measured_profile(file, whole[None], lines.step, periodic, notes)
@@ -251,9 +251,9 @@ def _preparation_text(detrend: str, periodic: str) -> str:
     """Return the preparation of lines in words."""
     removed = "nothing" if detrend == "none" else f"its {detrend}"
     made = {
-        "none": "taken as one period, whether its ends meet or not",
-        "mirror": "mirrored: the period is the line and then the line reversed, and normal_force "
-        "presses on either half",
+        "none": "taken as one period",
+        "mirror": "mirrored: the period is the line followed by its reverse and carries twice "
+        "normal_force",
         "taper": f"brought to its mean by a cosine over {TAPER_SHARE:.0%} of its length at each "
         "end",
     }

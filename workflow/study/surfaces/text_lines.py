@@ -130,8 +130,8 @@ def _lines_of_grid(
     along, across = (y, x) if grid.turned else (x, y)
     units = (_unit(file, table, along), _unit(file, table, z))
     description = (
-        f"a list of points of a map: lines along column {_label(table, along)}, one for each value "
-        f"of column {_label(table, across)}, heights of column {_label(table, z)}"
+        f"map of points: rows along column {_label(table, along)}, one per value of column "
+        f"{_label(table, across)}, heights in column {_label(table, z)}"
     )
     precisions = _precisions(table, along)[grid.first]
     rows = row_spacing(grid.rows, file.units[0] if file.units else table.title(across).unit)

@@ -36,7 +36,7 @@ def test_lines_of_a_microscope():
     assert profile.measured_length == pytest.approx(10e-6, rel=1e-12)
     assert profile.length == pytest.approx(20e-6, rel=1e-12)
     assert profile.spacing == pytest.approx(10e-6 / 512, rel=1e-12)
-    assert "mirrored: the period is the line and then the line reversed" in profile.notes
+    assert "mirrored: the period is the line followed by its reverse" in profile.notes
     assert "its line removed" in profile.notes
 
 

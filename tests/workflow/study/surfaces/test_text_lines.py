@@ -83,7 +83,7 @@ def test_points_of_a_map_become_lines_along_what_runs_first(tmp_path, order, hea
     np.testing.assert_allclose(lines.heights, expected * 1e-6)
     assert lines.step == pytest.approx(0.5e-6 if order == "rows" else 1e-6)
     assert lines.row_spacing == pytest.approx(1e-6 if order == "rows" else 0.5e-6)
-    assert "a list of points of a map" in lines.notes
+    assert "map of points" in lines.notes
 
 
 def prepared_map(file, detrend="line", periodic="mirror"):
@@ -99,7 +99,7 @@ def test_a_map_on_a_half_space_has_square_cells(tmp_path):
     asked = LineFile(tmp_path / "map.npy", "map.npy", tuple(range(12)), ("um", "um"), 1e-6)
     found = prepared_map(asked)
     assert found.heights.shape == (1, 24, 24)
-    assert "rows as far apart as samples (assumed)" in found.notes
+    assert "row distance assumed equal" in found.notes
 
 
 @pytest.mark.parametrize("row", [0, 5, 11])
