@@ -75,8 +75,7 @@ class KineticLaw:
 
     Velocities may be zero or negative; friction is an odd function of velocity. After steps of -20
     and 30 % to speeds v with eta v h < 0.2 F_N, the law deviates from simulations by 13 % of the
-    total change of friction in the median, and by 37 % at most. At ten times that speed a single
-    peak carries the load, and the law misses the whole change (docs/verification.md).
+    total change of friction in the median, and by 37 % at most (docs/verification.md).
     """
 
     def __init__(
