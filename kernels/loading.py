@@ -30,29 +30,29 @@ from .velocity_step.case import Case, Quantities
 from .velocity_step.cases import run_cases
 
 SOURCE_ROOT = Path(__file__).resolve().parents[1]
-PLAIN_STEPS, LISTED_STEPS = np.array([1]), np.array([4])  # marched without lists, and by lists
-WIDE_CASE, NARROW_CASE = (0.1, 1.0), (1e-3, 100.0)  # load and speed
+PLAIN_STEPS = np.array([1])  # marched without lists
+LISTED_STEPS = np.array([4])  # marched by lists
+LOAD = 0.1
 
 
 def load(scheme: str, requested: Quantities) -> None:
     """Compile the kernels, or load them from the cache."""
-    cases = [
-        Case(*WIDE_CASE, (1.2,), (PLAIN_STEPS,), scheme),
-        Case(*NARROW_CASE, (1.2,), (LISTED_STEPS,), scheme),
-    ]
+    wide = Case(LOAD, 1.0, (1.2,), (PLAIN_STEPS,), scheme)
+    narrow = Case(1e-3, 100.0, (1.2,), (LISTED_STEPS,), scheme)
     with _helper(scheme, requested):
         law_of(form_of(KELVIN, scheme), 1.0)  # called for the times of a curve
-        run_cases(_line(), cases, requested)
+        run_cases(_line(), [wide, narrow], requested)
 
 
 def load_marches(scheme: str) -> None:
     """Compile the marches, with arguments of the right types and arbitrary values."""
-    line, law, load = _line(), SCHEMES[scheme](1.0), WIDE_CASE[0]
-    line_set, spans = LineSet.of([line], marched=True), np.zeros(line.z.size // SPAN)
-    control, d = ConstantForce(load * line.z.size), load + float(line.z.mean())
-    ends = SteadyEnds(DecayFactors(*law), spans[None], np.array([d]))
+    line, law = _line(), SCHEMES[scheme](1.0)
+    line_set = LineSet.of([line], marched=True)
+    spans = np.zeros(line.z.size // SPAN)
+    control = ConstantForce(LOAD * line.z.size)
+    ends = SteadyEnds(DecayFactors(*law), spans[None], np.array([LOAD]))
     plain_relaxations(line_set.stack, law, ends, ends, control, PLAIN_STEPS)
-    steady = SteadyState(DecayFactors(*law), spans, np.zeros(spans.size + 1), d)
+    steady = SteadyState(DecayFactors(*law), spans, np.zeros(spans.size + 1), LOAD)
     line_spans = line_set.lines[0].spans
     problem = JumpProblem(line.z, line.slope, line_spans, law, law, steady, steady, 0.0)
     active_march(problem, control, LISTED_STEPS)

@@ -6,7 +6,7 @@ The functions declared here dispatch on the type of the ground: a Track at the s
 
 import numpy as np
 
-from ..compile.jit import dispatch_on_type, kernel
+from ..compile.jit import dispatch_inlined, dispatch_on_type, kernel
 from ..motion.track import Track
 
 CELL_SAMPLES = 16  # per stored minimum of the line
@@ -23,22 +23,22 @@ def cell_minima(ground):
     return lowest_heights(ground)
 
 
-@dispatch_on_type.inlined
+@dispatch_inlined
 def first_sample(ground, place):
     """Return the number of the sample over element 0 where the line is at a place."""
 
 
-@dispatch_on_type.inlined
+@dispatch_inlined
 def fill_heights(ground, place, first, z):
     """Fill z with the heights over consecutive elements, from element ``first`` on, in h."""
 
 
-@dispatch_on_type.inlined
+@dispatch_inlined
 def fill_thresholds(ground, place, first, n, w, c):
     """Fill c with the heights minus w over elements from ``first`` on, up to the last of n."""
 
 
-@dispatch_on_type.inlined
+@dispatch_inlined
 def fill_slopes(ground, step, lag, first, n, slope):
     """Fill slope with the slopes over elements from ``first`` on, up to the last of n, in h/dx.
 

@@ -5,7 +5,7 @@ The functions declared here dispatch on the type of the body.
 
 from typing import Any, NamedTuple
 
-from ..compile.jit import dispatch_on_type, jitable
+from ..compile.jit import dispatch_inlined, dispatch_on_type, dispatch_refcount_free, jitable
 from ..rheology.law import law_of
 
 
@@ -39,7 +39,7 @@ def on_ground(body, state, ground):
     """Return (body, state) over another ground, at the same place."""
 
 
-@dispatch_on_type.inlined
+@dispatch_inlined
 def attempt(body, state, law, step):
     """Return the state with the contact at the end of a step, which is not accepted yet.
 
@@ -48,12 +48,12 @@ def attempt(body, state, law, step):
     """
 
 
-@dispatch_on_type.refcount_free
+@dispatch_refcount_free
 def forces(body, state, law, step):
     """Return the Forces of the step that was attempted last."""
 
 
-@dispatch_on_type.inlined
+@dispatch_inlined
 def accept(body, state, law):
     """Return the state after the step that was attempted last."""
 
@@ -63,7 +63,7 @@ def end_leg(body, state):
     """Return the state at the end of a leg, from which a programme resumes bit for bit."""
 
 
-@dispatch_on_type.refcount_free
+@dispatch_refcount_free
 def patch_width(body, state):
     """Return the number of samples per contact patch in the last accepted step."""
 

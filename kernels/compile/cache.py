@@ -143,32 +143,29 @@ class KernelCache(NullCache, CompileResultCacheImpl):
     def _file_name(self, sig: Any, codegen: Any) -> str:
         source = Path(self.function.__code__.co_filename).read_bytes()
         settings = [str(getattr(numba.config, name, "")) for name in CODE_SETTINGS]
-        parts = sig, codegen.magic_tuple(), self.function.__qualname__, settings
-        key = repr(parts).encode()
+        key = repr((sig, codegen.magic_tuple(), self.function.__qualname__, settings)).encode()
         name = f"{self.function.__module__}.{self.function.__name__}".rpartition("kernels.")[2]
         return f"{COMPILER}/{name}-{hashlib.sha256(key + source).hexdigest()[:20]}.bin"
 
     def _load(self, path: Path, target_context: Any) -> Any:
         with contextlib.suppress(OSError):
-            digest, content = (stored := path.read_bytes())[:32], stored[32:]  # SHA-256
-            if hashlib.sha256(content).digest() == digest:
-                return self.rebuild(target_context, pickle.loads(content))
+            stored = path.read_bytes()
+            if hashlib.sha256(stored[32:]).digest() == stored[:32]:
+                return self.rebuild(target_context, pickle.loads(stored[32:]))
         return None
 
 
 def _open_locked(path: Path) -> IO[bytes] | None:
     """Open a file and lock it until it is closed; return None if it cannot be locked."""
     end = time.monotonic() + LOCK_SECONDS
-    with contextlib.ExitStack() as stack, contextlib.suppress(OSError):
+    with contextlib.suppress(OSError):
         path.parent.mkdir(exist_ok=True)
-        file = stack.enter_context(path.open("ab"))
-        while True:
+        file = path.open("ab")
+        while time.monotonic() < end:
             with contextlib.suppress(BlockingIOError):
                 fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
-                stack.pop_all()
                 return file
-            if time.monotonic() > end:
-                return None
             with event.trigger_event(WAITING_EVENT):
                 time.sleep(LOCK_POLL_SECONDS)
+        file.close()
     return None

@@ -1,7 +1,7 @@
 """Decorators of kernels: compilation, linking into callers, and dispatch on an argument's type.
 
-A kernel called by another kernel has no machine code of its own: it is linked into its caller and
-optimised there. If numba lacks the private names below, it compiles in a slower way.
+A kernel called by another kernel is linked into its caller and optimised there. If numba lacks the
+private names below, it compiles in a slower way.
 """
 
 import functools
@@ -59,9 +59,10 @@ NUMBA_OPTIONS = {
     "no_cfunc_wrapper": True,  # kernels are not called from C; saves a tenth of the compile time
     "error_model": "numpy",  # division by zero gives inf as in numpy, loops stay vectorizable
 }
-UNCOUNTED = {}  # no reference counts: they can take as long as stepping hundreds of elements
+UNCOUNTED: dict[str, Any] = {}  # without reference counts, which cost as much as many elements
 if hasattr(DefaultOptions, "_nrt"):
     NUMBA_OPTIONS["_nrt"], UNCOUNTED["_nrt"] = True, False  # whichever caller is compiled first
+INLINED = UNCOUNTED | {"forceinline": True}
 LINKED = NUMBA_OPTIONS | {"no_cpython_wrapper": True}
 ENTRY = NUMBA_OPTIONS | {"pipeline_class": _EntryCompiler}
 
@@ -77,7 +78,8 @@ def kernel(function: Callable, **options: bool) -> Callable:
             general = {name: types.unliteral(kind) for name, kind in keywords.items()}
             return linked.get_call_template([types.unliteral(k) for k in arguments], general)
 
-        compiled.get_call_template, compiled.get_overload = call_template, linked.get_overload
+        compiled.get_call_template = call_template
+        compiled.get_overload = linked.get_overload
         if not hasattr(compiled, "_cache"):
             numba.config.CACHE_DIR = cache.CACHE_FOLDER
             compiled.enable_caching()
@@ -93,7 +95,7 @@ def refcount_free_kernel(function: Callable) -> Callable:
 
 def inlined_kernel(function: Callable) -> Callable:
     """Compile a refcount-free function into its callers; long loops are faster if not inlined."""
-    return kernel(function, **UNCOUNTED, forceinline=True)
+    return kernel(function, **INLINED)
 
 
 def jitable(function: Callable) -> Callable:
@@ -110,22 +112,13 @@ class dispatch_on_type:
 
     def __init__(self, declaration: Callable, **options: bool) -> None:
         functools.update_wrapper(self, declaration)
-        self.name, self.bodies = declaration.__name__, dict[Any, Callable]()
+        self.name = declaration.__name__
+        self.bodies: dict[Any, Callable] = {}
 
         @overload(self, jit_options=LINKED | options)
         @functools.wraps(declaration)
         def body_of(first: Any, *others: Any) -> Callable | None:
             return self.bodies.get(getattr(first, "instance_class", None))
-
-    @classmethod
-    def refcount_free(cls, declaration: Callable) -> "dispatch_on_type":
-        """Decorate a declaration whose bodies are compiled like a ``refcount_free_kernel``."""
-        return cls(declaration, **UNCOUNTED)
-
-    @classmethod
-    def inlined(cls, declaration: Callable) -> "dispatch_on_type":
-        """Decorate a declaration whose bodies are compiled as ``inlined_kernel`` does."""
-        return cls(declaration, **UNCOUNTED, forceinline=True)
 
     def __call__(self, first: Any, *others: Any) -> Any:
         """Run the body for the type of ``first``. Raises TypeError for types without one."""
@@ -136,3 +129,7 @@ class dispatch_on_type:
     def register(self, argument_type: type) -> Callable[[Callable], Callable]:
         """Return a decorator that registers a function as the body for a type."""
         return functools.partial(self.bodies.setdefault, argument_type)
+
+
+dispatch_refcount_free: Callable[..., Any] = functools.partial(dispatch_on_type, **UNCOUNTED)
+dispatch_inlined: Callable[..., Any] = functools.partial(dispatch_on_type, **INLINED)

@@ -4,7 +4,7 @@ A control is a NamedTuple of prescribed quantities. The functions declared here 
 type.
 """
 
-from ..compile.jit import dispatch_on_type
+from ..compile.jit import dispatch_on_type, dispatch_refcount_free
 
 
 @dispatch_on_type
@@ -25,7 +25,7 @@ def balance(control, law, z, c, history, d, step):
     """
 
 
-@dispatch_on_type.refcount_free
+@dispatch_refcount_free
 def balance_rows(control, law, rows, d, step):
     """Return (d, passes) for elements with internal variables; see ``balance``.
 

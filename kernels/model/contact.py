@@ -22,10 +22,10 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ..compile.jit import dispatch_on_type, kernel, refcount_free_kernel
+from ..compile.jit import dispatch_on_type, dispatch_refcount_free, kernel, refcount_free_kernel
 
 
-@dispatch_on_type.refcount_free
+@dispatch_refcount_free
 def excess_at(contact, load, d):
     """Return (excess of the force at d over the load, its derivative with respect to d, count).
 

@@ -17,7 +17,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ..compile.jit import dispatch_on_type, inlined_kernel
+from ..compile.jit import dispatch_on_type, dispatch_refcount_free, inlined_kernel
 from .law import MIN_MAGNITUDE, advance_memory, predict
 from .prony import Prony
 from .relaxed import Relaxed, advance_element, predict_element
@@ -35,7 +35,7 @@ def lookahead_memory(law, memory, p):
     """Return the lookahead memory (M,) of an element after a step with force p."""
 
 
-@dispatch_on_type.refcount_free
+@dispatch_refcount_free
 def slide_element(law, y, d, heights, forces):
     """Move an element over samples of heights (n,) at the indentation d; return the sum of forces.
 
@@ -44,7 +44,7 @@ def slide_element(law, y, d, heights, forces):
     """
 
 
-@dispatch_on_type.refcount_free
+@dispatch_refcount_free
 def fill_memory(law, y, p, memory, at, stride, count):
     """Fill ``memory`` (M, n) of an element at the samples at, at + stride, ... (``count`` of them).
 

@@ -10,7 +10,6 @@ import numpy as np
 
 from ...compile.jit import kernel, refcount_free_kernel
 from ...model.contact import excess_at, indentation_under, lowest_threshold, overlap
-from .contact_sums import pressure_sums
 from .crossings import (
     SteadyFlight,
     enter_runs,
@@ -29,6 +28,7 @@ from .problem import (
     extended_bounds,
     indentation_advance,
     initial_bounds,
+    pressure_sums,
     spread_bounds,
     within_bounds,
 )

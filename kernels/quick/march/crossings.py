@@ -18,10 +18,9 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ...compile.jit import dispatch_on_type, kernel, refcount_free_kernel
+from ...compile.jit import dispatch_refcount_free, kernel, refcount_free_kernel
 from ...rheology.law import MIN_MAGNITUDE
-from .contact_sums import TALLY_DEPTH, TALLY_MOMENT, TALLY_SAMPLES, TALLY_WEIGHT
-from .problem import line_rise
+from .problem import TALLY_DEPTH, TALLY_MOMENT, TALLY_SAMPLES, TALLY_WEIGHT, line_rise
 
 NEGLIGIBLE_DECAY = 1e-30  # a displacement decayed by a smaller factor is zero relative to d
 EQUAL_DISPLACEMENT = 2e-15  # largest difference, relative to d, that counts as rounding
@@ -64,7 +63,7 @@ class SteadyFlight(NamedTuple):
     d: float  # indentation
 
 
-@dispatch_on_type.refcount_free
+@dispatch_refcount_free
 def fill_arrivals(flight, arrivals, powers, line, leading, distance, u):
     """Fill ``arrivals`` for the elements now between a leading sample and its source.
 

@@ -17,7 +17,6 @@ import numpy as np
 
 from ...compile.jit import inlined_kernel, kernel, refcount_free_kernel
 from ..steady.spans import SPAN
-from .contact_sums import SummedContact, add_sample, add_span, lagged_slope_at
 from .problem import (
     ALWAYS_TOUCHES,
     FORCED_UNDECIDED,
@@ -26,9 +25,13 @@ from .problem import (
     Bounds,
     DisplacementBounds,
     JumpProblem,
+    SummedContact,
+    add_sample,
+    add_span,
     decayed_displacement,
     displacement_bounds,
     kind_of_first,
+    lagged_slope_at,
     line_rise,
     span_always_touches,
     span_never_touches,

@@ -12,7 +12,6 @@ import numpy as np
 from ...compile.jit import inlined_kernel, kernel, refcount_free_kernel
 from ...rheology.kelvin import Kelvin
 from ...rheology.law import State
-from .contact_sums import SummedContact, add_sample
 from .crossings import (
     Entries,
     Gap,
@@ -31,7 +30,15 @@ from .kinds import (
     allocate_runs,
     contact_kind,
 )
-from .problem import ALWAYS_TOUCHES, NEVER_TOUCHES, UNDECIDED, Bounds, line_rise
+from .problem import (
+    ALWAYS_TOUCHES,
+    NEVER_TOUCHES,
+    UNDECIDED,
+    Bounds,
+    SummedContact,
+    add_sample,
+    line_rise,
+)
 
 CERTAIN_LANDING = 5  # a contact kind: elements always land here, after a gap
 

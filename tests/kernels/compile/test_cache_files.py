@@ -1,5 +1,6 @@
 """Cached machine code is used if it is intact, and compiled again if not; no fault is fatal."""
 
+import math
 import signal
 from pathlib import Path
 from threading import Thread
@@ -126,18 +127,24 @@ with event.install_listener("numba:compile", Slow()):
 
 
 @pytest.fixture
-def waiting(folder, tmp_path):
-    """Yield (compiling process, thread waiting for the same kernel, cache hits of the thread)."""
+def holder(folder, tmp_path):
+    """Yield a process that compiles the kernel."""
     if PLAIN_PYTHON:
         pytest.skip("NUMBA_DISABLE_JIT=1: nothing compiled")
-    actual = []
-    with standing(HOLDER, str(folder), str(tmp_path / "go")) as (holder, line):
+    with standing(HOLDER, str(folder), str(tmp_path / "go")) as (process, line):
         assert line == "compiling"
-        thread = Thread(target=lambda: actual.append(hits()), daemon=True)
-        thread.start()
-        thread.join(0.3)
-        assert thread.is_alive()
-        yield holder, thread, actual
+        yield process
+
+
+@pytest.fixture
+def waiting(holder):
+    """Return (compiling process, thread waiting for the same kernel, cache hits of the thread)."""
+    actual = []
+    thread = Thread(target=lambda: actual.append(hits()), daemon=True)
+    thread.start()
+    thread.join(0.3)
+    assert thread.is_alive()
+    return holder, thread, actual
 
 
 def test_a_process_waits_for_another_one_and_loads_its_machine_code(waiting, tmp_path):
@@ -154,18 +161,14 @@ def test_a_process_that_dies_while_it_compiles_is_not_waited_for(waiting):
     assert actual == [0]
 
 
-def test_a_process_that_is_stopped_while_it_compiles_is_not_waited_for_long(
-    folder, tmp_path, monkeypatch
-):
-    if PLAIN_PYTHON:
-        pytest.skip("NUMBA_DISABLE_JIT=1: nothing compiled")
+def test_a_process_that_is_stopped_while_it_compiles_is_not_waited_for_long(holder, monkeypatch):
     monkeypatch.setattr(cache, "LOCK_SECONDS", 0.2)
-    with standing(HOLDER, str(folder), str(tmp_path / "go")) as (holder, _):
-        holder.send_signal(signal.SIGSTOP)
-        assert hits() == 0
+    holder.send_signal(signal.SIGSTOP)
+    assert hits() == 0
 
 
-def test_other_kernels_are_compiled_meanwhile(waiting):
+def test_other_kernels_are_compiled_meanwhile(holder, monkeypatch):
+    monkeypatch.setattr(cache, "LOCK_SECONDS", math.inf)
     assert kernel(lambda x: x + 1.0)(1.0) == 2.0
 
 
