@@ -23,7 +23,7 @@ TRIALS = $(shell grep -i '^|.*$(ARGS)' docs/reliability.md | grep -oE 'tests/[a-
 FUZZED := tests/workflow/study/test_fuzz.py tests/workflow/scene/test_random_calls.py
 STUDIES = $(notdir $(patsubst %/,%,$(dir $(sort $(wildcard studies/*/study.toml)))))
 .DEFAULT_GOAL := help
-.PHONY: help setup study studies report test test-all test-exhaustive test-cluster test-nojit test-processors test-generic test-rounding test-oldest test-newest chaos trials fuzz coverage check docs wheel bench mutation intervals clean
+.PHONY: help setup study studies report test test-all test-exhaustive test-cluster test-nojit test-processors test-generic test-rounding test-oldest test-newest try-slurm chaos trials fuzz coverage check docs wheel bench mutation intervals clean
 
 help: ## List the targets
 	@grep -hE '^[a-z%-]+:.*## ' $(MAKEFILE_LIST) | sed -E 's/:.*## /\t/' | expand -t 17
@@ -88,6 +88,9 @@ test-oldest: $(TOOLS) ## Try the oldest supported packages: a smoke study and nu
 
 test-newest: $(TOOLS) ## Try the newest Python of this machine, likewise
 	$(BIN)/python -m tests.tools.environments newest
+
+try-slurm: $(TOOLS) ## Run a study in jobs of a private SLURM on this machine [ARGS="fig7 --scale smoke"]
+	$(BIN)/python -m tests.cluster.slurm $(ARGS)
 
 chaos: $(TOOLS) ## Kill what computes a study 50 times, compare the result [ARGS="--kills 100 --seed 2"]
 	$(BIN)/python -m tests.tools.chaos $(ARGS)

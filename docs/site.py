@@ -1,12 +1,13 @@
 """Hooks of the site: pages of the top folder become pages of it, and formulas become MathML.
 
 Pages are written for a reader of the repository, where a link leads from docs/ up to the pages of
-the top folder and from there to any file. On the site those pages stand under project/, and what
-they name beside pages is plain text.
+the top folder and from there to any file. On the site the README is the home page, the others
+stand under project/, and what they name beside pages is plain text.
 """
 
 import posixpath
 import re
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -15,7 +16,7 @@ from mkdocs.structure.files import File, Files
 
 ROOT = Path(__file__).resolve().parents[1]
 ABOVE = ("README.md", "CONTRIBUTING.md", "CHANGELOG.md")
-FOLDER = "project"
+PLACES = {name: f"project/{name.lower()}" for name in ABOVE} | {"README.md": "index.md"}
 UP = re.compile(rf"\]\((?:\.\./)+({'|'.join(map(re.escape, ABOVE))})")
 LINK = re.compile(r"(!?)\[([^\]]*)\]\((?!https?:|#)([^)\s]+)\)")
 FORMULA = re.compile(r'<(span|div) class="arithmatex">\\([(\[])(.*?)\\[)\]]</\1>', re.DOTALL)
@@ -28,17 +29,18 @@ RAISED = re.compile(r"(?<=\w)\^(\([^()]*(?:\([^()]*\)[^()]*)*\)|[\w−]+)")
 def on_files(files: Files, config: Any) -> Files:
     """Add the pages of the top folder."""
     for name in ABOVE:
-        content = LINK.sub(_from_above, (ROOT / name).read_text(encoding="utf-8"))
-        files.append(File.generated(config, f"{FOLDER}/{name.lower()}", content=content))
+        text, here = (ROOT / name).read_text(encoding="utf-8"), posixpath.dirname(PLACES[name])
+        content = LINK.sub(partial(_from_above, here or "."), text)
+        files.append(File.generated(config, PLACES[name], content=content))
     return files
 
 
-def _from_above(link: re.Match[str]) -> str:
-    """Return a link of a page of the top folder as it leads from its place on the site."""
+def _from_above(here: str, link: re.Match[str]) -> str:
+    """Return a link of a page of the top folder as it leads from its folder ``here`` on the site."""
     mark, text, target = link.groups()
-    if target.startswith("docs/"):
-        return f"{mark}[{text}](../{target.removeprefix('docs/')})"
-    return f"{mark}[{text}]({target.lower()})" if target.partition("#")[0] in ABOVE else text
+    name, anchor, section = target.partition("#")
+    place = name.removeprefix("docs/") if name.startswith("docs/") else PLACES.get(name)
+    return f"{mark}[{text}]({posixpath.relpath(place, here)}{anchor}{section})" if place else text
 
 
 def on_page_markdown(markdown: str, page: Any, **_: Any) -> str:
@@ -46,7 +48,7 @@ def on_page_markdown(markdown: str, page: Any, **_: Any) -> str:
     here = posixpath.dirname(page.file.src_uri) or "."
 
     def moved(link: re.Match[str]) -> str:
-        return f"]({posixpath.relpath(f'{FOLDER}/{link[1].lower()}', here)}"
+        return f"]({posixpath.relpath(PLACES[link[1]], here)}"
 
     return UP.sub(moved, markdown)
 

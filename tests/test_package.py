@@ -34,11 +34,11 @@ def test_it_says_its_version(tmp_path):
 
 
 def test_what_is_asked_from_python_is_listed_and_nothing_else():
-    commands = {"figure", "plan", "run"}
-    names = {"KineticLaw", "UserError", "__version__", "law", "open", "scene"}
+    commands = {"figure", "plan", "prony", "run"}
+    names = {"KineticLaw", "UserError", "__version__", "block_means", "law", "open", "scene"}
     assert dir(ef) == sorted(names | commands)
     assert ef.__version__ == version_of("elastomer-friction")
-    assert ef.scene.run.__doc__
+    assert (dir(ef.law), dir(ef.scene)) == (["Law", "export", "fit", "read"], ["animate", "run"])
     with pytest.raises(ef.UserError, match="nowhere: not found"):
         ef.open("nowhere")
     for odd in (3, None, "a\0b"):

@@ -1,12 +1,17 @@
-"""A private SLURM of two emulated nodes on loopback: no systemd, no cgroups, no database."""
+"""A private SLURM of two emulated nodes on loopback: no systemd, no cgroups, no database.
+
+``python -m tests.cluster.slurm [STUDY …]`` runs a study in its jobs: `make try-slurm`.
+"""
 
 import getpass
 import itertools
 import os
+import shlex
 import shutil
 import signal
 import socket
 import subprocess
+import sys
 import tempfile
 import time
 from pathlib import Path
@@ -175,3 +180,23 @@ class Slurm:
             if time.monotonic() > end:
                 raise RuntimeError("the nodes of the private SLURM do not come up")
             time.sleep(0.25)
+
+
+def main() -> None:
+    """Run a study in jobs of a private SLURM, and end it."""
+    if reason := missing():
+        sys.exit(f"{reason}; on Debian: apt install slurmctld slurmd slurm-client munge")
+    with tempfile.TemporaryDirectory(prefix="slurm-") as place:
+        slurm = Slurm(Path(place) / "private")
+        try:
+            study = sys.argv[1:] or ["fig7", "--scale", "smoke"]
+            command = [sys.executable, "-m", "workflow", "run", *study, *slurm.options()]
+            print(shlex.join(command), flush=True)
+            status = subprocess.run(command, env=os.environ | slurm.environment).returncode
+        finally:
+            slurm.stop()
+    sys.exit(status)
+
+
+if __name__ == "__main__":
+    main()

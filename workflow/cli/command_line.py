@@ -9,7 +9,7 @@ from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import Any, NoReturn
 
-from ..ground import UserError
+from ..ground import UserError, did_you_mean
 from ..system import program, version_of
 from .exit_status import RESUMABLE, WRONG
 
@@ -65,7 +65,10 @@ class OneLineParser(argparse.ArgumentParser):
     """A parser that raises a one-line UserError for invalid options."""
 
     def error(self, message: str) -> NoReturn:
-        """Raise UserError."""
+        """Raise UserError; for an unknown command with the most similar one."""
+        if unknown := re.match(r"argument command: invalid choice: '(.*?)'", message):
+            near = did_you_mean(unknown[1], COMMANDS)
+            raise UserError(f"{unknown[1]}: is not a command{near}; see {self.prog} --help")
         raise UserError(f"{message}; see {self.prog} --help")
 
 

@@ -3,6 +3,7 @@
 import argparse
 import math
 from pathlib import Path
+from typing import NamedTuple
 
 from .. import laboratory, report  # slow to import, which other commands avoid
 from ..ground import UserError
@@ -11,17 +12,28 @@ from ..system import make_folder, write_durably
 from .exit_status import DONE
 
 
-def run_prony(options: argparse.Namespace) -> int:
-    """Fit moduli, print a table [material], write the branches if requested; return the status."""
+class MaterialTable(NamedTuple):
+    """Material fitted to moduli, and its lines of TOML."""
+
+    fit: laboratory.PronyFit
+    comments: list[str]  # the measurement, the fit and its quality
+    keys: list[str]  # of [material], without the branches
+    branches: list[str]  # modulus (Pa) and time (s)
+
+    def listed(self) -> list[str]:
+        """Return the key ``branches``, one branch a line."""
+        return ["branches = [", *(f"    [{row}]," for row in self.branches), "]"]
+
+
+def material_table(options: argparse.Namespace) -> MaterialTable:
+    """Fit the options' file of moduli. Raises UserError for invalid options."""
     if options.branches is not None and options.branches < 1:
         raise UserError(f"--branches {options.branches}: must be at least 1")
     if not -1.0 < options.poisson <= INCOMPRESSIBLE:
         raise UserError(f"--poisson {options.poisson:g}: must lie between -1 and 0.5")
     if options.start is not None and not 0.0 < options.start < math.inf:
         raise UserError(f"--from {options.start:g}: must be greater than zero")
-    source, out = Path(options.file), Path(options.out) if options.out else None
-    if out and out.exists() and source.exists() and out.samefile(source):
-        raise UserError(f"--out {options.out}: is the measurement itself; name another file")
+    source = Path(options.file)
     units = options.frequency, options.modulus
     columns = columns_of(options.columns, (2, 3)) if options.columns else None
     temperatures = _temperatures(options.temperatures) if options.temperatures else ()
@@ -32,15 +44,23 @@ def run_prony(options: argparse.Namespace) -> int:
     comments = [f"# {line}" for line in (*measured.description, *described)]
     rows = [f"{modulus:.6g}, {time:.6g}" for modulus, time in fit.branches]
     modulus = f"shear_modulus = {fit.shear_modulus:.6g}"
-    table = ["[material]", modulus, *keys]
-    listed = ["branches = [", *(f"    [{row}]," for row in rows), "]"]
+    return MaterialTable(fit, comments, [modulus, *keys], rows)
+
+
+def run_prony(options: argparse.Namespace) -> int:
+    """Fit moduli, print a table [material], write the branches if requested; return the status."""
+    source, out = Path(options.file), Path(options.out) if options.out else None
+    if out and out.exists() and source.exists() and out.samefile(source):
+        raise UserError(f"--out {options.out}: is the measurement itself; name another file")
+    table = material_table(options)
+    listed = table.listed()
     if out:
-        lines = [*comments, f"# {modulus}", "modulus [Pa], time [s]", *rows, ""]
-        write_durably(out, "\n".join(lines).encode())
+        lines = [*table.comments, f"# {table.keys[0]}", "modulus [Pa], time [s]", *table.branches]
+        write_durably(out, "\n".join([*lines, ""]).encode())
         beside = (out.parent / "study.toml").is_file()
         listed = [f'branches_file = "{out.name if beside else out.resolve().as_posix()}"']
-    printed = laboratory.FORMS[options.write](fit) or [*table, *listed]
-    print(*comments, *printed, sep="\n")
+    printed = laboratory.FORMS[options.write](table.fit) or ["[material]", *table.keys, *listed]
+    print(*table.comments, *printed, sep="\n")
     return DONE
 
 

@@ -4,6 +4,7 @@ import asyncio
 import contextlib
 import importlib.util
 import logging
+import sys
 import tempfile
 from collections.abc import Iterator
 from typing import Any
@@ -39,7 +40,7 @@ def open_client(
     the scheduler does not answer or the batch system refuses the jobs.
     """
     if dashboard and importlib.util.find_spec("bokeh") is None:
-        raise UserError("--dashboard: needs bokeh (the extra 'dashboard' of this package)")
+        raise UserError(f"--dashboard: needs bokeh; {sys.executable} -m pip install bokeh")
     settings = {
         "distributed.scheduler.worker-ttl": WORKER_TTL,
         "distributed.scheduler.worker-saturation": 1.0,  # no queue on workers, for a quick Ctrl-C

@@ -40,7 +40,7 @@ def job_cluster(loop: IOLoop, cluster: Cluster, dashboard: bool = False) -> Iter
     try:
         import dask_jobqueue
     except ImportError as error:
-        needed = f"--{name}: needs dask-jobqueue (the extra '{name}' of this package)"
+        needed = f"--{name}: needs dask-jobqueue; {sys.executable} -m pip install dask-jobqueue"
         raise UserError(needed) from error
     start = getattr(dask_jobqueue, BATCH_SYSTEMS[name].jobqueue)
     with refused(logs, "cannot be used:"):

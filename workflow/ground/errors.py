@@ -6,6 +6,7 @@ from types import TracebackType
 from typing import Self
 
 MAX_LINE_CHARACTERS = 600
+LEAST_LIKENESS = 0.65  # of names, as in difflib, for a suggestion
 
 
 class UserError(Exception):
@@ -71,7 +72,7 @@ class ErrorCollector:
 
 def did_you_mean(name: object, known: Iterable[str]) -> str:
     """Return a hint with the most similar known name, for the end of a message, or ""."""
-    nearest = get_close_matches(str(name), list(map(str, known)), 1)
+    nearest = get_close_matches(str(name), list(map(str, known)), 1, LEAST_LIKENESS)
     return f"; did you mean {nearest[0]}?" if nearest else ""
 
 

@@ -15,8 +15,13 @@ from typing import Any
 Lookup = Callable[[str], Any]
 
 
-def public_names(package: str, file: str) -> tuple[list[str], Lookup, Callable[[], list[str]]]:
-    """Return ``__all__``, ``__getattr__`` and ``__dir__`` of a package; file : its ``__init__``."""
+def public_names(
+    package: str, file: str, shown: tuple[str, ...] = ()
+) -> tuple[list[str], Lookup, Callable[[], list[str]]]:
+    """Return ``__all__``, ``__getattr__`` and ``__dir__`` of a package.
+
+    file : its ``__init__``. shown : names for users, which ``__dir__`` lists; by default all.
+    """
     tree = ast.parse(Path(file).read_text(encoding="utf-8"))
     homes = {
         alias.asname or alias.name: ("." * statement.level + str(statement.module), alias.name)
@@ -36,4 +41,4 @@ def public_names(package: str, file: str) -> tuple[list[str], Lookup, Callable[[
             return import_module(f"{home}.{name_there}")
         return getattr(module, name_there)
 
-    return sorted(homes), find, lambda: sorted(homes)
+    return sorted(homes), find, lambda: sorted(shown or homes)

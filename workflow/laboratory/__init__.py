@@ -12,6 +12,7 @@ if TYPE_CHECKING:
     from .fitted_material import FORMS, describe_material, fit_material
     from .master import Shifting, master_curve
     from .measured_spectrum import spectrum_of
+    from .prony_fit import PronyFit
     from .record import read_record
     from .rolloff_fit import fit_rolloff
     from .sentences import describe

@@ -18,4 +18,4 @@ if TYPE_CHECKING:
     from .usual_laws import LuGreLaw, RateStateLaw
     from .usual_laws import read_law as read
 
-__all__, __getattr__, __dir__ = public_names(__name__, __file__)
+__all__, __getattr__, __dir__ = public_names(__name__, __file__, ("Law", "export", "fit", "read"))

@@ -59,9 +59,11 @@ def transients_of(dataset: Any, point: Mapping[str, Any] | None = None) -> list[
     {"hurst": 0.7}; the nearest point is used, axes of one value may be omitted. Raises UserError
     for an incomplete point, a result without traces, and traces too coarse to determine v(t).
     """
-    missing = [
-        name for name in TRANSIENT_VARIABLES if name not in getattr(dataset, "variables", ())
-    ]
+    if not hasattr(dataset, "variables"):
+        raise UserError(
+            f"{dataset!r:.80}: must be a dataset, of ef.scene.run, ef.run or ef.open(PATH)"
+        )
+    missing = [name for name in TRANSIENT_VARIABLES if name not in dataset.variables]
     if missing:
         raise UserError(
             f"the result has no {missing[0]}: a law is fitted to a programme of motion; compute it "
@@ -97,7 +99,7 @@ def transients_of(dataset: Any, point: Mapping[str, Any] | None = None) -> list[
 
 def motions_of(results: Any, point: Mapping[str, Any] | None = None) -> list[Transient]:
     """Return the motions of one or several results or transients, numbered if several."""
-    single = isinstance(results, Transient) or not isinstance(results, Sequence)
+    single = isinstance(results, Transient | str) or not isinstance(results, Sequence)
     motions: list[Transient] = []
     for result in [results] if single else results:
         motions += [result] if isinstance(result, Transient) else transients_of(result, point)

@@ -15,6 +15,8 @@ PUBLIC_MODULES: dict[str, Any] = {
     "run": ef.run,
     "figure": ef.figure,
     "open": ef.open,
+    "block_means": ef.block_means,
+    "prony": ef.prony,
     "KineticLaw": ef.KineticLaw,
     "law.fit": ef.law.fit,
     "law.read": ef.law.read,

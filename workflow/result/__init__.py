@@ -9,7 +9,7 @@ from ..ground import public_names
 
 if TYPE_CHECKING:
     from .body_text import body_in_words, contact_warning, model_in_words
-    from .dataset import Groups, build_dataset, model_source
+    from .dataset import Groups, build_dataset, in_si, model_source, units_of
     from .netcdf import (
         BROKEN,
         ROOT,
@@ -26,5 +26,6 @@ if TYPE_CHECKING:
         write_datasets,
     )
     from .provenance import maker_attributes, origin
+    from .variables import declared
 
 __all__, __getattr__, __dir__ = public_names(__name__, __file__)

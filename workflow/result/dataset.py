@@ -36,12 +36,12 @@ def build_dataset(
     estimates : arrays over variant.tasks. exponents : arrays over the Hurst exponents. Raises
     KeyError for an undeclared estimate, and TypeError if its type differs from the declaration.
     """
-    axes, units = plan.study.axes, _units(plan, variant)
+    axes, units = plan.study.axes, units_of(plan, variant)
     data = {}
     for name, values in estimates.items():
         if not name.endswith("_replicates"):
             dims = (*axes, *declared(name).dims[len(COMMON_AXES) :])
-            data[name] = _in_si(name, values[variant.point_task], dims, units)
+            data[name] = in_si(name, values[variant.point_task], dims, units)
     data |= _point_values(plan, variant, estimates, units)
     for name, values in exponents.items():
         data[name] = xr.DataArray(values, dims=declared(name).dims)
@@ -64,7 +64,7 @@ def build_dataset(
     return dataset.set_coords([name for name in AUXILIARY if name in dataset])
 
 
-def _in_si(name: str, values: np.ndarray, dims: tuple[str, ...], units: Units) -> xr.DataArray:
+def in_si(name: str, values: np.ndarray, dims: tuple[str, ...], units: Units) -> xr.DataArray:
     """Return an estimate, or its replicates, in SI units. values : at all points of the grid."""
     labelled, scaling = xr.DataArray(values, dims=dims), declared(name).scaling
     if not scaling:  # a factor would turn a flag into a float
@@ -82,7 +82,7 @@ def _point_values(
     study, dims, data = plan.study, (*plan.study.axes, "replicate"), {}
     request = study.scene.quantities, variant.lines.body
     replicates = {
-        name: _in_si(name, estimates[f"{name}_replicates"][variant.point_task], dims, units)
+        name: in_si(name, estimates[f"{name}_replicates"][variant.point_task], dims, units)
         for name in carried_estimates(*request)
     }
     parameters = {axis: xr.DataArray(np.array(study.grid[axis]), dims=axis) for axis in study.axes}
@@ -188,7 +188,7 @@ def _spectrum(variant: Variant) -> dict[str, xr.DataArray]:
     return {"power_spectrum": xr.DataArray(density, {"wave_number": q}, "wave_number")}
 
 
-def _units(plan: Plan, variant: Variant) -> Units:
+def units_of(plan: Plan, variant: Variant) -> Units:
     """Return the units of dimensionless values, in SI."""
     grid = plan.study.grid
     units = {axis: xr.DataArray(np.array(grid[axis]), dims=axis) for axis in COMMON_AXES}

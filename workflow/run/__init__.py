@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 from ..ground import public_names
 
 if TYPE_CHECKING:
+    from .block_values import block_dataset
     from .cost_sample import CostSample, sample_cost
     from .grid_run import run_plan
     from .measurement import run_measured

@@ -23,7 +23,13 @@ if TYPE_CHECKING:
     import xarray as xr
 
 COSTLIEST = 3  # number of costliest points shown
-SHOWN = ("hurst", "normal_force", "spacing", "velocity", "velocity_step")  # axes of these points
+SHOWN = (
+    "hurst",
+    "normal_force",
+    "spacing",
+    "velocity",
+    "velocity_step",
+)  # axes of these points, beside those of several values
 
 
 @dataclass
@@ -120,7 +126,9 @@ class Summary:
         for key in sorted(self.tasks, key=lambda key: -self.tasks[key])[:COSTLIEST]:
             task, label = tasks[key]
             point = plan.first_point(task)
-            place = point_in_words({axis: point[axis] for axis in SHOWN})
+            place = point_in_words(
+                {a: v for a, v in point.items() if a in SHOWN or len(plan.study.grid[a]) > 1}
+            )
             share = self.tasks[key] / self.used
             lines.append(f"  {share:4.0%}  {place} m={task.steps_per_spacing} {label}".rstrip())
         return ["points that cost most:", *lines]

@@ -11,4 +11,4 @@ if TYPE_CHECKING:
     from ..report import animate
     from .call import compute, run
 
-__all__, __getattr__, __dir__ = public_names(__name__, __file__)
+__all__, __getattr__, __dir__ = public_names(__name__, __file__, ("animate", "run"))

@@ -79,9 +79,10 @@ def find_study(study: str) -> Path:
     for name in (study, study.replace("-", "_")):
         if name in known:
             return known[name]
-    names = ", ".join(sorted(known))
-    near = did_you_mean(study.replace("-", "_"), known)
-    raise UserError(f"study {study!r}: must be one of {names}, or the path of a .toml file{near}")
+    if study.endswith(".nc"):
+        raise UserError(f"study {study!r}: is a result; give its study, and --out {study}")
+    near = did_you_mean(study.replace("-", "_"), known) or "; `studies` lists the names"
+    raise UserError(f"study {study!r}: must be a study or the path of a .toml file{near}")
 
 
 def known_studies() -> dict[str, Path]:

@@ -19,7 +19,7 @@ from tests.support.sweeps import mostly_exhaustive
 
 @pytest.mark.parametrize("command", ["plan", "run", "status", "figure", "table", "report"])
 def test_unknown_study_is_one_line(capsys, command):
-    assert "study 'nowhere': must be one of" in refusal(capsys, command, "nowhere")
+    assert "study 'nowhere': must be a study" in refusal(capsys, command, "nowhere")
 
 
 def test_second_ctrl_c_ends_with_the_status_of_an_interruption(capsys, study, monkeypatch):
@@ -90,7 +90,7 @@ def test_ctrl_c_in_a_measured_study_does_not_claim_that_work_was_kept(capsys, po
     ("arguments", "words"),
     [
         ([], "the following arguments are required: command"),
-        (["paint", "fig7"], "invalid choice: 'paint'"),
+        (["paint", "fig7"], "paint: is not a command; did you mean plan"),
         (["plan"], "the following arguments are required: study"),
         (["plan", "x", "--no"], "unrecognized arguments: --no"),
     ],

@@ -5,6 +5,7 @@ import tomllib
 import numpy as np
 import pytest
 
+import elastomer_friction as ef
 from elastomer_friction.kernels import Wlf
 from elastomer_friction.workflow import laboratory
 from elastomer_friction.workflow.cli import command_line
@@ -75,6 +76,10 @@ def test_the_printed_table_is_a_material(capsys, tmp_path):
     assert "what is slower than 1e+03 s counts as relaxed" in text
     assert "2 branches; residual of G*" in text
     assert "do not determine" not in text
+    fitted = ef.prony(measured(tmp_path))
+    assert f"{fitted}\n" == text
+    assert dict(fitted) == tomllib.loads(text)["material"]
+    assert fitted.residual <= fitted.worst < 1e-5
     per_decade = text.split("residual per decade from 0.01 rad/s: ")[1].split(" %")[0]
     assert len(per_decade.split(", ")) == 7  # six decades, and the last frequency of all
 
@@ -131,6 +136,7 @@ def test_sweeps_at_several_temperatures_are_a_material_that_shifts(capsys, tmp_p
     path = sweeps(tmp_path, WLF, (0.0, 10.0, 20.0, 30.0, 40.0))
     text = output(capsys, "prony", path, "--reference", "15", "--out", str(tmp_path / "b.csv"))
     assert "# 5 sweeps at 0 ... 40 °C, shifted to 15 °C" in text
+    assert ef.prony(path, reference=15.0)["wlf"] == tomllib.loads(text)["material"]["wlf"]
     assert "#   10 °C: log10 a_T = 0.50" in text
     table = checked("material", tomllib.loads(text)["material"], MATERIAL)
     found = read_material("material", table | {"temperature": 20.0}, tmp_path)

@@ -81,6 +81,19 @@ def test_values_said_to_be_usual_are_those_that_are_left_out(tmp_path):
     assert set(keys) <= {key for table in TABLES.values() for key in table}
 
 
+def test_every_key_that_is_commented_out_can_be_given(tmp_path):
+    """A pressure replaces the force; a measured line needs its file."""
+    text = STUDY_TEMPLATE.read_text(encoding="utf-8")
+    given = re.sub(r"^# (\w+ = )(?!\"line)", r"\1", text, flags=re.MULTILINE)
+    path = tmp_path / "all.toml"
+    path.write_text(re.sub(r"^normal_force", "# normal_force", given, flags=re.MULTILINE))
+    study = read_study(str(path))
+    assert study.surface.body == "half-space"
+    assert study.grid["temperature"] == (20.0, 60.0)
+    assert study.pressures == (3e5,)
+    assert len(study.material.branches) == 2
+
+
 def _usual(found: re.Match) -> str:
     """Return a commented key as one that is given, but for those that the line excepts."""
     return found[0] if "none" in (found[2] or "") else found[1]

@@ -147,7 +147,7 @@ def still(velocity, count=40):
         ([], {}, "there is nothing to fit: no result is given"),
         (still(0.1).assign(resolution_status=0), {}, "its contacts are not resolved"),
         (xr.Dataset(), {}, 'compute it with the quantity "trace"'),
-        ("a name", {}, "the result has no trace_time"),
+        ("a name", {}, "'a name': must be a dataset"),
         (still(0.1), {"kind": "magic"}, "kind = 'magic': must be one of states, rate-state, lugre"),
         (still(0.1), {"states": 9}, "states = 9: must be a whole number, 0 to 5"),
         (still(0.1), {"point": {"hurst": 0.7}}, "hurst = 0.7: the result has no such point"),

@@ -29,7 +29,7 @@ def test_an_unknown_scale_is_refused(scales, answer):
 
 
 def test_unknown_name_lists_the_known_studies():
-    with pytest.raises(UserError, match=r"^study 'fig77': must be one of .*fig7"):
+    with pytest.raises(UserError, match=r"^study 'fig77': must be a study .* did you mean fig7"):
         find_study("fig77")
 
 
