@@ -36,7 +36,7 @@ def on_files(files: Files, config: Any) -> Files:
 
 
 def _from_above(here: str, link: re.Match[str]) -> str:
-    """Return a link of a page of the top folder as it leads from its folder ``here`` on the site."""
+    """Return a link of a page of the top folder, as from the folder ``here`` of the site."""
     mark, text, target = link.groups()
     name, anchor, section = target.partition("#")
     place = name.removeprefix("docs/") if name.startswith("docs/") else PLACES.get(name)

@@ -186,6 +186,7 @@ def main() -> None:
     """Run a study in jobs of a private SLURM, and end it."""
     if reason := missing():
         sys.exit(f"{reason}; on Debian: apt install slurmctld slurmd slurm-client munge")
+    signal.signal(signal.SIGTERM, lambda *_: sys.exit(128 + signal.SIGTERM))
     with tempfile.TemporaryDirectory(prefix="slurm-") as place:
         slurm = Slurm(Path(place) / "private")
         try:
