@@ -1,9 +1,15 @@
 """Validation of a given motion v(t), and its resampling in small velocity steps."""
 
+import math
+from itertools import pairwise
+
 import numpy as np
 from numpy.typing import ArrayLike
 
 from .ground import UserError
+
+MAX_PARTS = 1e5  # of a change of velocity
+ROUNDING = 1e-9  # relative to a part
 
 
 class LawError(UserError, ValueError):
@@ -50,28 +56,35 @@ def distances_between_turns(time: np.ndarray, velocity: np.ndarray) -> np.ndarra
     return np.diff(np.where(turning[turns], path[turns] + to_turn[turns], path[turns + 1]))
 
 
+def divided(before: float, after: float, least: float, piece: float) -> list[tuple[float, float]]:
+    """Return the steps (fraction of the duration, velocity) of a change that is linear in time.
+
+    A step changes the velocity (m/s) by at most ``piece`` times the speed, or times ``least`` (m/s)
+    at lower speeds. The last step ends at (1, after). Exported laws divide alike (law.h.j2).
+    """
+    first, last = math.asinh(before / least), math.asinh(after / least)
+    count = abs(last - first) / piece
+    parts = math.ceil(count - ROUNDING) if ROUNDING < count < MAX_PARTS else 1
+    velocities = [least * math.sinh(first + k * (last - first) / parts) for k in range(1, parts)]
+    return [((v - before) / (after - before), v) for v in velocities] + [(1.0, after)]
+
+
 def finely(
     time: np.ndarray, velocity: np.ndarray, least: float, piece: float
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Return times and velocities resampled in small steps, and the indices of the given samples.
+    """Return times and velocities resampled in the steps of ``divided``, and the given indices.
 
-    A step changes the velocity by at most ``piece`` times the speed, or times ``least`` (m/s) at
-    lower speeds, where friction is linear in velocity (NaN: a default). Jumps are not divided.
+    least : NaN for a default. Jumps are not divided.
     """
     if time.size < 2:
         return time, velocity, np.arange(time.size)
-    change, duration = np.diff(velocity), np.diff(time)
     least = least if 0.0 < least < np.inf else max(1e-3 * float(np.max(np.abs(velocity))), 1e-300)
-    stretched = np.arcsinh(velocity / least)
-    parts = np.where(duration > 0.0, np.ceil(np.abs(np.diff(stretched)) / piece), 1.0)
-    parts = np.maximum(parts, 1.0).astype(int)
-    given = np.concatenate([[0], np.cumsum(parts)])
-    index = np.interp(np.arange(given[-1] + 1), given, np.arange(given.size))
-    k = np.minimum(index.astype(int), change.size - 1)
-    v = least * np.sinh(np.interp(index, np.arange(given.size), stretched))
-    v[given] = velocity
-    divisor = np.where(change[k] != 0.0, change[k], 1.0)
-    fraction = np.where(change[k] != 0.0, (v - velocity[k]) / divisor, index - k)
-    t = time[k] + np.clip(fraction, 0.0, 1.0) * duration[k]
+    rows, given = [(float(time[0]), float(velocity[0]))], [0]
+    intervals = zip(pairwise(time.tolist()), pairwise(velocity.tolist()), strict=True)
+    for (start, end), (before, after) in intervals:
+        steps = divided(before, after, least, piece) if end > start else [(1.0, after)]
+        rows += [(start + fraction * (end - start), v) for fraction, v in steps]
+        given.append(len(rows) - 1)
+    t, v = np.array(rows).T
     t[given] = time
-    return t, v, given
+    return t, v, np.array(given)

@@ -44,7 +44,7 @@ def run_law(options: argparse.Namespace) -> int:
 
 def _description(reduced_law: "Law | LoadLaw") -> list[str]:
     """Return the description of a law, with its rms error for each motion."""
-    errors = [f"  {rms:.3g} rms  {motion}" for motion, rms in reduced_law.validity.motions]
+    errors = [f"  {rms:.2g} rms  {motion}" for motion, rms in reduced_law.validity.motions]
     return [*reduced_law.told(), *errors]
 
 

@@ -18,14 +18,16 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ..given_motion import LawError
+from ..given_motion import MAX_PARTS, ROUNDING, LawError
 from ..ground import printable
 from ..system import VERSION
 from .load_law import LOAD_TABLES, LoadLaw
 from .memory_law import MemoryLaw
 from .reduced_law import Law
+from .transients import MAX_VELOCITY_CHANGE
 
 COMMENT_WIDTH = 92
+LARGEST_BOUND = 1e300  # in place of infinity
 FMU_TIMESTAMP = (1980, 1, 1, 0, 0, 0)  # fixed, so that the same law gives the same bytes
 COMPILERS = ("cc", "gcc", "clang")
 COMPILER_FLAGS = ("-std=c99", "-O2", "-fPIC", "-shared", "-ffp-contract=off")
@@ -87,6 +89,9 @@ def _rendered(template: str, law: MemoryLaw | LoadLaw, name: str, guid: str = ""
     environment = Environment(
         loader=loader, undefined=StrictUndefined, trim_blocks=True, keep_trailing_newline=True
     )
+    environment.filters["bound"] = lambda value, unknown: (
+        min(value, LARGEST_BOUND) if value > 0.0 else unknown
+    )
     environment.filters["number"] = lambda value: repr(float(value))
     environment.filters["fortran"] = lambda value: f"{float(value):.17e}".replace("e", "d")
     environment.filters["numbers"] = lambda row: ", ".join(repr(float(value)) for value in row)
@@ -102,7 +107,11 @@ def _rendered(template: str, law: MemoryLaw | LoadLaw, name: str, guid: str = ""
         name=name,
         upper=name.upper(),
         version=VERSION,
-        summary=[f"fitted to {law.validity.source}", *law.told()[1:]],
+        piece=MAX_VELOCITY_CHANGE,
+        rounding=ROUNDING,
+        max_parts=MAX_PARTS,
+        descriptions=law.memories(),
+        summary=_summary(law, name),
         comments=_comments(law),
         guid=guid,
         over_load=over_load,
@@ -113,9 +122,16 @@ def _rendered(template: str, law: MemoryLaw | LoadLaw, name: str, guid: str = ""
     return text.encode()
 
 
+def _summary(law: MemoryLaw | LoadLaw, name: str) -> str:
+    """Return the source, range, error and body of a law; the header of the sources has the rest."""
+    validity = law.validity
+    facts = (f"fitted to {validity.source}", law.range_text(), law.error_text(), validity.body)
+    return "; ".join([*filter(None, facts), f"details: sources/{name}.h"])
+
+
 def _comments(law: MemoryLaw | LoadLaw) -> list[str]:
     """Return the comment lines on source, range and errors, wrapped at COMMENT_WIDTH."""
-    segments = [f"rms error {rms:.3g} in {segment}" for segment, rms in law.validity.motions]
+    segments = [f"rms error {rms:.2g} in {segment}" for segment, rms in law.validity.motions]
     return [
         line.replace("*/", "* /")
         for text in (f"fitted to {law.validity.source}", *law.told()[1:], *segments)

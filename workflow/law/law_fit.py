@@ -12,6 +12,7 @@ from ..given_motion import distances_between_turns, finely
 from ..ground import UserError
 from .load_law import MIN_LOADS, LoadLaw
 from .memory_law import MemoryLaw
+from .memory_names import numbered, origins
 from .memory_search import MemorySearch
 from .reduced_law import Law, Validity
 from .residuals import (
@@ -128,6 +129,10 @@ def _fit_one_load(
     elif states and (left > STATELESS_RESIDUAL or start is not None):
         search = MemorySearch(motions, speeds, states)
     law, parameters = search.fit(masks, FIRST_EVALUATIONS, start)
+    evidence = ""
+    if isinstance(search, MemorySearch) and isinstance(law, MemoryLaw):
+        names, evidence = origins(motions, search.responses(law))
+        law = replace(law, names=numbered(names))
     if others:
         errors = masked_residuals(law, others, known_friction(others))
         held_out = HeldOut(errors, "; ".join(motion.name for motion in others))
@@ -136,6 +141,7 @@ def _fit_one_load(
     validity = replace(
         _validity(law, motions, masks, speeds),
         usual=mu_scale,
+        memories=evidence,
         left=left**2,
         held_rms=max(root_mean_square([residual]) for residual in held_out.residuals),
         held_largest=float(np.max(np.abs(np.concatenate(held_out.residuals)))),
@@ -175,6 +181,11 @@ def _fit_loads(
         held_out="; ".join([validities[0].held_out, *descriptions]),
         window=f"{validities[0].window} under each load",
         motions=segments,
+        memories="; ".join(
+            f"under {force:.4g} N {v.memories}"
+            for force, v in zip(forces, validities, strict=True)
+            if v.memories
+        ),
         **{name: max(getattr(v, name) for v in validities) for name in MAXIMA_OVER_LOADS},
     )
     return table.with_validity(validity)
@@ -259,11 +270,17 @@ def _refined(motion: Transient, smallest_speed: float) -> Transient:
     time, velocity, samples = finely(
         motion.time, motion.velocity, smallest_speed, MAX_VELOCITY_CHANGE
     )
-    mu, error = np.full(time.size, np.nan), np.full(time.size, np.nan)
-    mu[samples], error[samples] = motion.mu, motion.error
+    known = np.full((3, time.size), np.nan)
+    known[:, samples] = motion.mu, motion.error, motion.heating
+    mu, error, heating = known
     following = np.minimum(np.searchsorted(samples, np.arange(time.size)), samples.size - 1)
     return motion._replace(
-        time=time, velocity=velocity, mu=mu, error=error, segment=motion.segment[following]
+        time=time,
+        velocity=velocity,
+        mu=mu,
+        error=error,
+        segment=motion.segment[following],
+        heating=heating,
     )
 
 

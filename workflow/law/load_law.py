@@ -5,13 +5,14 @@ clamped to its ends.
 """
 
 import warnings
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from typing import ClassVar, Self
 
 import numpy as np
 
 from ..given_motion import LawError
 from .memory_law import MemoryLaw
+from .memory_names import checked_names, memory_texts
 from .reduced_law import BeyondLawWarning, FittedLaw, finite_number
 
 LOAD_TABLES = ("direct", "target", "rate_per_length", "rate", "age")  # fields with a load axis
@@ -30,6 +31,7 @@ class LoadLaw(FittedLaw):
     rate_per_length: np.ndarray  # 1/m, shape (loads, n + 1)
     rate: np.ndarray  # 1/s, shape (loads, n + 1)
     age: np.ndarray  # contact age g_s, shape (loads, speeds)
+    names: tuple[str, ...] = field(default=(), kw_only=True)  # of the memories g, z_1 ... z_n
 
     def __post_init__(self) -> None:
         """Raise UserError for loads that do not increase and for invalid tables."""
@@ -42,14 +44,23 @@ class LoadLaw(FittedLaw):
             raise LawError("load: must hold two or more increasing positive values")
         if any(len(getattr(self, name)) != self.load.size for name in LOAD_TABLES):
             raise LawError("the tables must hold one row per load")
+        object.__setattr__(self, "names", checked_names(self.names, self.rate.shape[1]))
         for force in self.load:
             self._law_at(force)
 
     @classmethod
     def of(cls, loads: list[float], laws: list[MemoryLaw]) -> Self:
-        """Return the table of laws with the same speeds, over increasing loads (N)."""
+        """Return the table of laws with the same speeds, over increasing loads (N).
+
+        The memories keep their names if these are the same under each load.
+        """
         rows = [np.array([getattr(law, name) for law in laws]) for name in LOAD_TABLES]
-        return cls(np.array(loads), laws[0].speed, *rows)
+        same = all(law.names == laws[0].names for law in laws)
+        return cls(np.array(loads), laws[0].speed, *rows, names=laws[0].names if same else ())
+
+    def memories(self) -> list[str]:
+        """Return the names of the memories with their ranges of lengths and times."""
+        return memory_texts(self.names, self.rate_per_length, self.rate)
 
     def at(
         self, *, normal_force: float | None = None, temperature: float | None = None
@@ -83,7 +94,7 @@ class LoadLaw(FittedLaw):
         rows = [getattr(self, name) for name in LOAD_TABLES]
         validity = replace(self.validity, normal_force=float(force))
         between = [(1.0 - share) * row[k - 1] + share * row[k] for row in rows]
-        return MemoryLaw(self.speed, *between, validity=validity)
+        return MemoryLaw(self.speed, *between, names=self.names, validity=validity)
 
     def outside(self) -> str:
         """Return a text on the behaviour of the law outside its range."""

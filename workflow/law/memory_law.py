@@ -12,17 +12,19 @@ friction is
     mu_ss(v) = g_s(|v|) (D(v) + sum_j Z_j(v)),
 
 odd in v, and linear in v below the slowest speed. At constant v a step is exact. For v linear in
-time a step is of second order: it uses the rates at the mean speed, and targets linear in time.
+time each small part of a step (``divided``) is of second order: it uses the rates at the mean speed
+of the part, and targets linear in time.
 """
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import ClassVar
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from ..given_motion import LawError, finite_numbers
+from .memory_names import checked_names, memory_texts
 from .reduced_law import Law, mean_speed
 
 SERIES_STEP = 1e-6  # relative to the relaxation time; shorter steps use a series
@@ -66,6 +68,7 @@ class MemoryLaw(Law):
     rate_per_length: np.ndarray  # 1/D_c, then 1/D_j, 1/m, shape (n + 1,)
     rate: np.ndarray  # 1/t_c, then 1/t_j, 1/s, shape (n + 1,)
     age: np.ndarray  # contact age g_s, shape (speeds,)
+    names: tuple[str, ...] = field(default=(), kw_only=True)  # of the memories g, z_1 ... z_n
 
     def __post_init__(self) -> None:
         """Raise UserError for tables with inconsistent shapes or values."""
@@ -83,6 +86,7 @@ class MemoryLaw(Law):
         positive = bool((np.diff(self.speed, prepend=0.0) > 0.0).all())
         if not positive or min(self.rate.min(), self.rate_per_length.min()) < 0.0:
             raise LawError("speed must be positive and increasing; rates must not be negative")
+        object.__setattr__(self, "names", checked_names(self.names, states + 1))
 
     @property
     def numbers(self) -> int:
@@ -111,10 +115,20 @@ class MemoryLaw(Law):
         total = self.direct + self.target.sum(axis=0)
         return even(v, self.speed, self.age) * odd(v, self.speed, total)
 
+    def memories(self) -> list[str]:
+        """Return the names of the memories with their lengths and times."""
+        return memory_texts(self.names, self.rate_per_length[None], self.rate[None])
+
     def outside(self) -> str:
         """Return a text on the behaviour of the law outside its range."""
         return (
             f"below {self.validity.slowest:.3g} m/s mu decreases to zero at rest, in proportion to "
-            f"v below {self.speed[0]:.3g} m/s; the tables clamp the speed to "
-            f"{self.speed[-1]:.3g} m/s"
+            f"v below {self.speed[0]:.3g} m/s; {self._above()}"
         )
+
+    def _above(self) -> str:
+        return f"the tables clamp the speed to {self.speed[-1]:.3g} m/s"
+
+    def _smallest_speed(self, fastest: float) -> float:
+        """Return the slowest speed of the tables, which are linear below it."""
+        return float(self.speed[0])

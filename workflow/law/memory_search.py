@@ -94,6 +94,24 @@ class MemorySearch:
         )
         return law, p
 
+    def responses(self, law: MemoryLaw) -> list[list[np.ndarray]]:
+        """Return even responses over the motions: at once, then by each memory of a law.
+
+        That of a memory has one column per speed, and one per motion for the initial value.
+        """
+        responses = [self.even]
+        for per_length, per_time in zip(law.rate_per_length, law.rate, strict=True):
+            rows = []
+            for k in range(len(self.motions)):
+                decay = np.exp(-np.cumsum(self.distances[k] * per_length + self.dt[k] * per_time))
+                start = np.zeros((decay.size + 1, len(self.motions)))
+                start[:, k] = np.append(1.0, decay)
+                with np.errstate(divide="ignore"):
+                    memory = self._memory(k, -np.log(per_length), -np.log(per_time), True)
+                rows.append(np.concatenate([self.even[k], memory, start], 1))
+            responses.append(rows)
+        return responses
+
     def _split(self, p: np.ndarray) -> _Parameters:
         count = self.states + 1
         return _Parameters(p[:count], p[count : 2 * count], p[2 * count :])

@@ -16,18 +16,29 @@ from typing import Any, ClassVar, NamedTuple, Self
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ..given_motion import LawError, distances_between_turns, finely, given_motion
+from ..given_motion import LawError, distances_between_turns, divided, given_motion
 from ..study import shift_of
 from .transients import MAX_VELOCITY_CHANGE, motions_of
 
 FORMAT = 1  # version of the JSON format
-TEXT_FIELDS = ("motions", "held_out", "window", "source", "shift", "body")  # of Validity, as text
-OPTIONAL_FIELDS = (
+TEXT_FIELDS = (  # of Validity, as text
+    "motions",
+    "held_out",
+    "window",
+    "source",
+    "shift",
+    "body",
+    "memories",
+)
+OPTIONAL_FIELDS = (  # of Validity, missing in older files
     "temperature",
     "shift",
     "body",
+    "memories",
     "shortest_stroke",
-)  # of Validity, missing in older files
+)
+MIN_ERROR = 1e-6  # relative to the rms of mu; smaller errors are rounding
+MIN_SPEED = 1e-300  # m/s, lower bound of a divisor
 RANGE_MARGIN = 1.0 + 1e-9  # factor on the ends of ranges, for rounding
 
 
@@ -46,9 +57,9 @@ class Validity:
     velocity alone does not explain. motions : names of the fitted segments, with the rms error on
     each. held_out, window : descriptions of the held-out and of the fitted motions. source : name
     of the result. temperature : degrees Celsius. shift : time-temperature shift of the material, as
-    JSON. body : elastic body of the motions, and the error of the model, in words.
-    shortest_stroke : shortest distance between two turns of the motions, m; infinite if none turns
-    twice, NaN if unknown.
+    JSON. body : elastic body of the motions, and error of the model, in words. memories : evidence
+    for the names of the memories, in words. shortest_stroke : shortest distance between two turns
+    of the motions, m; infinite if none turns twice, NaN if unknown.
     """
 
     slowest: float = float("nan")
@@ -69,6 +80,7 @@ class Validity:
     temperature: float = float("nan")
     shift: str = ""
     body: str = ""
+    memories: str = ""
     shortest_stroke: float = float("nan")
 
 
@@ -99,38 +111,71 @@ class FittedLaw(ABC):
         """Return the law as JSON, from which ``read`` restores it exactly."""
         numbers = {name: np.asarray(getattr(self, name)).tolist() for name in self._number_names()}
         validity = {name: _json_value(value) for name, value in asdict(self.validity).items()}
-        content = {"format": FORMAT, "kind": self.kind, **numbers, "validity": validity}
+        names = {"names": self.names} if hasattr(self, "names") else {}
+        content = {"format": FORMAT, "kind": self.kind, **names, **numbers, "validity": validity}
         return json.dumps(content, indent=1, allow_nan=False)
+
+    def memories(self) -> list[str]:
+        """Return the names of the memories with their lengths and times, if they have names."""
+        return []
 
     def told(self) -> list[str]:
         """Return the numbers, range and errors of the law as lines of text."""
         validity = self.validity
         numbers = [f"{name} {_array_text(getattr(self, name))}" for name in self._number_names()]
-        percent = 100.0 / validity.usual if validity.usual else float("nan")
-        error, temperature = validity.model_error, validity.temperature
-        known_error = f"{error:.3g}" if math.isfinite(error) else "unknown"
-        at = "" if math.isnan(temperature) else f", {temperature:.4g} °C"
+        memories = "; ".join(filter(None, [*self.memories(), validity.memories]))
         return [
             f"kind: {self.kind}; {'; '.join(numbers)}",
-            f"range: speeds of {validity.slowest:.3g} ... {validity.fastest:.3g} m/s, rest of "
-            f"{validity.longest_rest:.3g} s at most, normal force {self._load_text()} N{at}, "
-            f"{self._stroke_text()}",
+            *([f"memories: {memories}"] if memories else []),
+            self.range_text(),
             f"outside: {self.outside()}",
-            f"error on the worst of the motions held out: {validity.held_rms:.3g} rms "
-            f"({percent * validity.held_rms:.3g} % of the rms of mu), "
-            f"{validity.held_largest:.3g} at most; held out: {validity.held_out}",
-            f"error on the fitted motions, {validity.window}: {validity.rms:.3g} rms "
-            f"({percent * validity.rms:.3g} %), {validity.largest:.3g} at most; standard error of "
-            f"the model {known_error}",
+            f"{self.error_text()}; held out: {validity.held_out}",
+            f"error on the fitted motions, {validity.window}: {self._rms(validity.rms)}, "
+            f"{validity.largest:.2g} at most; standard error of the model: "
+            f"{self._rms(validity.model_error)}",
             *filter(None, [validity.body]),
         ]
 
+    def range_text(self) -> str:
+        """Return the range of the fit as text."""
+        validity = self.validity
+        temperature = validity.temperature
+        at = "" if math.isnan(temperature) else f", {temperature:.4g} °C"
+        return (
+            f"range: speeds of {validity.slowest:.3g} ... {validity.fastest:.3g} m/s, rest of "
+            f"{validity.longest_rest:.3g} s at most, normal force {self._load_text()} N{at}, "
+            f"{self._stroke_text()}"
+        )
+
+    def error_text(self) -> str:
+        """Return the stated error, which is that on held-out motions, as text."""
+        validity = self.validity
+        return (
+            f"error on the worst of the motions held out: {self._rms(validity.held_rms)}, "
+            f"{validity.held_largest:.2g} at most"
+        )
+
+    def _rms(self, error: float) -> str:
+        """Return an rms error of mu to two digits, with its share of the rms of mu."""
+        usual = self.validity.usual
+        if not math.isfinite(error):
+            return "unknown"
+        if not usual > 0.0:
+            return f"{error:.2g} rms"
+        if error < MIN_ERROR * usual:
+            return f"below {MIN_ERROR * usual:.1g} rms"
+        return f"{error:.2g} rms ({100.0 * error / usual:.2g} % of the rms of mu)"
+
     def outside(self) -> str:
         """Return a text on the behaviour of the law outside its range."""
+        return self._above()
+
+    def _above(self) -> str:
+        """Return a text on the behaviour of the law above its fastest speed."""
         return "its formula is extrapolated; nothing is clamped"
 
     def _number_names(self) -> list[str]:
-        return [field.name for field in fields(self) if field.name != "validity"]
+        return [field.name for field in fields(self) if field.name not in ("names", "validity")]
 
     def _stroke_text(self) -> str:
         """Return the shortest distance between turns as text."""
@@ -166,9 +211,10 @@ class Law(FittedLaw):
     def step(self, state: np.ndarray, v: float, dt: float) -> tuple[np.ndarray, float]:
         """Return the state and mu after dt (s), during which the velocity changes linearly to v.
 
-        v : m/s. dt = 0 is a jump of the velocity. At constant velocity the result does not depend
-        on how the time is divided into steps. The given state is not modified. Raises UserError for
-        a negative dt, for values that are not finite, and for a state of the wrong length.
+        v : m/s. dt = 0 is a jump of the velocity. Changes of the velocity are divided into small
+        steps, so that the result does not depend on the sampling of v(t). The given state is not
+        modified. Raises UserError for a negative dt, for values that are not finite, and for a
+        state of the wrong length.
         """
         v, dt = finite_number("v", v, "m/s"), finite_number("dt", dt, "s")
         if dt < 0.0:
@@ -177,7 +223,19 @@ class Law(FittedLaw):
             raise LawError(
                 f"state = {state!r:.60}: must be {self.numbers} finite numbers, as init returns"
             )
-        return self._step(state, v, dt)
+        if dt == 0.0:
+            return self._step(state, v, dt)
+        mu, since = 0.0, 0.0
+        least = self._smallest_speed(max(abs(state[0]), abs(v)))
+        for fraction, velocity in divided(float(state[0]), v, least, MAX_VELOCITY_CHANGE):
+            state, mu = self._step(state, velocity, (fraction - since) * dt)
+            since = fraction
+        return state, mu
+
+    def _smallest_speed(self, fastest: float) -> float:
+        """Return the speed (m/s) below which a small change is one relative to this speed."""
+        slowest = self.validity.slowest
+        return slowest if 0.0 < slowest < math.inf else max(1e-3 * fastest, MIN_SPEED)
 
     @property
     def numbers(self) -> int:
@@ -236,9 +294,8 @@ class Law(FittedLaw):
     def run(self, time: ArrayLike, velocity: ArrayLike) -> np.ndarray:
         """Return mu at times (s), for velocities (m/s) that are linear in between; shape (n,).
 
-        Two samples at the same time are a jump. Sliding is steady before the first sample. Changes
-        of the velocity are divided into small steps, so that the result does not depend on the
-        sampling of v(t). Warns above the fastest speed, and of turns that follow each other within
+        Two samples at the same time are a jump. Sliding is steady before the first sample. Warns
+        above the fastest speed, and of turns that follow each other within
         less than the shortest stroke. Raises UserError for times that decrease and for values that
         are not finite.
         """
@@ -250,14 +307,14 @@ class Law(FittedLaw):
                 f"({self._stroke_text()}); the error of the law is unknown"
             )
             warnings.warn(message, BeyondLawWarning, stacklevel=2)
-        t, v, samples = finely(*motion, self.validity.slowest, MAX_VELOCITY_CHANGE)
-        if v.size and np.max(np.abs(v)) > self.validity.fastest * RANGE_MARGIN:
+        fastest = np.max(np.abs(motion[1]), initial=0.0)
+        if fastest > self.validity.fastest * RANGE_MARGIN:
             message = (
-                f"{np.max(np.abs(v)):g} m/s is above the fastest fitted speed, "
-                f"{self.validity.fastest:g} m/s; the speed is clamped there"
+                f"{fastest:g} m/s is above the fastest fitted speed, "
+                f"{self.validity.fastest:g} m/s; {self._above()}"
             )
             warnings.warn(message, BeyondLawWarning, stacklevel=2)
-        return friction_along(self, t, v)[samples]
+        return friction_along(self, *motion)
 
     def compare(self, results: Any, point: dict[str, Any] | None = None) -> list[Compared]:
         """Return the friction of the model and of the law for every segment of the results.

@@ -37,6 +37,7 @@ class Transient(NamedTuple):
     mu: np.ndarray  # NaN if unknown
     error: np.ndarray  # standard error of mu, NaN if unknown
     segment: np.ndarray  # number in the programme, from 0
+    heating: np.ndarray  # temperature of the contact, degrees Celsius, NaN if unknown
     normal_force: float  # N
     temperature: float = math.nan  # degrees Celsius, NaN if unknown
     shift: str = ""  # time-temperature shift: keys of [material] as JSON
@@ -135,21 +136,22 @@ def _transient(dataset: Any, name: str, material: tuple[float, str]) -> Transien
     segment = segment[recorded]
     t, v, x = values("trace_time"), values("trace_velocity"), values("trace_distance")
     _check_distance(name, t, v, x, segment)
-    rows = np.column_stack([t, v, values("trace_mu"), values("trace_mu_error"), segment])
+    mu, heating = values("trace_mu"), values("trace_contact_temperature")
+    rows = np.column_stack([t, v, mu, values("trace_mu_error"), segment, heating])
     for k in np.flatnonzero((np.diff(rows[:, 4]) != 0.0) & (np.diff(v) != 0.0))[::-1]:
         # Place the jump such that both velocities together lead to the second position.
         before, after, duration = v[k], v[k + 1], t[k + 1] - t[k]
         since = (x[k + 1] - x[k] - after * duration) / (before - after)
         at = t[k] + min(max(since, 0.0), duration)
         ends = [
-            [at, before, np.nan, np.nan, rows[k, 4]],
-            [at, after, np.nan, np.nan, rows[k + 1, 4]],
+            [at, before, np.nan, np.nan, rows[k, 4], np.nan],
+            [at, after, np.nan, np.nan, rows[k + 1, 4], np.nan],
         ]
         rows = np.insert(rows, k + 1, ends, axis=0)
-    time, velocity, mu, error, segments = rows.T
+    time, velocity, mu, error, segments, heating = rows.T
     segments = segments.astype(int)
     body = f"{body_in_words(dataset)} {model_in_words(dataset)}".strip()
-    return Transient(name, time, velocity, mu, error, segments, force, *material, body)
+    return Transient(name, time, velocity, mu, error, segments, heating, force, *material, body)
 
 
 def _check_distance(

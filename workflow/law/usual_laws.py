@@ -130,9 +130,12 @@ def read_law(source: str | Path) -> Law | LoadLaw:
         law_class: type[Law | LoadLaw] = READABLE_LAWS[content["kind"]]
         if content["format"] != FORMAT:
             raise ValueError(f"its format is {content['format']}, not {FORMAT}")
-        names = [field.name for field in fields(law_class) if field.name != "validity"]
-        numbers = {name: _checked(name, content[name]) for name in names}
-        return law_class(**numbers, validity=_validity(content["validity"]))
+        fixed = ("names", "validity")
+        numbers = [field.name for field in fields(law_class) if field.name not in fixed]
+        values = {name: _checked(name, content[name]) for name in numbers}
+        if law_class.kind in (MemoryLaw.kind, LoadLaw.kind):
+            values["names"] = tuple(content.get("names", ()))
+        return law_class(**values, validity=_validity(content["validity"]))
     except (LookupError, TypeError, ValueError, ArithmeticError, RecursionError) as error:
         raise LawError(f"{place}: is not a law as JSON: {error}") from error
 

@@ -47,9 +47,10 @@ def result(law, segments=SEGMENTS, samples=40, **attributes):
         for end in duration * np.geomspace(1e-3, 1.0, samples):
             since = 0.0 if not rows or rows[-1][4] != k else rows[-1][5]
             state, mu = law.step(state, v, end - since)
-            rows.append([t + end, v, x + v * end, mu, k, end])
+            rows.append([t + end, v, x + v * end, mu, k, end, state[1]])
         t, x = t + duration, x + v * duration
-    return dataset(*np.array(rows).T[:5], **attributes)
+    given = dataset(*np.array(rows).T[:5], **attributes)
+    return given.assign(age=("event", [row[6] for row in rows]))
 
 
 def dataset(time, velocity, distance, mu, segment, force=2.0, **attributes):

@@ -6,6 +6,7 @@ import platform
 import re
 import shutil
 import subprocess
+import warnings
 import zipfile
 from dataclasses import replace
 
@@ -14,7 +15,7 @@ import pytest
 
 from elastomer_friction.workflow.ground import UserError
 from elastomer_friction.workflow.law import LuGreLaw, export, read
-from elastomer_friction.workflow.law.reduced_law import Validity, friction_along
+from elastomer_friction.workflow.law.reduced_law import Validity
 from tests.workflow.law.given import load_law, memory_law
 
 LAW = memory_law().with_validity(
@@ -42,14 +43,15 @@ SWING = 0.05 * (1.0 + 0.6 * np.sin(60.0 * np.pi * TIME)) * np.sign(0.2 - TIME) *
 
 
 USE = """
-subroutine run(n, t, v, mu) bind(c)
+subroutine run(n, t, v, mu, outside) bind(c)
 use iso_c_binding
 use rubber_law
 integer(c_int), value :: n
-real(c_double) :: t(n), v(n), mu(n), state(memories + 1)
+real(c_double) :: t(n), v(n), mu(n), state(states), outside(n)
 call rubber_init(state, v(1))
 do k = 1, n
   call rubber_step(state, v(k), t(k) - t(max(k - 1, 1)), mu(k))
+  outside(k) = state(at_outside)
 end do
 end subroutine
 subroutine coefficient(n, v, mu, slope) bind(c)
@@ -64,18 +66,38 @@ end subroutine
 
 
 def loaded(folder, *command):
-    """Return the library that a compiler makes of files in a folder; it has run(n, t, v, mu)."""
+    """Return the library, with run(n, t, v, mu, outside), that a compiler makes of a folder."""
     subprocess.run([*command, "-shared", "-fPIC", "-o", "use.so"], cwd=folder, check=True)
     library, numbers = ctypes.CDLL(str(folder / "use.so")), np.ctypeslib.ndpointer(float)
-    library.run.argtypes = [ctypes.c_int, numbers, numbers, numbers]
+    library.run.argtypes = [ctypes.c_int, *[numbers] * 4]
     return library
 
 
-def assert_followed(library, law):
-    """Assert that a library and the law give the same friction on the motion."""
-    mu = np.empty_like(TIME)
-    library.run(TIME.size, TIME, SWING, mu)
-    assert mu == pytest.approx(friction_along(law, TIME, SWING), rel=1e-12, abs=1e-12)
+def assert_followed(library, law, load_flag=0):
+    """Assert that a library and the law give the same friction and the same faults of motions.
+
+    The random motions have long steps through zero, jumps, rests, and speeds beyond the range.
+    """
+    generator = np.random.default_rng(51)
+    motions = [(TIME, SWING)]
+    for fastest in (0.09, 0.3):
+        for slow in (0.0, -0.5):
+            duration = generator.choice([0.0, 1e-4, 0.02, 0.2], 100)
+            velocity = fastest * generator.uniform(slow, 1.0, 100) * generator.integers(0, 2, 100)
+            motions.append((np.cumsum(duration), velocity))
+    flags = set()
+    for time, velocity in motions:
+        mu, outside = np.empty_like(time), np.empty_like(time)
+        library.run(time.size, time, velocity, mu, outside)
+        with warnings.catch_warnings(record=True) as caught:
+            warnings.simplefilter("always")
+            expected = law.run(time, velocity)
+        assert mu == pytest.approx(expected, rel=1e-12, abs=1e-12)
+        texts = " ".join(str(warning.message) for warning in caught)
+        flag = ("above the fastest" in texts) + 2 * ("between two turns" in texts)
+        assert outside[-1] == flag + load_flag
+        flags.add(flag)
+    assert flags == {0, 1, 2, 3}
 
 
 @compiled
@@ -90,17 +112,18 @@ def test_the_header_in_c_is_the_law_to_rounding(tmp_path, states, force):
     (tmp_path / "rubber.h").write_bytes(export(written, "c", "rubber").content)
     (tmp_path / "use.c").write_text(
         '#include "rubber.h"\n'
-        "void run(int n, const double *t, const double *v, double *mu)\n"
+        "void run(int n, const double *t, const double *v, double *mu, double *outside)\n"
         "{\n    double state[RUBBER_STATES];\n    int k;\n"
         f"    rubber_init(state, v[0]{load});\n"
-        "    for (k = 0; k < n; ++k)\n"
-        "        mu[k] = rubber_step(state, v[k], k ? t[k] - t[k - 1] : 0.0);\n}\n"
+        "    for (k = 0; k < n; ++k) {\n"
+        "        mu[k] = rubber_step(state, v[k], k ? t[k] - t[k - 1] : 0.0);\n"
+        "        outside[k] = state[RUBBER_OUTSIDE];\n    }\n}\n"
         f"double steady(double v) {{ return rubber_steady(v{load}); }}\n"
     )
     strict = ["-std=c99", "-pedantic", "-Wall", "-Wextra", "-Werror"]
     library = loaded(tmp_path, COMPILER, *strict, "use.c", "-lm")
     library.steady.argtypes, library.steady.restype = [ctypes.c_double], ctypes.c_double
-    assert_followed(library, law)
+    assert_followed(library, law, 0 if force is None or 1.0 <= force <= 8.0 else 4)
     for v in (-0.3, -0.03, 0.0, 1e-4, 0.001, 0.05, 0.1):
         assert library.steady(v) == pytest.approx(float(law.steady(v)), rel=1e-13, abs=1e-15)
 
@@ -114,7 +137,7 @@ def test_the_fortran_is_the_law_to_rounding(tmp_path, states):
     (tmp_path / "vaba_param.inc").write_text("      implicit real*8(a-h, o-z)\n")
     (tmp_path / "use.f90").write_text(USE)
     library = loaded(tmp_path, "gfortran", "-O2", "rubber.f", "use.f90")
-    library.coefficient.argtypes = library.run.argtypes
+    library.coefficient.argtypes = library.run.argtypes[:4]
     assert_followed(library, law)
     v = np.array([0.0, 1e-4, 0.0015, 0.03, 0.07, 0.3])
     steady, slope = np.empty_like(v), np.empty((3, v.size))
@@ -195,6 +218,7 @@ def test_the_description_of_the_fmu_is_short():
     (description,) = re.findall(r'description="(fitted to ; range: [^"]*)"', model)
     assert len(description) < 1000
     assert "0.003 m or more between turns" in description
+    assert re.findall(r'name="(\w+)"[^>]*causality="local"', model) == list(law.names)
 
 
 def test_json_is_read_back_and_other_laws_have_no_other_form():

@@ -1,5 +1,6 @@
 """Fits of laws to motions: known laws are recovered, and held-out motions are within the error."""
 
+import json
 from dataclasses import replace
 
 import numpy as np
@@ -8,7 +9,9 @@ import xarray as xr
 from scipy.integrate import solve_ivp
 
 import elastomer_friction as ef
-from elastomer_friction.workflow.law import LoadLaw, LuGreLaw, RateStateLaw, read
+from elastomer_friction.workflow.law import LoadLaw, LuGreLaw, RateStateLaw, read, transients_of
+from elastomer_friction.workflow.law.memory_names import origins
+from elastomer_friction.workflow.law.memory_search import MemorySearch
 from elastomer_friction.workflow.law.reduced_law import BeyondLawWarning, Validity
 from tests.workflow.law.given import SEGMENTS, dataset, memory_law, result
 
@@ -47,6 +50,43 @@ def test_a_law_holds_its_range_and_errors(fitted):
     assert "range: speeds of 0.01 ... 0.1 m/s, rest of 0.4 s at most, normal force 2 N" in text
     assert validity.shortest_stroke == pytest.approx(0.003, rel=1e-3)  # of one segment
     assert "the tables clamp the speed to 0.1 m/s" in text
+
+
+@pytest.mark.parametrize(
+    ("temperature", "expected", "evidence"),
+    [
+        (None, ("age", "contact"), ""),
+        (lambda data: 20.0 + 9.0 * data.age, ("temperature", "contact"), "100 %, "),
+        (lambda data: 20.0 + 300.0 * abs(data.trace_velocity), ("age", "contact"), "the velocity"),
+        (lambda data: 20.0 + np.sin(9.0 * data.trace_time), ("age", "contact"), "none follows"),
+    ],
+)
+def test_a_memory_is_named_after_the_temperature_that_it_explains(
+    known, fitted, temperature, expected, evidence
+):
+    data = result(known)
+    if temperature:
+        data["trace_contact_temperature"] = temperature(data)
+    motions = transients_of(data)
+    names, told = origins(motions, MemorySearch(motions, fitted.speed, 1).responses(fitted))
+    assert tuple(names) == expected
+    assert evidence in told
+    assert bool(told) == bool(evidence)
+
+
+def test_a_heated_law_keeps_its_names_and_older_laws_have_none(known):
+    data = result(known)
+    data["trace_contact_temperature"] = 20.0 + 9.0 * data.age
+    law = ef.law.fit(data, states=1)
+    assert law.names == read(law.to_json()).names == ("temperature", "contact")
+    assert "memories: temperature (g, a factor of mu): length 0.000" in "\n".join(law.told())
+    for form in ("c", "fortran"):
+        text = ef.law.export(law, form, "rubber").content.decode().lower()
+        assert "_temperature" in text
+        assert "contact (z_1): length" in text
+    older = json.loads(law.to_json())
+    del older["names"], older["validity"]["memories"]
+    assert read(json.dumps(older)).names == ("state_1", "state_2")
 
 
 def test_a_law_states_the_body_and_the_error_of_the_model(known):

@@ -111,6 +111,7 @@ def test_json_keeps_every_bit(tmp_path):
         ({"age": [10**400] * 5}, "int too large"),
         ({"age": "x"}, "age = 'x': must be finite"),
         ({"validity": {**json.loads(LAW.to_json())["validity"], "body": 3}}, "validity.body = 3: "),
+        ({"names": ["age", "a/b", "contact"]}, "must be 3 different names of memories"),
         ({"format": 2}, "its format is 2, not 1"),
         ({"speed": [0.01]}, "two speeds or more, and one value per speed"),
         ({"speed": [0.02, 0.01, 0.03, 0.04, 0.05]}, "speed must be positive and increasing"),
