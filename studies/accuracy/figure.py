@@ -6,7 +6,7 @@ from matplotlib import pyplot as plt
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from elastomer_friction.workflow.report import COLOURS, with_unit, write_below
+from elastomer_friction.workflow.report import COLOURS, legend_in_room, with_unit, write_below
 from elastomer_friction.workflow.result import Groups
 
 CAPTION = (
@@ -20,7 +20,7 @@ MARKS = ("o", "s", "^")  # of the compared points, and of quantities in (a)
 NAMES = {"mu_1": "$\\mu_1$", "jump": "$\\Delta\\mu_0$", "rate": "$b$", "curve": "$\\mu(t)$"}
 LOCATED = ("mu_1", "jump", "curve")  # quantities that depend on located contacts, unlike b
 LABELLED_STEPS = (1, 4, 16, 64)
-LIMITS = (1e-6, 10.0)
+LIMITS = ((1e-10, 10.0), (1e-6, 10.0))  # of the rows of panels
 
 
 def draw(groups: Groups) -> dict[str, Figure]:
@@ -29,7 +29,7 @@ def draw(groups: Groups) -> dict[str, Figure]:
 
 
 def _discretisation(groups: Groups) -> Figure:
-    figure, axes = plt.subplots(2, 2, figsize=(6.9, 5.4), sharey=True)
+    figure, axes = plt.subplots(2, 2, figsize=(6.9, 5.4), sharey="row")
     data = groups[""]
     for ax, (name, label), letter in zip(axes.flat, NAMES.items(), "abcd", strict=True):
         drawn = [(data.sel(scheme="exponential"), "exponential", "o-")]
@@ -38,13 +38,11 @@ def _discretisation(groups: Groups) -> Figure:
             drawn += [(groups["as_sampled"], "exponential, as sampled", "^-.")]
         for (dataset, label_text, style), colour in zip(drawn, COLOURS, strict=False):
             draw_ladder(ax, dataset.sel(quantity=name), label_text, style, colour)
-        ax.set(
-            xscale="log", yscale="log", ylim=LIMITS, xlabel="CPU ms per realization; numbers: $m$"
-        )
+        ax.set(xscale="log", yscale="log", xlabel="CPU ms per realization; numbers: $m$")
         ax.set_title(f"({letter}) discretisation error of {label}")
     axes[1, 0].legend(*axes[0, 0].get_legend_handles_labels(), loc="lower left")
-    for ax in axes[:, 0]:
-        ax.set_ylabel("relative error")
+    for ax, limits in zip(axes[:, 0], LIMITS, strict=True):
+        ax.set(ylabel="relative error", ylim=limits)
     worst = float(data.reference_error.sel(quantity="mu_1").max())
     write_below(
         figure,
@@ -69,8 +67,9 @@ def _rest(groups: Groups) -> Figure:
     for ax in axes[:, 0]:
         ax.set_ylabel("relative error")
     for mark, x in zip(MARKS, by_method.x.values, strict=False):
-        axes[1, 0].plot([], [], mark, color="0.4", label=f"$x = {x:g}$")
-    axes[1, 0].legend(loc="lower right", ncols=2, columnspacing=0.8)
+        axes[1, 1].plot([], [], mark, color="0.4", label=f"$x = {x:g}$")
+    axes[1, 0].legend(loc="lower right")
+    axes[1, 1].legend(handles=axes[1, 1].lines[-len(MARKS) :], loc="lower right")
     write_below(figure, f"Times are medians of those of a process; seed {data.attrs['seed']}.")
     return figure
 
@@ -86,7 +85,7 @@ def _sampling(ax: Axes, data: xr.Dataset) -> None:
     ax.plot(count, 0.25 / np.sqrt(count), "k--", lw=0.8, label="$0.25\\,R^{-1/2}$")
     ax.set(xscale="log", yscale="log", xlabel="realizations $R$")
     ax.set_title("(a) sampling error: median, range")
-    ax.legend(loc="lower left", ncols=2)
+    legend_in_room(ax, 0.25, ncols=2)
 
 
 def _balance(ax: Axes, data: xr.Dataset) -> None:
@@ -119,10 +118,9 @@ def _alternatives(ax: Axes, data: xr.Dataset, name: str) -> None:
             continue
         for k, mark in enumerate(MARKS[: data.sizes["compared"]]):
             one = data.isel(compared=k).sel(solver=solver)
-            (line,) = ax.plot(1e3 * one.seconds, one.error, lw=0.8, marker=mark, ms=2.5)
+            (line,) = ax.plot(1e3 * one.seconds, one.error, lw=0.8, marker=mark, ms=4.0)
             line.set(color=COLOURS[colour], label=None if k else str(solver))
-    ax.set(xscale="log", yscale="log", ylim=(2e-6, 2.0))
-    ax.set_xlabel("CPU ms per realization")
+    ax.set(xscale="log", yscale="log", xlabel="CPU ms per realization")
 
 
 def draw_ladder(ax: Axes, data: xr.Dataset, label: str, form: str, colour: str) -> None:

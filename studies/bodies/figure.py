@@ -21,7 +21,7 @@ CAPTION = (
     "with the time of one realization."
 )
 PAIRS = {"": "foundation", "broad": "broad_foundation"}  # groups of half-space: foundation
-RATIO = "$\\mu_1$ over the half-space's"
+RATIO = "$\\mu_1$, foundation over half-space"
 BESIDE: dict[str, Any] = {"textcoords": "offset points", "ha": "center", "va": "center"}
 BESIDE["fontsize"] = 7.0
 

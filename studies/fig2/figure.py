@@ -18,7 +18,7 @@ MARKERS = 8  # along a curve
 
 def draw(groups: Groups) -> Figure:
     """Return the figure of a result of this study."""
-    figure, axes = plt.subplots(1, 2, figsize=(6.9, 2.8))
+    figure, axes = plt.subplots(1, 2, figsize=(6.9, 2.8), sharey=True)
     for group, label in VARIANTS.items():
         dataset = groups[group]
         for ax, step, letter in zip(axes, dataset.velocity_step.values, "ab", strict=True):

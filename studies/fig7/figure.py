@@ -27,6 +27,7 @@ CAPTION = (
     "13 of the paper as lines. Panel (c) shows the exponent α of b = x^α for x > 1, which the "
     "paper gives as 1 − H."
 )
+ASIDE = {PAPER_STEP: -0.01, CONVERGED: 0.01}  # of H in (c), to tell markers apart
 MANY_POINTS, SMALL_MARKER = 3000, 1.3  # number of points above which markers have this size
 UNFITTED_MARKERS = {  # of points without a fit; below the grey line, in a row for each H
     NO_RELAXATION: ("|", "nothing to relax"),
@@ -53,12 +54,11 @@ def draw(groups: Groups) -> Figure:
     ):
         axes[1].plot([], [], marker, color="0.3", ms=3.0, label=label)
     axes[1].legend(handles=list(axes[1].lines[-1 - len(UNFITTED_MARKERS) :]), loc="upper left")
-    for group, label, bias in (
-        (PAPER_STEP, "implicit Euler", 0.0),
-        (CONVERGED, "converged", converged.alpha_bias),
-    ):
+    for group, label in ((PAPER_STEP, "implicit Euler"), (CONVERGED, "converged")):
         style: dict[str, Any] = SCHEMES[group] | {"ls": "", "ms": 4.0, "label": label}
-        error_bars(axes[2], groups[group], "alpha", "hurst", bias=bias, **style)
+        data = groups[group].assign_coords(hurst=groups[group].hurst + ASIDE[group])
+        bias = data.alpha_bias if group == CONVERGED else 0.0
+        error_bars(axes[2], data, "alpha", "hurst", bias=bias, **style)
     axes[2].plot([0, 1], [1, 0], "k--", label="$1 - H$ (paper)")
     axes[2].set(xlabel="Hurst exponent $H$", ylabel="$\\alpha$ of $b = x^\\alpha$")
     axes[2].set_title("(c) exponent, $x > 1$")
@@ -82,8 +82,9 @@ def _rates(ax: Axes, dataset: xr.Dataset, group: str, bias: float = 0.0) -> None
         fitted = points.fit_status == FITTED
         full = points.contact_fraction > NEARLY_FULL
         marker = SCHEMES[group]["marker"]
-        for part, form, label in ((~full, marker, f"$H = {hurst:g}$"), (full, "^", None)):
-            style = DOTS | {"fmt": form, "color": colour, "label": label, "alpha": 0.8}
+        ax.plot([], [], marker, color=colour, ms=3.0, label=f"$H = {hurst:g}$")
+        for part, form in ((~full, marker), (full, "^")):
+            style = DOTS | {"fmt": form, "color": colour, "alpha": 0.8}
             if dataset.relaxation_rate.size > MANY_POINTS:
                 style |= {"ms": SMALL_MARKER, "lw": 0.3}
             shown = points.isel(point=(fitted & part).values)

@@ -9,7 +9,13 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from elastomer_friction.studies.style import BODIES, DOTS, X_LABEL, by_hurst, fitted, normalised
-from elastomer_friction.workflow.report import COLOURS, error_bars, foot_line, with_unit
+from elastomer_friction.workflow.report import (
+    COLOURS,
+    error_bars,
+    foot_line,
+    legend_in_room,
+    with_unit,
+)
 from elastomer_friction.workflow.result import Groups
 
 CAPTION = (
@@ -46,7 +52,7 @@ def draw(groups: Groups) -> Figure:
     axes[0, 1].axhline(0.4, color="0.4", lw=0.7, ls=":")
     for form, label in zip(BODIES.values(), ("half-space", "foundation"), strict=True):
         axes[0, 1].plot([], [], color="0.3", lw=0.5, ms=3.5, label=label, **form)
-    axes[0, 1].legend(loc="upper left")
+    legend_in_room(axes[0, 1], 0.15)
     axes[1, 0].set(ylabel="relaxation rate $b$ (per $\\tau$)", title="(c) relaxation", yscale="log")
     _exponents(axes[1, 1], groups)
     pressure = with_unit(float(middle_pressure(groups[HALF_SPACE]).normal_pressure[0]), "Pa")

@@ -3,7 +3,7 @@
 from matplotlib import pyplot as plt
 from matplotlib.figure import Figure
 
-from elastomer_friction.studies.style import CONVERGED, SCHEMES, VARIANTS
+from elastomer_friction.studies.style import CONVERGED, PAPER_STEP, SCHEMES, VARIANTS
 from elastomer_friction.workflow.report import error_bars, foot_line
 from elastomer_friction.workflow.result import Groups
 
@@ -12,6 +12,7 @@ CAPTION = (
     "time step of the paper's branch and converged in time, beside the paper's 1 − H (dashed). "
     "In panel (a) b = x^α is fitted, and in (b) with a factor before it that is free."
 )
+ASIDE = {CONVERGED: -0.01, PAPER_STEP: 0.01}  # of H, to tell overlapping markers apart
 LAWS = {"alpha": "$b = x^\\alpha$", "alpha_free": "$b = c\\,x^\\alpha$"}
 
 
@@ -20,13 +21,13 @@ def draw(groups: Groups) -> Figure:
     figure, axes = plt.subplots(1, 2, figsize=(6.4, 3.1), sharey=True)
     for ax, (name, law), letter in zip(axes, LAWS.items(), "ab", strict=True):
         for group, label in VARIANTS.items():
-            data = groups[group]
+            data = groups[group].assign_coords(hurst=groups[group].hurst + ASIDE[group])
             bias = data[f"{name}_bias"] if group == CONVERGED else 0.0  # not converged
             style = SCHEMES[group] | {"ls": "", "ms": 4.0, "label": label}
             error_bars(ax, data, name, "hurst", bias=bias, **style)
         ax.plot([0, 1], [1, 0], "k--", lw=0.8, label="$1 - H$ (paper)")
-        ax.set(xlabel="Hurst exponent $H$", title=f"({letter}) fits of {law}", ylim=(-0.1, 1.45))
+        ax.set(xlabel="Hurst exponent $H$", title=f"({letter}) fits of {law}")
     axes[0].set_ylabel("exponent $\\alpha$ for $x > 1$")
-    axes[0].legend(loc="upper right")
+    axes[0].legend(loc="lower left")
     foot_line(figure, groups[CONVERGED], "Bars of converged rates include the bound of the bias.")
     return figure

@@ -30,7 +30,7 @@ PANELS = (  # x label, y label, title
     (X_LABEL, "relaxation rate $b$ (per $\\tau$)", "(c) relaxation"),
     (X_LABEL, "error of eqs. 14, 15, max $|\\Delta\\mu|/\\mu_1$", "(d) error of the law"),
     ("error of eqs. 14, 15", "share of points", "(e) its distribution"),
-    ("", "", "(f) points predicted within"),
+    ("", "", "(f) % of points predicted within"),
 )
 LIMITS = (0.01, 0.05, 0.20)  # of the relative error, in (e) and (f)
 
@@ -56,8 +56,6 @@ def draw(groups: Groups) -> Figure:
         ax.set(xlabel=x_label, ylabel=y_label, title=title)
     for ax in flat[:4]:
         ax.set(xscale="log", yscale="log")
-    crosses = f"standard error over {100.0 * NOISY:g} %"
-    flat[0].plot([], [], "x", color="0.3", ms=3.0, mew=0.6, label=crosses)
     flat[0].legend(loc="lower right", fontsize=6)
     flat[1].legend(loc="upper left")
     return figure
@@ -69,8 +67,9 @@ def _points(
     good = (points[f"{name}_error"] < NOISY * points[name]).values
     style = DOTS | {"color": colour, "label": label, "ms": 2.2, "alpha": 0.7}
     error_bars(ax, points.isel(point=good), name, over, log=True, **style)
-    noisy = points.isel(point=~good)
-    ax.plot(noisy[over], noisy[name], "x", color=colour, ms=2.2, mew=0.5)
+    noisy = points.isel(point=~good & np.isfinite(points[name].values))
+    crosses = f"standard error over {100.0 * NOISY:g} %" if noisy.point.size else None
+    ax.plot(noisy[over], noisy[name], "x", color=colour, ms=3.0, mew=0.6, label=crosses)
 
 
 def _cumulative(ax: Axes, dataset: xr.Dataset) -> None:
@@ -102,12 +101,14 @@ def _table(ax: Axes, dataset: xr.Dataset) -> None:
         "$x > 1$, $\\bar\\mu_1 > 0.3$": error.where((x > 1.0) & rough),
     }
     shares = [shares_within(part.values) for part in rows.values()]
-    cells = [[f"{100.0 * share:.0f} %" for share in row] for row in shares]
+    cells = [[f"{100.0 * share:.0f}" for share in row] for row in shares]
     table = ax.table(
         cells,
         rowLabels=list(rows),
         colLabels=[f"{100.0 * limit:g} %" for limit in LIMITS],
         bbox=Bbox.from_bounds(0.45, 0.3, 0.55, 0.55),
+        edges="horizontal",
+        cellLoc="center",
     )
     table.auto_set_font_size(False)
     table.set_fontsize(7)

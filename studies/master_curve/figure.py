@@ -9,7 +9,7 @@ from matplotlib.cm import ScalarMappable
 from matplotlib.figure import Figure
 
 from elastomer_friction.studies.style import shades
-from elastomer_friction.workflow.report import COLOURS, foot_line, log_bars
+from elastomer_friction.workflow.report import COLOURS, foot_line, legend_in_room, log_bars
 from elastomer_friction.workflow.result import Groups
 from elastomer_friction.workflow.study import Study, read_study
 
@@ -114,10 +114,10 @@ def _shifts(ax: Axes, collapsed: dict[tuple[str, str], Collapsed]) -> None:
         force, along, lift, error = np.array(chosen).T
         label = NAMES[name]
         ax.errorbar(force, along, error, fmt="o-", color=colour, lw=0.7, label=f"{label}, of $v$")
-        ax.plot(force, lift, "s--", color=colour, lw=0.7, label=f"{label}, of $\\mu$")
+        ax.errorbar(force, lift, fmt="s--", color=colour, lw=0.7, label=f"{label}, of $\\mu$")
     ax.set(xscale="log", xlabel="normal force (N)", ylabel="shift (decades)")
     ax.set_title("(e) shifts over force")
-    ax.legend(loc="best", fontsize=5.5)
+    legend_in_room(ax, 0.35, fontsize=5.5, ncols=2)
 
 
 def _thermal(ax: Axes, force: Collapsed, depth: Collapsed) -> None:
@@ -142,7 +142,7 @@ def _thermal(ax: Axes, force: Collapsed, depth: Collapsed) -> None:
     ax.set_xlim(temperature.min() - 10.0, temperature.max() + 10.0)
     ax.set(xlabel="temperature (°C)", ylabel="fitted $-$ WLF (decades)")
     ax.set_title("(f) thermal shifts")
-    ax.legend(loc="best", fontsize=5.5)
+    legend_in_room(ax, 0.3, fontsize=5.5)
 
 
 def _residuals(ax: Axes, collapsed: dict[tuple[str, str], Collapsed]) -> None:

@@ -79,12 +79,13 @@ def _diagram(ax: Axes, data: xr.Dataset, scale: float, critical: xr.DataArray) -
     v, k = np.meshgrid(data.velocity, data.stiffness)
     slips = swing.values > SLIPPING
     colours = shades(0.0, float(swing.max()), log=False)
-    ax.scatter(v[slips], k[slips], c=colours.to_rgba(swing.values[slips]), s=34)
-    ax.plot(v[~slips], k[~slips], ".", ms=3, color="0.6")
-    ax.plot(data.velocity, critical, "k-", lw=1.2)
+    ax.scatter(v[slips], k[slips], c=colours.to_rgba(swing.values[slips]), s=24, label="stick-slip")
+    ax.plot(v[~slips], k[~slips], "x", ms=3.5, mew=0.8, color="0.5", label="steady")
+    ax.plot(data.velocity, critical, "k-", lw=1.2, label="$k_c$")
     ax.set(xscale="log", yscale="log", xlabel="velocity $v$ (m/s)", ylabel="stiffness $k$ (N/m)")
-    ax.set_ylim(0.7 * k.min(), 1.4 * k.max())
-    ax.set_title("(a) coloured: stick and slip; line: $k_c$")
+    ax.set_ylim(0.7 * k.min(), 4.0 * k.max())  # room for the legend
+    ax.set_title("(a) stick-slip and steady sliding")
+    ax.legend(loc="upper left", ncols=3, columnspacing=0.8, handletextpad=0.3)
     ax.figure.colorbar(colours, ax=ax, label=r"swing$/\nabla z$")
 
 

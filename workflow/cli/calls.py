@@ -140,14 +140,15 @@ def fit_moduli(
     modulus: str | None = None,
     poisson: float = INCOMPRESSIBLE,
     branches: int | None = None,
+    figure: str | Path | None = None,
 ) -> FittedMaterial:
     """Fit a Prony series to measured moduli; return a material for ``scene.run``, a dictionary.
 
     Printed it is the output of the command ``prony``; its ``residual`` and ``worst`` are the rms
     and the largest residual of G*, relative.
 
-    file, columns, temperatures, reference, law, vertical, frequency, modulus, poisson, branches :
-    as the options of the command. start : its option --from, in s.
+    file, columns, temperatures, reference, law, vertical, frequency, modulus, poisson, branches,
+    figure : as the options of the command. start : its option --from, in s.
 
     Raises UserError for invalid input, and for moduli that no Prony series describes.
     """
@@ -166,6 +167,7 @@ def fit_moduli(
             modulus=modulus,
             poisson=poisson,
             branches=branches,
+            figure=figure,
             **given,
         )
     )

@@ -218,6 +218,7 @@ def _prony_options(command: argparse.ArgumentParser) -> None:
     add("--branches", type=int, help="largest number of branches (default: as few as possible)")
     add("--write", choices=PRONY_FORMATS, default="study", help="format of the output (study)")
     add("--out", help="CSV file for the branches, for material.branches_file")
+    add("--figure", help="figure of moduli, fit and shifts, as PNG and PDF (none)")
 
 
 def _spectrum_options(command: argparse.ArgumentParser) -> None:

@@ -38,9 +38,15 @@ def material_table(options: argparse.Namespace) -> MaterialTable:
     columns = columns_of(options.columns, (2, 3)) if options.columns else None
     temperatures = _temperatures(options.temperatures) if options.temperatures else ()
     measured = read_moduli(source, *units, columns, options.poisson, temperatures, options.start)
-    measured, keys = _at_one_temperature(options, measured)
+    master = _at_one_temperature(options, measured)
+    measured, keys = (master.moduli, master.keys) if master else (measured, ())
     fit = laboratory.fit_material(options.file, measured, options.branches)
     described = laboratory.describe_material(measured, fit, options.branches)
+    if options.figure:
+        path = Path(options.figure)
+        make_folder(path.parent)
+        (picture,) = laboratory.draw_moduli(measured, fit, master, path)
+        described.append(f"figure: {picture.png}")
     comments = [f"# {line}" for line in (*measured.description, *described)]
     rows = [f"{modulus:.6g}, {time:.6g}" for modulus, time in fit.branches]
     modulus = f"shear_modulus = {fit.shear_modulus:.6g}"
@@ -66,8 +72,8 @@ def run_prony(options: argparse.Namespace) -> int:
 
 def _at_one_temperature(
     options: argparse.Namespace, measured: Moduli
-) -> tuple[Moduli, tuple[str, ...]]:
-    """Return the moduli, shifted to one temperature if needed, and further lines of [material]."""
+) -> laboratory.MasterCurve | None:
+    """Return the moduli shifted to one temperature; None if they are at one already."""
     requested = laboratory.Shifting(options.reference, options.law, options.vertical)
     if measured.temperatures is not None:
         return laboratory.master_curve(options.file, measured, requested)
@@ -76,7 +82,7 @@ def _at_one_temperature(
             f"prony {options.file}: --reference, --law and --vertical shift sweeps at several "
             "temperatures; it holds one: give --temperatures, or a column of them"
         )
-    return measured, ()
+    return None
 
 
 def columns_of(words: str, counts: tuple[int, ...] = (3,)) -> tuple[int, ...]:

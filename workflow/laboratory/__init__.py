@@ -10,8 +10,9 @@ from ..ground import public_names
 if TYPE_CHECKING:
     from .figure import draw_fit
     from .fitted_material import FORMS, describe_material, fit_material
-    from .master import Shifting, master_curve
+    from .master import MasterCurve, Shifting, master_curve
     from .measured_spectrum import spectrum_of
+    from .prony_figure import draw_moduli
     from .prony_fit import PronyFit
     from .record import read_record
     from .rolloff_fit import fit_rolloff

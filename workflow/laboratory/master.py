@@ -24,8 +24,18 @@ class Shifting(NamedTuple):
     vertical: bool = False  # whether moduli are shifted too
 
 
-def master_curve(name: str, measured: Moduli, options: Shifting) -> tuple[Moduli, tuple[str, ...]]:
-    """Return moduli shifted to one temperature, and lines for [material] of a study.
+class MasterCurve(NamedTuple):
+    """Sweeps shifted to one temperature."""
+
+    moduli: Moduli  # with the temperatures of the sweeps
+    keys: tuple[str, ...]  # lines for [material] of a study
+    temperatures: np.ndarray  # °C, ascending, shape (sweeps,)
+    shift: Superposition
+    fit: ShiftFit
+
+
+def master_curve(name: str, measured: Moduli, options: Shifting) -> MasterCurve:
+    """Return moduli shifted to one temperature.
 
     name : name of the file, for messages. Raises UserError for a reference outside the sweeps, for
     sweeps that do not overlap or do not form one curve, and for a law that they do not determine.
@@ -68,7 +78,9 @@ def master_curve(name: str, measured: Moduli, options: Shifting) -> tuple[Moduli
         *_shift_lines(temperatures, reference, shift, fit, options),
         law_text,
     )
-    return Moduli(omega[order], values[order], lines), (key, f"temperature = {reference:g}")
+    moduli = Moduli(omega[order], values[order], lines, measured.temperatures[order])
+    keys = key, f"temperature = {reference:g}"
+    return MasterCurve(moduli, keys, temperatures, shift, fit)
 
 
 def _shift_lines(

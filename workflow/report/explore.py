@@ -17,7 +17,7 @@ from ..ground import UserError
 from ..result import body_in_words, model_in_words, open_tree
 from ..study import ALL_AXES
 from ..system import make_folder, write_durably
-from .in_words import SYMBOLS, unit_in_words
+from .in_words import SYMBOLS, unit_in_words, without_tau
 from .my_rubber import scaled_friction
 from .template import filled_template
 from .unresolved import POINT_STATUS
@@ -25,7 +25,7 @@ from .unresolved import POINT_STATUS
 PAGE_DIGITS = 6  # significant digits of a number; rounding is below the standard errors
 MAX_NUMBERS = 2_000_000  # per dataset, about 16 MB; the largest variables are omitted
 COMPANIONS = ("error", "bias")  # NAME_error and NAME_bias accompany the estimate NAME
-FIRST_ESTIMATES = ("relaxation_rate", "mu_1", "trace_mu", "mu")  # the first present one is shown
+FIRST_ESTIMATES = ("relaxation_rate", "jump", "mu_1", "trace_mu", "mu")  # by preference
 
 
 def write_explorer(result: Path, out: Path | None = None) -> Path:
@@ -47,7 +47,7 @@ def explorer_page(tree: xr.DataTree, name: str) -> str:
     """Return the HTML page of an opened result. Raises UserError if nothing in it varies."""
     groups = {node.path.strip("/"): node.to_dataset() for node in tree.subtree}
     data = groups[""]
-    contents = {group: _page_content(dataset) for group, dataset in groups.items()}
+    contents = {group: _page_content(without_tau(dataset)) for group, dataset in groups.items()}
     shown = [name for name, entry in contents[""].items() if entry["role"] == "estimate"]
     if not shown:
         raise UserError(f"{name}: holds nothing that varies; there is nothing to explore")

@@ -1,6 +1,9 @@
 """Wording of variables, units, numbers and points of a result."""
 
+import json
 import re
+from collections.abc import Mapping
+from typing import Any
 
 import numpy as np
 import xarray as xr
@@ -67,6 +70,21 @@ def plus_minus(error: float, text: str) -> str:
 def mathematical(text: str) -> str:
     """Return a text with indexed symbols, such as F_N, typeset for matplotlib."""
     return re.sub(r"\b(\w)_(\w)\b", r"$\1_\2$", text)
+
+
+def without_tau(data: xr.Dataset) -> xr.Dataset:
+    """Return a result with times in s alone if its material has several relaxation times."""
+    if not has_branches(json.loads(data.attrs["study"]).get("material", {})):
+        return data
+    names = [name for name in ("relaxation_rate", "relaxation_rate_error") if name in data]
+    label = {"long_name": "relaxation rate of eq. 6", "units": "s-1"}
+    rates = {name: (data[name] / data.tau).assign_attrs(label) for name in names}
+    return data.assign(rates).drop_vars("time", errors="ignore")
+
+
+def has_branches(material: Mapping[str, Any]) -> bool:
+    """Return whether a table [material] has several relaxation times."""
+    return bool(material.get("branches") or "branches_file" in material)
 
 
 def axes_in(data: xr.Dataset) -> list[str]:

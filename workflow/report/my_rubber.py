@@ -23,6 +23,7 @@ from ..study import (
     shift_law_of,
     shift_refusal,
 )
+from .in_words import has_branches
 
 SCALING_VARIABLES = ("mu_1", "rms_slope", "tau", "q_max", "shear_modulus", "length", "speed_ratio")
 UNIVERSAL_WLF = Wlf(8.86, 101.6, 0.0)  # reference T_s, some 50 K above the glass transition
@@ -30,6 +31,7 @@ SLIDER_DEGREES = range(-40, 101)  # K, relative to the temperature of the result
 MAX_MOTION_SAMPLES = 500_000  # per rubber, about 16 MB
 MAX_SMALL_SLOPE = 0.3  # largest small rms slope; the model neglects the square of slopes
 ONE_TIME_NOTE = "eqs. 12 to 16 are those of one relaxation time"
+NO_HURST_NOTE = "eqs. 12 to 16 need a Hurst exponent, which measured lines do not have"
 
 
 def scaled_friction(groups: Mapping[str, xr.Dataset]) -> dict[str, Any] | None:
@@ -68,8 +70,6 @@ def _obstacle(data: xr.Dataset, body: str | None) -> str:
         return f"its friction depends on {', '.join(sorted(others))} as well"
     if data.sizes["velocity"] < 2:
         return "it has one velocity, and µ(v) needs two or more"
-    if not np.isfinite(data.hurst.values).all():
-        return "the Hurst exponent of its lines is not known"
     return ""
 
 
@@ -82,8 +82,12 @@ def _rubber(name: str, data: xr.Dataset, material: Mapping[str, Any]) -> dict[st
     """
     data = data.isel(velocity_step=0).sortby("velocity")
     contact = 2.0 / (1.0 - material.get("poisson", INCOMPRESSIBLE))  # E*/G
-    several = bool(material.get("branches") or "branches_file" in material)
-    known = [(at, c) for at in _points(data) if (c := _curve(at, contact, several)) is not None]
+    several = has_branches(material)
+    without_steps = ONE_TIME_NOTE if several else None
+    if not np.isfinite(data.hurst.values).all():
+        without_steps = without_steps or NO_HURST_NOTE
+    computed = bool(without_steps)
+    known = [(at, c) for at in _points(data) if (c := _curve(at, contact, computed)) is not None]
     if not known:
         return None
     first, chosen = max(known, key=lambda pair: _slope_rank(pair[0]))
@@ -101,7 +105,8 @@ def _rubber(name: str, data: xr.Dataset, material: Mapping[str, Any]) -> dict[st
         "contact": contact,
         "branches": [[g / values["shear_modulus"], t / _tau(material)] for g, t in branches],
         "glassy": 1.0 + sum(g for g, _ in branches) / values["shear_modulus"] if glassy else None,
-        "without_steps": ONE_TIME_NOTE if several else None,
+        "several": several,
+        "without_steps": without_steps,
         "temperature": _temperatures(data, first, material),
         "curves": curves,
     }
@@ -157,11 +162,11 @@ def _points(data: xr.Dataset) -> Iterator[xr.Dataset]:
         yield data.isel(dict(zip(axes, index, strict=True)))
 
 
-def _curve(at: xr.Dataset, contact: float, several: bool) -> dict[str, Any] | None:
+def _curve(at: xr.Dataset, contact: float, computed: bool) -> dict[str, Any] | None:
     """Return dimensionless steady friction over x, or None if a value is not finite and positive.
 
-    contact : E*/G. several : whether the material has several relaxation times. The kinetic law
-    does not cover these, so that the computed motions are returned too.
+    contact : E*/G. computed : whether to return the computed motions too, because the kinetic law
+    does not cover them.
     """
     slope = float(np.ravel(at.rms_slope)[0])
     friction = at.mu_1.values / slope
@@ -176,7 +181,7 @@ def _curve(at: xr.Dataset, contact: float, several: bool) -> dict[str, Any] | No
     return {
         "family": f"{elements} {size:.6g} {x[0]:.6g} {x[-1]:.6g}",
         "elements": elements,
-        "hurst": float(at.hurst),
+        "hurst": float(at.hurst) if np.isfinite(at.hurst) else None,
         "load": float(at.normal_force) / (contact * modulus * float(at.length) * roughness),
         "slope": slope / (roughness * q_max),
         "size": size,
@@ -184,7 +189,7 @@ def _curve(at: xr.Dataset, contact: float, several: bool) -> dict[str, Any] | No
         "friction": friction.tolist(),
         "error": _relative_error(at, "mu_1_error", at.mu_1.values),
         "bias": _relative_error(at, "mu_1_bias", 1.0),
-        "motions": _motions(at, slope) if several else None,
+        "motions": _motions(at, slope) if computed else None,
     }
 
 

@@ -94,6 +94,8 @@ def error_bars(
     the standard errors in the bars. style : passed to matplotlib's errorbar.
     """
     value, error = points[name].values, (points[f"{name}_error"] + bias).values
+    if not np.isfinite(value).any():
+        style["label"] = None  # a legend names only what is drawn
     bars = log_bars(value, error) if log else error
     drawn = ax.errorbar(points[over], value, bars, **style)
     record_hover_points(ax, points, name, over, error)
@@ -126,9 +128,10 @@ def band(ax: Axes, over: Any, value: Any, error: Any, *form: str, **style: Any) 
 
 
 def legend_in_room(ax: Axes, share: float, **style: Any) -> None:
-    """Place a legend above all curves by extending the y axis upwards by a share of its range."""
-    low, high = ax.get_ylim()
-    ax.set_ylim(low, high + share * (high - low))
+    """Place a legend above all curves by extending the y axis upwards by a share of its length."""
+    scale = ax.yaxis.get_transform()
+    low, high = scale.transform(np.array(ax.get_ylim()))
+    ax.set_ylim(top=float(scale.inverted().transform(high + share * (high - low))))
     ax.legend(**({"loc": "upper left"} | style))
 
 

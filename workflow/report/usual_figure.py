@@ -20,15 +20,19 @@ from ...kernels import MAX_REMEMBERED
 from ..reduce import LARGE_BIAS, NARROW_CONTACTS
 from ..result import Groups
 from ..study import COMMON_AXES
-from .in_words import axes_in, mathematical, plus_minus, unit_in_words, value_label, with_unit
+from .in_words import (
+    SYMBOLS,
+    axes_in,
+    mathematical,
+    plus_minus,
+    unit_in_words,
+    value_label,
+    with_unit,
+    without_tau,
+)
 from .panels import COLOURS, band, error_bars, foot_line, legend_in_room
 from .unresolved import TRACE_STATUS, not_resolved
 
-CAPTION = (
-    "The first panel shows the coefficient of friction over time at points that are spread over "
-    "the grid. The other panels show the estimates over the longest axis of the grid, with a "
-    "colour for each value of the second longest and a row for each combination of the others."
-)
 MAX_CURVES = MAX_COLOURS = 6
 MAX_ROWS = 4
 # The default figure shows those that are present, or else the first estimates of the result.
@@ -41,14 +45,19 @@ ESTIMATE_LABELS = {
     "jump": "jump $\\Delta\\mu_0$",
     "relaxation_rate": "relaxation rate $b$ (per $\\tau$)",
 }
-CURVES = (("time", "mu", "$(t - t_0)/\\tau$"), ("trace_time", "trace_mu", "time (s)"))
+CURVES = (
+    ("time", "mu", "$(t - t_0)/\\tau$"),
+    ("time_s", "mu", "time after the step (s)"),
+    ("trace_time", "trace_mu", "time (s)"),
+)
 
 
 def draw(groups: Groups) -> Figure:
     """Draw the default figure of the result of a grid."""
+    groups = {label: without_tau(dataset) for label, dataset in groups.items()}
     data = groups[""]
     varied = sorted((a for a in axes_in(data) if data.sizes[a] > 1), key=lambda a: _rank(data, a))
-    curve = next((names for names in CURVES if names[1] in data), None)
+    curve = next((names for names in CURVES if {*names[:2]} <= {*data.variables}), None)
     shown = _estimates_to_draw(data) if varied or not curve else []
     places = list(product(*(range(data.sizes[axis]) for axis in varied[2:])))
     rows = [dict(zip(varied[2:], places[k], strict=True)) for k in _spread(len(places), MAX_ROWS)]
@@ -82,7 +91,18 @@ def draw(groups: Groups) -> Figure:
         "" if shown else _single_point_text(data),
     ]
     foot_line(figure, data, " ".join(filter(None, notes)), "bars and bands" if curve else "bars")
+    figure.set_label(f"{_caption(data, bool(curve), shown, varied)} {figure.get_label()}")
     return figure
+
+
+def _caption(data: xr.Dataset, curve: bool, shown: list[str], varied: list[str]) -> str:
+    """Return a caption of the panels that are drawn."""
+    first = "Friction over time" + " at points spread over the grid" * bool(varied) + "."
+    words = [str(data[_axis_name(data, axis)].attrs.get("long_name", axis)) for axis in varied]
+    parts = {" over ": words[:1], "; colours: ": words[1:2], "; rows: ": words[2:]}
+    named = ", ".join(SYMBOLS.get(name, name) for name in shown)
+    rest = named + "".join(f"{text}{', '.join(part)}" for text, part in parts.items() if part) + "."
+    return " ".join([first] * curve + [rest] * bool(shown))
 
 
 def _name_curves(axes: np.ndarray) -> None:
@@ -182,7 +202,7 @@ def _curves(ax: Axes, data: xr.Dataset, curve: tuple[str, str, str], varied: lis
         band(ax, point[time], point[mu].values / unit, spread / unit, **style)
         dotted += coarse
     ends = points[time].max(curve_dims).values[known]
-    if known.size and mu == "mu" and ends.max() > LOG_AXIS_RATIO * ends.min():
+    if known.size and (time == "time_s" or ends.max() > LOG_AXIS_RATIO * ends.min()):
         ax.set_xscale("log")
     over = " over that before" if mu == "mu" and "mu_1" in points else ""
     ax.set(xlabel=label, ylabel=f"friction{over}")
@@ -207,4 +227,5 @@ def _estimate(ax: Axes, groups: Groups, name: str, axes: Sequence[str]) -> None:
     for scale, numbers in (ax.set_xscale, values), (ax.set_yscale, estimates):
         if numbers.size and numbers.min() > 0.0 and numbers.max() >= LOG_AXIS_RATIO * numbers.min():
             scale("log")
-    ax.set(xlabel=_label(data[over]), ylabel=ESTIMATE_LABELS.get(name) or _label(data[name]))
+    label = "" if data[name].attrs.get("units") == "s-1" else ESTIMATE_LABELS.get(name)
+    ax.set(xlabel=_label(data[over]), ylabel=label or _label(data[name]))

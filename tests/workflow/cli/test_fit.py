@@ -148,6 +148,14 @@ def test_sweeps_at_several_temperatures_are_a_material_that_shifts(capsys, tmp_p
     np.testing.assert_allclose(times, [time for _, time in BRANCHES], rtol=2e-3)
 
 
+def test_the_figure_of_a_material(capsys, tmp_path):
+    for name, path in (("one", measured(tmp_path)), ("two", sweeps(tmp_path, WLF, (0.0, 20.0)))):
+        figure = tmp_path / "new" / f"{name}.png"
+        assert f"# figure: {figure}\n" in output(capsys, "prony", path, "--figure", str(figure))
+        assert figure.read_bytes().startswith(b"\x89PNG")
+        assert figure.with_suffix(".pdf").is_file()
+
+
 def test_sweeps_that_no_law_describes_are_a_material_with_a_table(capsys, tmp_path):
     path = sweeps(tmp_path, WLF, (0.0, 20.0, 40.0))
     text = output(capsys, "prony", path, "--law", "shifts")

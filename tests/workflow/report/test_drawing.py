@@ -1,5 +1,7 @@
 """How figures look and how they are drawn: the same result gives the same files."""
 
+import json
+
 import matplotlib as mpl
 import numpy as np
 import pytest
@@ -209,6 +211,23 @@ def test_curves_of_six_points_that_have_one_with_their_bands():
     assert all(np.isfinite(line.get_ydata()).all() for line in ax.lines)
 
 
+def test_of_branches_curves_are_over_seconds_on_a_logarithmic_axis():
+    data = with_curves(estimates()).isel(normal_force=[0]).assign(time_s=lambda d: d.time * d.tau)
+    study = json.loads(data.attrs["study"])
+    study["material"]["branches"] = [[1e6, 1e-3], [1e6, 1.0]]
+    ax, *_, rate = draw({"": data.assign_attrs(study=json.dumps(study))}).axes[:4]
+    assert (ax.get_xlabel(), ax.get_xscale()) == ("time after the step (s)", "log")
+    assert "(1/s)" in rate.get_ylabel()
+
+
+def test_the_caption_names_the_panels_that_are_drawn():
+    label = draw({"": estimates()}).get_label()
+    assert label.startswith("µ₁, Δµ₀, b over sliding velocity")
+    assert "; rows: normal force" in label
+    one = draw({"": with_curves(estimates()).isel(velocity=[3], hurst=[0], normal_force=[0])})
+    assert one.get_label().startswith("Friction over time. Bars")
+
+
 def test_a_comparison_is_drawn_beside_the_study():
     data = estimates()
     figure = draw({"": data, "coarse": data})
@@ -327,7 +346,7 @@ def test_a_study_without_a_script_has_the_usual_figure(capsys, shown):
     status, out, err = call(capsys, "figure", shown)
     assert (status, err) == (0, "")
     assert out.split() == [str(shown / f"small.{kind}") for kind in ("png", "pdf")]
-    assert b"The first panel shows" in (shown / "small.png").read_bytes()
+    assert b" over sliding velocity" in (shown / "small.png").read_bytes()
 
 
 def test_a_script_that_is_asked_for_draws_instead(capsys, shown, tmp_path):

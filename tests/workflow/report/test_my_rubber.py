@@ -245,6 +245,13 @@ def test_the_rubber_shown_first_has_the_steepest_slope_that_is_small(data, slope
     assert actual["own"]["family"] == actual["curves"][0]["family"]
 
 
+def test_measured_lines_are_scaled_without_the_kinetic_law(data):
+    lines = one_rubber(data.isel(hurst=[0]).assign_coords(hurst=[np.nan]))
+    assert {curve["hurst"] for curve in lines["curves"]} == {None}
+    assert not lines["several"]
+    assert "need a Hurst exponent" in lines["without_steps"]
+
+
 def test_what_is_not_scaled_has_a_sentence(data):
     assert len(one_rubber(data)["curves"]) == 6
     unknown = data.copy(deep=True)
