@@ -46,14 +46,19 @@ def _moduli(ax: Axes, measured: Moduli, fit: PronyFit) -> None:
     moduli, times = np.array(fit.branches).T
     shares = in_relaxation if measured.over_time else in_oscillation
     series = fit.shear_modulus + shares(dense[:, None] * times)[0] @ moduli
-    parts = {"$G(t)$": np.real} if measured.over_time else {"$G'$": np.real, "$G''$": np.imag}
+    parts = [
+        ("$G'$", measured.values.real, series.real),
+        ("$G''$", measured.values.imag, series.imag),
+    ]
+    if measured.over_time:
+        parts = [("$G(t)$", measured.values, series)]
     x, x_fit = (1.0 / w if measured.over_time else w for w in (measured.omega, dense))
     style: dict[str, Any] = {"s": 7.0, "lw": 0.0, "color": COLOURS[0]}
     if measured.temperatures is not None:
         style = {"s": 7.0, "lw": 0.0, "c": measured.temperatures, "cmap": SWEEP_COLOURS}
-    for (name, part), marker, line in zip(parts.items(), "o^", ("-", "--"), strict=False):
-        points = ax.scatter(x, MEGA * part(measured.values), marker=marker, **style)
-        ax.plot(x_fit, MEGA * part(series), line, color="k", lw=0.9)
+    for (name, values, fitted), marker, line in zip(parts, "o^", ("-", "--"), strict=False):
+        points = ax.scatter(x, MEGA * values, marker=marker, **style)
+        ax.plot(x_fit, MEGA * fitted, line, color="k", lw=0.9)
         ax.plot([], [], marker + line, color="0.3", label=f"{name} and fit")
     if measured.temperatures is not None:
         ax.figure.colorbar(points, ax=ax, label="temperature of the sweep (°C)")
