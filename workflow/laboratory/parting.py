@@ -49,7 +49,7 @@ def measured_steps(record: Record, window: float | None = None) -> list[Measured
     """
     stretches = _sliding(record)
     pairs = [(one, two) for one, two in pairwise(stretches) if one.sign * two.sign > 0.0]
-    if not pairs:
+    if not pairs or (np.all(np.diff(record.velocity) > 0.0) and not record.is_named):
         raise UserError(_no_step(record, stretches))
     for stretch in stretches:
         positive = float(np.mean(record.friction[stretch.where] > 0.0)) if stretch.sign else 1.0

@@ -14,7 +14,7 @@ from ..ground import UserError
 from ..study import ColumnSpec, describe_columns, find_column, select_columns
 from ..text_tables import TextTable, read_text_table, unit_of
 
-TIME = ColumnSpec("a time", "time", r"time|zeit|^t$", "s", "--time")
+TIME = ColumnSpec("a time", "time", r"time|zeit|^t$", "s", "--time", clock=True)
 VELOCITY = ColumnSpec("a velocity", "velocity", r"vel|speed|geschw|^v([_ ]|$)", "m/s", "--velocity")
 PLACE = ColumnSpec(
     "a displacement", "length", r"disp|posit|slip|dist|^weg|^[xs]$", "m", "--displacement"
@@ -104,8 +104,10 @@ def _motion_spec(
     if columns is not None:
         title = table.title(columns[1]) if columns[1] < table.width else table.title(0)
         unit, name = unit_of(title.unit), title.name
-        placed = re.search(PLACE.names, name, re.I) and not re.search(VELOCITY.names, name, re.I)
-        family = unit.family if unit and title.stated else ""
+        family = unit.family if unit else ""
+        if re.search(VELOCITY.names, name, re.I) and not title.stated:
+            return VELOCITY
+        placed = re.search(PLACE.names, name, re.I)
         return PLACE if family == PLACE.family or (placed and family == "") else VELOCITY
     units = [unit_of(title.unit) for title in table.titles]
     families = [unit.family for unit in units if unit]

@@ -65,6 +65,7 @@ class ColumnSpec(NamedTuple):
     default: str  # unit if the file states none
     option: str = ""  # command-line option for the unit
     unit: str | None = None  # given by the user; replaces that of the file
+    clock: bool = False  # whether times of day are accepted, since only differences count
 
     def is_named(self, title: Title) -> bool:
         """Return whether a title names the quantity, whatever its unit."""
@@ -132,7 +133,9 @@ def find_column(table: TextTable, spec: ColumnSpec, option: str = "--columns") -
 
 def _column_numbers(table: TextTable, wanted: Sequence[ColumnSpec], option: str) -> list[int]:
     """Return the number of each requested column, found by name, by unit, or by order."""
-    titles = {column: table.title(column) for column in table.numeric}
+    clocks = table.clocks if any(spec.clock for spec in wanted) else ()
+    readable = sorted((*table.numeric, *clocks))
+    titles = {column: table.title(column) for column in readable}
     numbers = dict[ColumnSpec, int]()
     for spec in wanted:
         matches = [column for column, title in titles.items() if spec.fits_name(title)]
@@ -143,7 +146,7 @@ def _column_numbers(table: TextTable, wanted: Sequence[ColumnSpec], option: str)
     if len(set(numbers.values())) < len(numbers):  # one name fits two quantities
         raise _unclear_columns(table, wanted, option)
     missing = [spec for spec in wanted if spec not in numbers]
-    free = [column for column in table.numeric if column not in numbers.values()]
+    free = [column for column in readable if column not in numbers.values()]
     for spec in list(missing):
         matches = [column for column in free if spec.fits_unit(titles[column])]
         if len(matches) == 1 and sum(other.family == spec.family for other in missing) == 1:
@@ -184,6 +187,12 @@ def _names_columns(table: TextTable, wanted: Sequence[ColumnSpec], free: Sequenc
 
 def _unclear_columns(table: TextTable, wanted: Sequence[ColumnSpec], option: str) -> UserError:
     """Return the error for columns that the file does not determine, with example options."""
+    for n in range(table.width):
+        if n not in table.numeric and any(spec.fits_name(table.title(n)) for spec in wanted):
+            raise UserError(
+                f"{table.key} = {table.name!r}: column {n} {table.title(n).name!r} holds "
+                f"{table.row(0)[n]!r:.40}: write numbers, of times the seconds since the start"
+            )
     names = " and ".join(spec.meaning for spec in wanted)
     remedy = option
     if option.startswith("--"):
@@ -216,7 +225,11 @@ def _read_column(table: TextTable, spec: ColumnSpec, column: int, option: str) -
     if unit.family == "rate" and spec.family == "frequency" and not angular:
         remedy = spec.option or option
         raise UserError(f"{prefix}: {unit.text!r} may be Hz or rad/s; give {remedy}")
-    values = table.values(column)
+    is_clock = spec.clock and column in table.clocks
+    if is_clock != (":" in unit.text) and (":" in unit.text or unit.factor != 1.0):
+        word = table.row(0)[column]
+        raise UserError(f"{prefix}: is in {unit.text!r}, but holds {word!r:.40}: write seconds")
+    values = table.clocks[column] if is_clock else table.values(column)
     code = missing_code(values, repeated=False)
     if code is not None:
         values = np.where(values == code.value, np.nan, values)
@@ -279,7 +292,7 @@ def describe_columns(table: TextTable, columns: Sequence[Column]) -> str:
 
 def count_named(line: str, patterns: Iterable[str]) -> int:
     """Return the number of patterns of column names that match a word of a line."""
-    words = line.lstrip("#%!/ ").split()
+    words = re.findall(r"""[\w'"/^*]+""", line)
     return sum(
         any(re.search(pattern, word, re.IGNORECASE) for word in words) for pattern in patterns
     )

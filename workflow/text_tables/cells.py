@@ -7,17 +7,21 @@ from collections import Counter
 from collections.abc import Iterator
 from typing import NamedTuple
 
+import numpy as np
+
 from ..ground import counted
 from .numerals import is_missing, is_numeral
 
 DELIMITERS = (";", "\t", "|", ",", None)  # None: whitespace
 COMMENT_MARKS = ("#", "%", "//", "!")
-TRAILING_REMARK = re.compile(r"(?:(?<=\s)|(?<=\d))#(?!N/A|DIV|NUM|VALUE).*$")  # at the end of a row
+TRAILING_REMARK = re.compile(r"#(?<=[\s\d]#)(?!N/A|DIV|NUM|VALUE).*$")  # at the end of a row
 # Several numbers in a cell indicate a wrong delimiter; a date with a time of day does not match.
 SEVERAL_NUMBERS = re.compile(r"(?!\s*\d+([-/.])\d+\1\d+\s+\d+:\d).*\d[\s;]+[-+.\d]")
 LEADING_ZERO = re.compile(r"0\d+")  # occurs in the decimals of 1,05, not in integers
 # Limits of the sample of lines, from the start and the middle, used to find the delimiter.
 MAX_SAMPLE_LINES, MIN_SAMPLE_LINES, MAX_SAMPLE_CHARACTERS = 250, 20, 50_000
+MAX_SCORED_CELLS = 1000  # of each line of the sample
+CHUNK_CHARACTERS = 50_000  # of the text that is divided into lines at once
 END_OF_LINE = re.compile("\r\n|[\n\r\v\f\x1c-\x1e\x85\u2028\u2029]")  # as in str.splitlines
 # Limits of the lines that are not rows, since some patterns take quadratic time.
 MAX_REMARK_CHARACTERS, MAX_TITLE_CHARACTERS, MAX_WORD_CHARACTERS = 10_000, 200, 100_000
@@ -35,14 +39,14 @@ class Cells(NamedTuple):
     above: list[str]  # lines before the first row
     between: list[tuple[int, list[str]]]  # (index of the next row, lines before it)
     delimiter: str | None
-    plain: bool = True  # whether all cells are numbers with decimal points only
+    plain: bool = True  # whether all cells are numbers with a decimal mark at most
 
     def row(self, number: int) -> list[str]:
         """Return the cells of a row as written, ``width`` in number."""
         line = self.text[self.starts[number] : self.ends[number]]
         if self.plain:
             return split(line, self.delimiter)
-        cells = _trimmed(split(TRAILING_REMARK.sub("", line), self.delimiter))
+        cells = _trimmed(split(_without_remark(line), self.delimiter))
         return cells + [""] * (self.width - len(cells))
 
 
@@ -54,6 +58,10 @@ def split(line: str, delimiter: str | None) -> list[str]:
     if '"' in line:
         return [word.strip() for word in next(csv.reader([line.strip()], delimiter=delimiter))]
     return [word.strip() for word in line.split(delimiter)]
+
+
+def _without_remark(line: str) -> str:
+    return TRAILING_REMARK.sub("", line) if "#" in line else line
 
 
 def is_comment(line: str) -> bool:
@@ -70,7 +78,7 @@ def cells_of(text: str) -> Cells:
     """
     sample = _sample_of(text)
     delimiter, width = _delimiter_and_width(sample)
-    rows = [_trimmed(split(TRAILING_REMARK.sub("", line), delimiter)) for line in sample]
+    rows = [_trimmed(split(line, delimiter)) for line in sample]
     numeric = _numeric_columns([row for row in rows if len(row) <= width], width)
     starts, ends, numbers = array("q"), array("q"), array("q")
     cells = Cells(text, width, starts, ends, numbers, numeric, [], [], delimiter)
@@ -79,7 +87,8 @@ def cells_of(text: str) -> Cells:
     for number, (start, line) in enumerate(_lines(text), 1):
         if not pattern.fullmatch(line):  # the fast path for long files
             if not _is_row(line, number, cells):
-                pending.append(line)
+                if line or pending[-1:] != [""]:  # one empty line stands for several
+                    pending.append(line)
                 continue
             plain = False
         if not starts:
@@ -112,11 +121,12 @@ def _move_head_row(cells: Cells) -> None:
 def _lines(text: str) -> Iterator[tuple[int, str]]:
     """Yield the lines of a text with the indices of their first characters."""
     start = 0
-    for end in END_OF_LINE.finditer(text):
-        yield start, text[start : end.start()]
-        start = end.end()
-    if start < len(text):
-        yield start, text[start:]
+    while start < len(text):
+        end = END_OF_LINE.search(text, start + CHUNK_CHARACTERS)
+        chunk = text[start : end.end() if end else None]
+        for line, whole in zip(chunk.splitlines(), chunk.splitlines(keepends=True), strict=True):
+            yield start, line
+            start += len(whole)
 
 
 def _line_at(text: str, start: int) -> str:
@@ -125,7 +135,10 @@ def _line_at(text: str, start: int) -> str:
 
 
 def _sample_of(text: str) -> list[str]:
-    """Return lines from the start and the middle of a text that are not empty or comments."""
+    """Return lines from the start and the middle of a text that are not empty or comments.
+
+    Remarks at their ends are removed.
+    """
     starts, longest = array("q"), 1
     for start, line in _lines(text):
         if line.strip() and not is_comment(line):
@@ -133,7 +146,8 @@ def _sample_of(text: str) -> list[str]:
             longest = max(longest, len(line))
     count = max(MIN_SAMPLE_LINES, min(MAX_SAMPLE_LINES, MAX_SAMPLE_CHARACTERS // longest))
     middle = max(len(starts) // 2, count)
-    return [_line_at(text, start) for start in starts[:count] + starts[middle:][:count]]
+    sample = starts[:count] + starts[middle:][:count]
+    return [_without_remark(_line_at(text, start)) for start in sample]
 
 
 def _check_words(cells: Cells) -> None:
@@ -149,10 +163,11 @@ def _check_words(cells: Cells) -> None:
 
 
 def _plain_row_pattern(delimiter: str | None, width: int) -> re.Pattern[str]:
-    """Return the pattern of a row of `width` decimal numbers; for 0 it never matches."""
+    """Return the pattern of a row of `width` plain numbers; for 0 it never matches."""
     if not width:
         return re.compile(r"(?!)")
-    number = r"[+-]?(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][+-]?\d+)?"
+    mark = r"\." if delimiter == "," else "[.,]"
+    number = rf"[+-]?(?:\d+(?:{mark}\d*)?|{mark}\d+)(?:[eE][+-]?\d+)?"
     gap, blank = (r"\s+", r"\s*") if delimiter is None else (rf" *{re.escape(delimiter)} *", " *")
     return re.compile(rf"{blank}{number}(?:{gap}{number}){{{width - 1}}}{blank}")
 
@@ -161,7 +176,7 @@ def _is_row(line: str, number: int, table: Cells) -> bool:
     """Return whether a line is a row, not a comment or words. Raises ValueError."""
     if not line.strip() or is_comment(line):
         return False
-    untrimmed = split(TRAILING_REMARK.sub("", line), table.delimiter)
+    untrimmed = split(_without_remark(line), table.delimiter)
     cells = _trimmed(untrimmed)
     numeric_cells = [cells[n] for n in table.numeric if n < len(cells)]
     numbers = sum(map(is_numeral, numeric_cells))
@@ -200,14 +215,15 @@ def _delimiter_and_width(sample: list[str]) -> tuple[str | None, int]:
     """Return the delimiter and the number of cells per row."""
     best: tuple[int, str | None, int] = (0, None, 1)
     for delimiter in DELIMITERS:
-        rows = [_trimmed(split(TRAILING_REMARK.sub("", line), delimiter)) for line in sample]
+        rows = [_trimmed(split(line, delimiter)) for line in sample]
         if delimiter == "," and _has_decimal_commas(rows):
             continue
         score: Counter[int] = Counter()
         for row in rows:
-            several = sum(1 for cell in row if cell in DELIMITERS or SEVERAL_NUMBERS.match(cell))
-            numbers = sum(map(is_numeral, row))
-            score[len(row)] += numbers * (3 * numbers > len(row)) - 3 * several  # 0 for words
+            scored = row[:MAX_SCORED_CELLS]
+            several = sum(1 for cell in scored if cell in DELIMITERS or SEVERAL_NUMBERS.match(cell))
+            numbers = sum(map(is_numeral, scored))
+            score[len(row)] += numbers * (3 * numbers > len(scored)) - 3 * several  # 0 for words
         width, points = max(score.items(), key=lambda item: item[1], default=(1, 0))
         if points > best[0]:
             best = (points, delimiter, width)
@@ -227,10 +243,10 @@ def _has_decimal_commas(rows: list[list[str]]) -> bool:
 def _numeric_columns(rows: list[list[str]], width: int) -> list[int]:
     """Return the columns that hold a number or a missing value in at least half of the rows."""
     rows = [row for row in rows if any(map(is_numeral, row)) and 2 * len(row) >= width]
-    columns = []
-    for column in range(width):
-        column_cells = [row[column] for row in rows if column < len(row)]
-        numbers = sum(map(is_numeral, column_cells))
-        if numbers and 2 * sum(map(_is_value, column_cells)) >= len(rows):
-            columns.append(column)
-    return columns
+    numerals = np.zeros((len(rows), width), dtype=bool)
+    missing = np.zeros_like(numerals)
+    for n, row in enumerate(rows):
+        numerals[n, : len(row)] = list(map(is_numeral, row))
+        missing[n, : len(row)] = list(map(is_missing, row))
+    mostly_values = 2 * np.count_nonzero(numerals | missing, axis=0) >= len(rows)
+    return np.flatnonzero(numerals.any(axis=0) & mostly_values).tolist()

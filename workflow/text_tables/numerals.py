@@ -1,5 +1,6 @@
 """Parsing of numbers: decimal commas, thousands separators, missing values."""
 
+import math
 import re
 from collections.abc import Iterable
 from typing import NamedTuple
@@ -9,8 +10,12 @@ MISSING_WORDS = (
     "#value! err error invalid missing ?"
 )
 MISSING_CELLS = {"", *MISSING_WORDS.split()}
-NUMERAL = re.compile(r"[+-]?(?:\d+(?:[.,]\d+)*\.?|[.,]\d+)(?:[eEdD][+-]?\d+)?")
+NUMERAL = re.compile(  # at most one decimal mark and one other mark, or grouped digits
+    r"[+-]?(?:\d+(?:\.(?:\d+(?:,\d+)?)?|,\d+(?:\.\d*)?)?|[.,]\d+"
+    r"|[1-9]\d{0,2}(?:(?:,\d{3})+(?:\.\d*)?|(?:\.\d{3})+(?:,\d+)?))(?:[eEdD][+-]?\d+)?"
+)
 NUMERAL_TEXT = r"[-+]?\d[\d.,:]*(?:[eE][-+]?\d+)?"  # in prose
+CLOCK = re.compile(r"(\d{1,3}):([0-5]\d):([0-5]\d(?:[.,]\d+)?)")  # h:min:s
 EXPONENT_MARK = re.compile(r"[eEdD]")
 COMMA_GROUPS = re.compile(r"[+-]?[1-9]\d{0,2}(?:,\d{3})+(?:\.\d*)?")  # 1,234,567.8
 POINT_GROUPS = re.compile(r"[+-]?[1-9]\d{0,2}(?:\.\d{3})+(?:,\d*)?")  # 1.234.567,8
@@ -26,7 +31,7 @@ class Marks(NamedTuple):
         """Return a number with a decimal point, an exponent mark e and no thousands separators."""
         if self.thousands:
             word = word.replace(self.thousands, "")
-        return EXPONENT_MARK.sub("e", word.replace(self.decimal, "."))
+        return word.replace(self.decimal, ".").lower().replace("d", "e")
 
     def number(self, word: str) -> float:
         """Return the value of a word. Raises ValueError if it is not a number."""
@@ -40,13 +45,12 @@ def marks_of(words: Iterable[str]) -> Marks:
     or 1,234.5 resolve this. A decimal point in another number does not, since the formats of two
     columns may differ.
     """
-    commas, points = set(), set()
+    commas, points = set[str](), set[str]()
+    marked = ((",", commas), (".", points))
     for word in words:
-        mantissa = EXPONENT_MARK.split(word, maxsplit=1)[0]
-        if "," in mantissa:
-            commas.add(mantissa)
-        if "." in mantissa:
-            points.add(mantissa)
+        for mark, words_with_it in marked:
+            if mark in word:
+                words_with_it.add(EXPONENT_MARK.split(word, maxsplit=1)[0])
     if not commas:
         grouped = any(word.count(".") > 1 for word in points)
         return Marks("," if grouped else ".", "." if grouped else "")
@@ -68,12 +72,15 @@ def marks_of(words: Iterable[str]) -> Marks:
 
 def is_numeral(word: str) -> bool:
     """Return whether a word is a number, with any separators."""
-    if not NUMERAL.fullmatch(word):
-        return False
-    if word.count(".") < 2 and word.count(",") < 2:
-        return True
-    mantissa = EXPONENT_MARK.split(word, maxsplit=1)[0]  # of grouped digits, or a date
-    return bool(COMMA_GROUPS.fullmatch(mantissa) or POINT_GROUPS.fullmatch(mantissa))
+    return bool(NUMERAL.fullmatch(word))
+
+
+def seconds_of(word: str) -> float:
+    """Return the seconds of a time of day, such as 10:15:03.5, or NaN for other words."""
+    match = CLOCK.fullmatch(word)
+    if not match:
+        return math.nan
+    return 3600.0 * int(match[1]) + 60.0 * int(match[2]) + float(match[3].replace(",", "."))
 
 
 def is_missing(word: str) -> bool:

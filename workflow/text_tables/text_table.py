@@ -11,7 +11,7 @@ import numpy as np
 from ..ground import UserError, decoded, foreign_content, is_text, read_plain
 from .cells import Cells, cells_of, is_comment
 from .headers import Title, header_of
-from .numerals import Marks, is_missing, is_numeral, marks_of
+from .numerals import Marks, is_missing, is_numeral, marks_of, seconds_of
 from .units import unit_of
 
 MAX_LISTED = 12  # columns in one message
@@ -98,16 +98,24 @@ class TextTable:
         return np.ascontiguousarray(numbers[:, column])
 
     @cached_property
+    def clocks(self) -> dict[int, np.ndarray]:
+        """Return the seconds, shape (rows,), of each column of times of day, as 10:15:03.5."""
+        words = [n for n in range(self.width) if seconds_of(self.row(0)[n]) >= 0.0]
+        seconds = {n: np.array([seconds_of(word) for word in self.words(n)]) for n in words}
+        return {n: values for n, values in seconds.items() if np.isfinite(values).all()}
+
+    @cached_property
     def _numbers(self) -> tuple[np.ndarray, dict[int, int]]:
         """Return the numbers of all columns, shape (rows, width), NaN if missing.
 
         Also return, for each column with a word that is not a number, the first row with one.
         """
         numbers, unread = np.full((len(self.lines), self.width), np.nan), dict[int, int]()
+        plain_number = float if self.marks == Marks() else self.marks.number
         for row in range(len(self.lines)):
             words = self.row(row)
             if self.plain:
-                numbers[row] = list(map(float, words))
+                numbers[row] = list(map(plain_number, words))
                 continue
             for column, word in enumerate(words):
                 if not is_missing(word):
@@ -158,7 +166,8 @@ def table_of_text(key: str, name: str, text: str) -> TextTable:
         cells = cells_of(text)
         rows = map(cells.row, range(len(cells.lines)))
         numbers = (row[n] for row in rows for n in cells.numeric if is_numeral(row[n]))
-        marks = Marks() if cells.plain else marks_of(numbers)
+        points_only = cells.plain and (cells.delimiter == "," or "," not in text)
+        marks = Marks() if points_only else marks_of(numbers)
     except ValueError as error:
         raise UserError(f"{key} = {name!r}: {error}") from None
     return TextTable(key, name, cells, marks)

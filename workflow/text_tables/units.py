@@ -101,6 +101,7 @@ SUPERSCRIPTS = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁻", "0123456789-")
 SCALED_UNIT = re.compile(
     r"[x×*]?\s*(?:10(?:\^|(?=[⁰-⁹⁻¹²³]))|1?[eE])([-+⁻]?[\d⁰-⁹¹²³]{1,3})\s*[*·×x]?\s*(\D.*)"
 )
+CLOCK_UNIT = re.compile(r"h+:m(m|in)?:s+([.,*]\w+)?", re.IGNORECASE)  # of a time of day
 CLOCK_WORDS = ("PM", "AM")  # of a time of day; PM is not picometre
 UNIT_FACTOR = re.compile(r"([^\W\d_]+|[%°#–—-]|1(?!\d))\^?\(?([+-]?\d)?\)?")  # noqa: RUF001
 
@@ -118,7 +119,7 @@ class Unit(NamedTuple):
         return values * self.factor + self.offset if self.offset else values * self.factor
 
 
-@lru_cache(maxsize=1000)
+@lru_cache(maxsize=100_000)
 def unit_of(text: str) -> Unit | None:
     """Return the unit with this spelling, or None if it is unknown.
 
@@ -135,6 +136,8 @@ def unit_of(text: str) -> Unit | None:
     plain = _normalised(text)
     if plain.lower() in TEMPERATURES:
         return Unit(text, "temperature", *TEMPERATURES[plain.lower()])
+    if CLOCK_UNIT.fullmatch(plain):
+        return Unit(text, "time", 1.0)
     if not plain or plain in CLOCK_WORDS:
         return None
     if plain in KNOWN_UNITS:
@@ -163,6 +166,8 @@ def _is_finite(factor: float) -> bool:
 
 def _normalised(text: str) -> str:
     """Return a unit in normalised spelling: u for micro, * between factors, / for per."""
+    if text.isascii() and text.isalnum():
+        return text
     word = unicodedata.normalize("NFKC", text.strip().strip("[](){}<>").strip())
     word = word.replace("μ", "u").replace("\u2212", "-").replace("**", "^")
     word = re.sub(r"\s+per\s+|\s*/\s*", "/", word)

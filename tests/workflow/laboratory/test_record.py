@@ -42,6 +42,48 @@ def test_units_in_any_form_and_order(tmp_path, header, time, velocity):
     np.testing.assert_allclose(given.velocity, [1e-7, 2e-7])
 
 
+@pytest.mark.parametrize(
+    ("header", "form"),
+    [
+        ("Time,v [mm/s],mu\n", "10:15:0{}.250,1,0.5\n"),
+        ("\ufeffZeit [hh:mm:ss];v [mm/s];mu\r\n", "10:15:0{},250;1,0;0,5\r\n"),
+        ("# a logger\nDate Time v mu\n- h:min:s mm/s -\n", "2024-05-01 10:15:0{}.250 1 0.5\n"),
+    ],
+)
+def test_times_of_day_are_seconds(tmp_path, header, form):
+    found = read(tmp_path, header + "".join(map(form.format, range(3))))
+    np.testing.assert_allclose(found.time, 36900.25 + np.arange(3))
+    np.testing.assert_allclose(found.velocity, 1e-3)
+
+
+@pytest.mark.parametrize(
+    ("header", "form", "words"),
+    [
+        ("Time [min],v,mu\n", "10:15:0{},1,0.5\n", "is in 'min', but holds '10:15:00': write sec"),
+        ("Time [h:m:s],v,mu\n", "0.{},1,0.5\n", "is in 'h:m:s', but holds '0.0': write seconds"),
+        ("Time,v,mu\n", "10:15:0{} PM,1,0.5\n", "0 'Time' holds '10:15:00 PM': write numbers"),
+        ("Time,v,mu\n", "15:0{},1,0.5\n", "column 0 'Time' holds '15:00': write numbers"),
+    ],
+)
+def test_unclear_times_of_day_are_refused(tmp_path, header, form, words):
+    with pytest.raises(UserError, match=words):
+        read(tmp_path, header + "".join(map(form.format, range(3))))
+
+
+@pytest.mark.parametrize(
+    ("title", "words"), [("vdcdt_um", ""), ("velocity_um", "not clear what 'um'")]
+)
+def test_a_chosen_column_of_lengths_is_a_displacement_unless_named_a_velocity(
+    tmp_path, title, words
+):
+    text = f"time_s,{title},mu\n" + "".join(f"{t},{3 * t},0.3\n" for t in range(20))
+    if words:
+        with pytest.raises(UserError, match=words):
+            read(tmp_path, text, (0, 1, 2))
+    else:
+        np.testing.assert_allclose(read(tmp_path, text, (0, 1, 2)).velocity, 3e-6)
+
+
 def test_missing_samples_are_passed_over_and_equal_stamps_spread(tmp_path):
     found = read(tmp_path, "0 1 0.3\n0 1 0.3\n1 1 nan\n1 1 0.3\n2 1 0.3\n2 1 0.3\n")
     np.testing.assert_allclose(found.time, [0.0, 0.5, 1.0, 2.0, 2.5])

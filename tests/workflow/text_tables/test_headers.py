@@ -65,6 +65,12 @@ def test_units_are_obeyed_or_refused(style):
     assert right >= 24  # of about 48 that a person would read
 
 
+@pytest.mark.parametrize("line", ["%v. lsb mu. 1 t. s", "#mu: 1 v: V t: s", "! t, s v, foo mu"])
+def test_a_commented_header_that_no_pattern_divides_is_refused(line):
+    with pytest.raises(UserError, match="not clear"):
+        select_columns(table_of_text("key", "f.txt", f"{line}\n1 2 3\n2 3 4\n"), WANTED)
+
+
 def test_a_quotient_in_a_name_is_no_unit():
     share = ColumnSpec("a share", "number", r"/ ?G_?0", "1")
     table = table_of_text("key", "f.txt", "G_i/G_0,t\n0.5,1\n0.2,2\n")
