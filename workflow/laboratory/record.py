@@ -107,8 +107,8 @@ def _motion_spec(
         family = unit.family if unit else ""
         if re.search(VELOCITY.names, name, re.I) and not title.stated:
             return VELOCITY
-        placed = re.search(PLACE.names, name, re.I)
-        return PLACE if family == PLACE.family or (placed and family == "") else VELOCITY
+        placed = family == "" and bool(re.search(PLACE.names, name, re.I))
+        return PLACE if family == PLACE.family or placed else VELOCITY
     units = [unit_of(title.unit) for title in table.titles]
     families = [unit.family for unit in units if unit]
     if find_column(table, VELOCITY) is not None or VELOCITY.family in families:
