@@ -35,6 +35,7 @@ TIME_NAME = r"^(t|time)$"
 POSITION_NAME = r"^(x|s)$|pos|dist|later|scan|travel|absciss|length|^x\b"
 HEIGHT_NAME = r"^z$|height|raw|profil|depth|topo|elev|amplitude|surface|^z\b"
 MIN_MATRIX_COLUMNS = 3  # from which a table without titles may be a matrix of heights
+MIN_MAP_ROWS, MAX_MAP_ASPECT = 32, 2  # of a matrix that may be a map
 POINT_COLUMNS = 3  # x, y and z of the points of a map
 
 
@@ -170,6 +171,11 @@ def _heights_alone(file: LineFile, table: TextTable) -> RawLines:
     description = f"{content}, step {source}"
     height = stated_length(file, table, HEIGHT_REMARK) if matrix else None
     spacing = None if height is None else height / len(heights)
+    rows, samples = sorted(heights.shape)
+    if matrix and spacing is None and rows > MIN_MAP_ROWS and samples <= MAX_MAP_ASPECT * rows:
+        description += (
+            '; if its rows are one step apart, scene.body = "half-space" reads them as a map'
+        )
     return RawLines(heights, None, np.empty(0), step, ("", *units), description, spacing)
 
 

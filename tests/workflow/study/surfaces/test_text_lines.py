@@ -156,6 +156,17 @@ def test_a_matrix_without_a_step_says_how_to_give_it(tmp_path):
     np.testing.assert_allclose(lines.heights, Z * 1e-9)
 
 
+@pytest.mark.parametrize(
+    ("shape", "header", "hint"),
+    [((40, 48), "", True), ((40, 48), "# Height: 40 um\n", False), ((40, 96), "", False)],
+)
+def test_a_nearly_square_matrix_is_said_to_be_a_possible_map(tmp_path, shape, header, hint):
+    heights = np.random.default_rng(3).normal(size=shape).round(3)
+    text = header + "\n".join(" ".join(map(str, row)) for row in heights)
+    lines = read(tmp_path, text, step=1e-6, units=("um", "nm"))
+    assert ('scene.body = "half-space" reads them as a map' in lines.notes) == hint
+
+
 def test_heights_alone(tmp_path):
     heights = rows(Z[0])
     lines = read(tmp_path, f"# pitch = 0,5 um\n# unit = nm\n{heights}")
