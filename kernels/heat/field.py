@@ -8,18 +8,18 @@ at points of the body. In the frame of a surface that slides over it at the velo
 becomes lambda = D q^2 - i q_x v, and a constant flux leads to Q/(k sqrt(lambda/D)).
 Source: H. S. Carslaw, J. C. Jaeger, Conduction of Heat in Solids, 2nd ed. (Oxford, 1959), ch. 10.
 
-The square root is a sum of exponentials, from equal steps of ln y in
+The square root becomes a sum of exponentials, by equal steps of ln y in
 
     1/sqrt(pi t) = (1/pi) int_0^inf exp(-y t) y^(-1/2) dy.
 
-Each mode has a variable with the rate lambda + y for every y of the ladder above SLOW_SHARE D q^2,
-and one for all below. Under a flux that is constant in a step, variables are exact. Their
-deviations from the steady values are stored: the steady rise is exact, and variables above the
-ladder, which follow the flux at once, have none.
+The values of y form a ladder. Each mode has one variable of rate lambda + y for every y above
+SLOW_SHARE D q^2, and one for all lower y. Under a flux that is constant in a step, variables are
+exact. Their deviations from the steady values are stored. Variables above the ladder follow the
+flux at once and do not deviate.
 
 The mean of the flux heats a block of thickness b whose far side is held at the temperature of the
-scene: a sum over the modes of the slab, with the rates D ((n + 1/2) pi/b)^2. Without a block it
-has no steady value on a half-space and is left out.
+scene: a sum over the modes of the slab, with the rates D ((n + 1/2) pi/b)^2. Without a block, the
+mean rise has no steady value and is left out.
 """
 
 import math
@@ -30,32 +30,32 @@ import numpy as np
 from ..compile.jit import inlined_kernel, kernel
 from ..rheology.law import MIN_MAGNITUDE
 
-LOG_STEP = 1.0  # between rates of the ladder; rises of modes are then right to 1e-4 after one step
-SLOW_SHARE = 0.04  # of D q^2; the lower rates of a mode are one variable
-FAST_RATE = 10.0  # in the shortest step, of the highest rate of the ladder
+LOG_STEP = 1.0  # between rates of the ladder; the error of a mode is 1e-4 after one step
+SLOW_SHARE = 0.04  # of D q^2; all lower rates of a mode share one variable
+FAST_RATE = 10.0  # highest rate of the ladder times the shortest step
 MAX_SLAB_MODES = 10_000
 
 
 class HeatedSurface(NamedTuple):
     """Constants of the temperature field of a map; rates in 1/tau.
 
-    Every row of modes has variables of all its columns below the ladder, then, for each rate of
-    the ladder, those of its first columns.
+    For each rate, a row of modes stores one variable of all lower rates for the columns whose
+    ladder begins there, then one of this rate for its first ``widths`` columns.
     """
 
     q_y: np.ndarray  # wave numbers of the rows, in 1/dx, shape (rows,)
     q_x: np.ndarray  # wave numbers of the columns, in 1/dx, shape (columns,)
     diffusivity: float  # D, in dx^2/tau
     rates: np.ndarray  # y of the ladder, shape (J,)
-    weights: np.ndarray  # of the variables in the root, shape (J,)
-    below: tuple[float, float]  # mean rate and weight of all lower y, over those of y
+    weights: np.ndarray  # of the variables, shape (J,)
+    below: tuple[float, float]  # mean rate and weight of all lower y, relative to y
     widths: np.ndarray  # number of columns of a row with a rate, shape (rows, J)
     block: float  # thickness b, in dx; 0: no mean heating
     slab_rates: np.ndarray  # shape (slab modes,), empty without a block
 
 
 class HeatContent(NamedTuple):
-    """State of a temperature field, in the frame of the sliding surface; over a flux."""
+    """State of a temperature field in the frame of the sliding surface, in units of the flux."""
 
     flux: np.ndarray  # modes of the flux in the last step
     speed: float  # of the surface in the last step, in dx/tau
@@ -125,13 +125,13 @@ def heat(
 
 @kernel
 def _fill_steady_rise(surface, flux, speed, rise):
-    """Fill rise with that of a constant flux, Q/sqrt(lambda/D), and of the block for the mean."""
+    """Fill rise with the steady Q/sqrt(lambda/D), and the mean with that of the block."""
     for row in range(rise.shape[0]):
         for column in range(rise.shape[1]):
             q_x = surface.q_x[column]
             square = surface.q_y[row] ** 2 + q_x**2
             turn = q_x * speed / surface.diffusivity
-            size = max(math.sqrt(square * square + turn * turn), MIN_MAGNITUDE)  # of the mean: 0
+            size = max(math.sqrt(square * square + turn * turn), MIN_MAGNITUDE)  # zero for the mean
             root = math.sqrt(0.5 * (size + square))
             re, im = root / size, 0.5 * turn / (root * size)
             q = flux[row, column]
@@ -159,7 +159,7 @@ def _add_modes(surface, content, flux, moved, dt, new, rise):
         begin = 0
         for j in range(rates.size):
             y, weight, end = rates[j], weights[j], surface.widths[row, j]
-            for first in range(2):  # the lowest variable of new columns, then that of the rate
+            for first in range(2):  # lower rates of new columns, then this rate
                 if first == 0:
                     columns = slice(begin, end)
                     factors = below_rate * y, below_weight * weight, below_fades[j]

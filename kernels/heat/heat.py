@@ -9,9 +9,9 @@ from ..rheology.time_shift import ShiftLaw
 class Heat(NamedTuple):
     """Heating of a scene; hashable, because it is part of keys."""
 
-    warming: float  # share E* h^2/(k tau), K: rise of the unit flux E* h^2/(dx tau) at q = 1/dx
+    warming: float  # share E* h^2/(k tau), K: rise by the flux E* h^2/(dx tau) at q = 1/dx
     diffusivity: float  # of heat, k/(rho c), in dx^2/tau
-    block: float  # thickness of a block that is heated on the mean, in dx; 0: none
+    block: float  # thickness of a block heated by the mean flux, in dx; 0: none
     shift: ShiftLaw  # of the relaxation times
     temperature: float  # of the scene, to which tau belongs, in °C
     speed_unit: float  # dx/tau, in m/s
