@@ -1,1 +1,1 @@
-"""Effects on a half-space beside the loss in the rubber: shear of the contact, a finite depth."""
+"""Effects on a half-space besides the loss in the rubber: shear of the contact, a finite depth."""

@@ -6,9 +6,9 @@ Its compliance for a wave of the normal pressure is that of the half-space, 2/(E
     free:   (cosh 2s - 1)/(sinh 2s + 2s),                                     s = |q| thickness.
 
 A bonded layer cannot move on its base, a free one slides on it without friction. Both factors tend
-to 1 for s -> infinity. For s -> 0 they tend to s (1 - 2 nu)/(2 (1 - nu)^2), or 2 s^3/3 for
-nu = 1/2, and to s/2. Shear stress at the surface would also load a bonded layer, and any layer with
-nu < 1/2, along its normal, which is neglected.
+to 1 for s -> infinity. For s -> 0 the first tends to s (1 - 2 nu)/(2 (1 - nu)^2), or 2 s^3/3 for
+nu = 1/2, the second to s/2. Neglected: shear stress at the surface also displaces a bonded layer,
+and any layer with nu < 1/2, along the normal.
 Source: K. L. Johnson, Contact Mechanics (Cambridge, 1985), ch. 5.
 """
 
@@ -28,13 +28,13 @@ class Layer(NamedTuple):
 
 
 def compliance_ratio(layer: Layer, q: np.ndarray) -> np.ndarray:
-    """Return the compliance of a layer over that of the half-space; 1 for q = 0, which has none.
+    """Return the compliance of a layer over that of the half-space; 1 for q = 0.
 
     q : wave numbers |q|, in 1/dx.
     """
     ratio, inside = np.ones_like(q), q > 0.0
     s = layer.thickness * q[inside]
-    decay = np.exp(-2.0 * s)  # all terms are multiplied by it, as hyperbolic functions overflow
+    decay = np.exp(-2.0 * s)  # factor of all terms, as hyperbolic functions overflow
     if layer.backing == FREE:
         ratio[inside] = np.expm1(-2.0 * s) ** 2 / (4.0 * s * decay - np.expm1(-4.0 * s))
         return ratio

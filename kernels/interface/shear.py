@@ -21,14 +21,14 @@ class Bell(NamedTuple):
     """Bell over the logarithm of the speed; stresses in E* (h/dx)^2, speeds in dx/tau."""
 
     stress: float  # tau_0, the maximum
-    velocity: float  # v_0, of the maximum
+    velocity: float  # v_0, at the maximum
     width: float  # w, in decades
 
 
 class ShearTable(NamedTuple):
     """Table over the logarithm of the speed; below the first speed the first stress holds."""
 
-    speeds: tuple[float, ...]  # increasing, in dx/tau; one infinite speed: a constant stress
+    speeds: tuple[float, ...]  # increasing, in dx/tau; (inf,) for a constant stress
     stresses: tuple[float, ...]  # in E* (h/dx)^2
 
 
@@ -36,7 +36,7 @@ class ShearLaw(NamedTuple):
     """Law of the shear stress; hashable, because it is part of keys."""
 
     curve: Bell | ShearTable
-    creep_velocity: float = 0.0  # below it the stress is that at it, in dx/tau
+    creep_velocity: float = 0.0  # below it the stress is constant, in dx/tau
     activation: float = 0.0  # E_a/R, in K
     reference: float = 1.0  # T_ref, in K: the temperature of the scene
 
