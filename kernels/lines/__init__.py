@@ -1,4 +1,4 @@
-"""Rigid lines: their construction, and the checks and origin common to all lines.
+"""Rigid lines: their construction, common checks and common origin.
 
 A new kind of line is a new file that ends in ``Line.from_samples``.
 """

@@ -12,7 +12,7 @@ import numpy as np
 from ..root_search import root_between
 
 ROW_TOLERANCE = 1e-9  # relative, at both ends of a table
-TAIL_DECADES = 16  # of wave numbers beyond the table of a cut, which goes on as its last power law
+TAIL_DECADES = 16  # beyond the table of a cut, where its last power law continues
 TAIL_STEPS = 4  # intervals per decade of the tail
 NODES, WEIGHTS = np.polynomial.legendre.leggauss(16)
 
@@ -47,9 +47,9 @@ class IsotropicSpectrum(NamedTuple):
         return moments[0], moments[1]
 
     def wave_number_of_slope(self, slope: float) -> float:
-        """Return the q_1 up to which the waves have an rms gradient.
+        """Return the wave number up to which the waves have this rms gradient.
 
-        Raises ValueError for a gradient that the whole table does not have.
+        Raises ValueError for a gradient above that of the whole table.
         """
         most = float(np.sqrt(self.moments_below(self.q[-1])[1]))
         if not 0.0 < slope <= most:
@@ -81,8 +81,8 @@ def isotropic_of_cut(q: np.ndarray, density: np.ndarray) -> np.ndarray:
 
         C_2D(k) = -(1/pi) int_k^inf C'(q) dq/sqrt(q^2 - k^2),    q = k cosh t,
 
-    of the power laws between the rows; beyond the last row the last one continues. A density that
-    no isotropic surface has gives values that are not positive.
+    uses power laws between the rows; the last one continues beyond the last row. For a density that
+    no isotropic surface has, values are not positive.
     """
     exponents = np.diff(np.log(density)) / np.diff(np.log(q))
     tail = q[-1] * np.geomspace(1.0, 10.0**TAIL_DECADES, TAIL_DECADES * TAIL_STEPS + 1)

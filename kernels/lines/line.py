@@ -10,7 +10,7 @@ from .measured_modes import measured_modes
 from .self_affine import sample_line, sample_modes
 
 QUARTET = 4  # lines from one draw of phases
-MAX_HEIGHT = 1e50  # the least height is 1/MAX_HEIGHT, far above numbers that count as zero
+MAX_HEIGHT = 1e50  # the minimum is 1/MAX_HEIGHT, far above numbers that count as zero
 
 
 class Line(NamedTuple):
@@ -29,7 +29,7 @@ class Line(NamedTuple):
         """Return the Line of heights (in h) and slopes (in h/dx) over one period.
 
         band_limited : as the field. Raises ValueError for samples that are not finite, for shapes
-        that do not match, and for heights that cannot be in units of their rms roughness.
+        that do not match, and for heights far from their rms roughness.
         """
         if z.shape != slope.shape or z.ndim != 1 or z.size == 0 or steps_per_spacing < 1:
             raise ValueError("a line needs one slope per height, one sample per spacing or more")

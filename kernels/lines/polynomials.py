@@ -1,9 +1,9 @@
-"""A line between its samples, by polynomials of degree seven.
+"""Interpolation of a line between its samples by polynomials of degree seven.
 
-Interval j lies between the samples j and j + 1. In it the line is the polynomial with the height
-and three derivatives of both samples. For a wave of eight samples, the shortest at m = 4, its error
-is 1e-7 of the height. Elements traverse it against the motion: t runs from 0 at sample j + 1 to 1
-at sample j.
+Interval j lies between the samples j and j + 1. There the line is the polynomial that matches the
+height and three derivatives at both samples. For a wave of eight samples, the shortest at m = 4,
+its error is 1e-7 of the height. Elements traverse it against the motion: t runs from 0 at sample
+j + 1 to 1 at sample j.
 """
 
 import numpy as np
@@ -76,7 +76,7 @@ def coefficients_between(z, slope, bend, h, k, j):
 def bernstein_coefficients(c):
     """Return the eight Bernstein coefficients, whose extremes bound the polynomial on [0, 1]."""
     c0, c1, c2, c3, c4, c5, c6, c7 = c
-    # With coefficients divided by binomial ones, the Bernstein coefficients are sums.
+    # Divided by binomial coefficients, the coefficients add up to Bernstein's.
     c1, c2, c3, c4 = c1 * (1.0 / 7.0), c2 * (1.0 / 21.0), c3 * (1.0 / 35.0), c4 * (1.0 / 35.0)
     c5, c6 = c5 * (1.0 / 21.0), c6 * (1.0 / 7.0)
     return (
