@@ -191,13 +191,13 @@ def first_hold_step(leg: Hold, m: int, speed: float, shortest: float) -> float:
 
 
 def has_equal_steps(leg: Oscillation, m: int) -> bool:
-    """Return whether min_cycle_steps equal steps in a cycle never exceed a sample each."""
+    """Return whether no step exceeds a sample with min_cycle_steps equal steps a cycle."""
     fastest = abs(leg.speed) + 2.0 * math.pi * leg.frequency * leg.amplitude
     return fastest * m <= leg.frequency * min_cycle_steps(m)
 
 
 def path_of(leg: Leg, m: int) -> Path:
-    """Return the path of a leg that neither slides at one speed nor holds."""
+    """Return the path of a ramp, an oscillation or a sampled motion."""
     if isinstance(leg, Oscillation):
         return oscillation_path(leg.speed, leg.amplitude, leg.frequency, leg.cycles, m)
     if isinstance(leg, Ramp):
@@ -207,7 +207,7 @@ def path_of(leg: Leg, m: int) -> Path:
 
 
 def _equal_steps(leg: Oscillation, m: int, position: float) -> tuple[np.ndarray, np.ndarray]:
-    """Return (positions, dt) of an oscillation in equal time steps, as many in every cycle."""
+    """Return (positions, dt) of an oscillation, with min_cycle_steps equal steps a cycle."""
     count = min_cycle_steps(m)
     number = np.arange(1, count * leg.cycles + 1)
     phase = 2.0 * math.pi * (number % count) / count

@@ -12,7 +12,7 @@ import numpy as np
 
 SNAP_TOLERANCE = 1e-9  # in samples: a smaller distance from a whole sample is rounding
 MIN_PARTIAL_STEP = 0.25  # in samples: minimum step next to a turn or an end of the path
-TIME_BISECTIONS = 60  # resolve a time to its last bit, unless it is tiny compared with the piece
+TIME_BISECTIONS = 60  # resolve a time to the last bit, unless it is far below the piece
 
 
 class Path(NamedTuple):
@@ -33,7 +33,7 @@ def hold_step_ratio(m: int) -> float:
 
 
 def growing_count(duration: float, ratio: float) -> int:
-    """Return the number of steps that grow by ``ratio``; duration : of all, over the first step.
+    """Return the number of steps that grow by ``ratio``; duration : total, over the first step.
 
     The sum of the steps, over the first one, is (ratio^count - 1) / (ratio - 1).
     """

@@ -1,9 +1,9 @@
 """Sliding by whole samples: with an element at every sample, nothing is interpolated.
 
 A step moves each element to the next sample of the line, against the motion. State and thresholds
-are stored at the samples of the stretches that can touch: an element cannot touch a sample that is
-higher than a cap above all indentations. In the gaps between stretches, elements only decay; one
-ring buffer per gap carries them from one stretch to the next.
+are stored only for stretches of samples below a cap that exceeds all indentations; higher samples
+cannot touch. In the gaps between stretches, elements only decay; one ring buffer per gap carries
+them from one stretch to the next.
 """
 
 from typing import NamedTuple
@@ -52,10 +52,10 @@ def start_rings(law, z, state, start, stop):
 def shift(law, z, c, d, first, rings, step):
     """Move every element to the next sample, and fill c with the thresholds before contact.
 
-    z : line, c : thresholds of the step before, both at the samples of the stretches; stretch s
-    begins at first[s]. d : indentation at the end of the step before. step : number, from 1 on.
+    z : line, c : thresholds of the previous step, both at the samples of the stretches; stretch
+    s begins at first[s]. d : indentation at the end of the previous step. step : number, from 1 on.
     """
-    if step > 1:  # initial rings include the elements that left before
+    if step > 1:  # initial rings include earlier departures
         _depart(z, c, d, first, rings, step - 1)
     for s in range(first.size - 1):
         for i in range(first[s], first[s + 1] - 1):
@@ -116,7 +116,7 @@ def gather(values, start, stop):
 
 @kernel
 def piece_bounds(lengths):
-    """Return the first index of each of consecutive pieces, and the end of the last one."""
+    """Return the first index of each consecutive piece, and the end of the last."""
     out = np.zeros(lengths.size + 1, np.int64)
     for s in range(lengths.size):
         out[s + 1] = out[s] + lengths[s]

@@ -1,7 +1,7 @@
 """Heights and slopes of a moving line over the resting elements of a foundation, step by step.
 
-At whole samples the given line is read with an offset. At fractions of a sample it is shifted by
-Fourier (fourier.py), once for all steps of a stage with the same fraction. Stages limit the memory.
+At whole samples the line is read with an offset. At fractions of a sample it is shifted by Fourier
+(fourier.py), once for all steps of a stage with the same fraction. Stages limit the memory.
 """
 
 from collections.abc import Iterator
@@ -21,7 +21,7 @@ class Track(NamedTuple):
     """The line before the first step of a stage and after each of its steps."""
 
     z: np.ndarray  # shape (lines, 2 n): two periods of every line, heights in h
-    slope: np.ndarray  # the same of its slopes, in h/dx
+    slope: np.ndarray  # slopes in the same form, in h/dx
     line: np.ndarray  # index of the shifted line, shape (S + 1,)
     begin: np.ndarray  # sample of that line at element 0, shape (S + 1,)
     dt: np.ndarray  # durations of the steps, in tau, shape (S,)
