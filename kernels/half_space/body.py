@@ -2,9 +2,9 @@
 
 Elements have memory and a law (rheology/law.py). In place of an element's force, the law takes A p,
 the displacement of the relaxed body under the pressures p. Pressures are stored at the samples of
-the surface, which meets the same elements again only after a period. A step is one elastic contact
-of the surface z - w with a body K times as stiff as the relaxed one, where w is the displacement
-of the body without pressure.
+the surface, which meets the same elements only once per period. A step is one elastic contact of
+the surface z - w with a body K times as stiff as the relaxed one, where w is the displacement of
+the body without pressure.
 """
 
 from typing import Any, NamedTuple
@@ -111,7 +111,7 @@ def try_step(
 
 
 def body_after(body: Body, law: Any, w: np.ndarray, contact: ElasticContact, offset: int) -> Body:
-    """Return the body after a step that was tried; memory changes in place."""
+    """Return the body after an attempted step; memory changes in place."""
     new = at_elements(contact.depth, offset)
     settle_memory(law, body.memory, w, body.depth, new)
     return Body(body.memory, new, contact.p, contact.d / law.stiffness, offset)

@@ -38,7 +38,7 @@ def run_case(
     """Compute one case on one surface; loads Fbar = F_N/(E* L h), speeds of either sign.
 
     contact_fraction : real contact area, corrected for the samples at edges (patches.py).
-    samples_per_contact : mean number of samples in a patch, which is connected by sides.
+    samples_per_contact : mean number of samples in a patch (connected by sides).
     work : samples times passes of the operator. The relaxation curve is mu_2 plus the difference
     between mu of the march and its steady value. The field refine of a case is ignored.
     stiffness : of every mode, or None for a half-space. Raises ValueError if no steady state is
@@ -121,7 +121,7 @@ def run_case(
 
 
 def _hot_parts(one: HotSliding, heating: Heating | None, count: int) -> HotParts:
-    """Return the values of steady sliding at v1, and room for those of the velocity jumps."""
+    """Return the values of steady sliding at v1, with NaN for those of the velocity jumps."""
     nothing = np.full(count, np.nan)
     if heating is None or one.warmth is None:
         return HotParts(np.nan, np.nan, 0.0, nothing, nothing.copy(), [])
@@ -152,7 +152,7 @@ def _steady_sums(space: HalfSpace, sliding: SlidingBody, tiles: int) -> list[np.
 def _kept_variables(space: HalfSpace, case: Case, requested: Quantities) -> int | None:
     """Return the number of internal variables that jumps and marches read, or None for all.
 
-    Marches do not read those which decay to less than the rounding error in every step.
+    Marches do not read variables that decay below the rounding error in one step.
     """
     if case.spectrum.viscosity > 0.0 or not isinstance(space.form, Retardation):
         return None
@@ -168,7 +168,7 @@ def _relaxation(
 ) -> tuple[np.ndarray, np.ndarray, int]:
     """Return (mu, real contact at the given steps after the jump to the speed of ``two``, passes).
 
-    The force and the contact of a step are those of its pressures.
+    Both follow from the pressures of a step.
     """
     body, passes = start._replace(memory=start.memory.copy()), 0
     (mu, areas), at = np.empty((2, numbers.size)), 0

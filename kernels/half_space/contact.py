@@ -29,12 +29,12 @@ from ..compile.jit import kernel
 from .modal_operator import STENCIL_CENTRE, Operator
 
 MAX_PASSES = 20_000
-ZERO_PRESSURE = 1e-14  # set to zero up to this share of the mean pressure
+ZERO_PRESSURE = 1e-14  # over the mean pressure: smaller pressures become zero
 MIN_TRIAL_RATIO, MAX_TRIAL_RATIO = 0.3, 3.0  # ratio of successive trial steps
-MIN_STEP_RATIO = 0.01  # of the best step to the trial step; below it directions restart
-COARSE_TOLERANCE, MIN_COARSE_COLUMNS = 0.03, 32  # of the contact of every second sample
-SCALE_PASSES = 4  # between measurements of the rms of A p
-BLOCK = 128  # samples that are searched for overlaps together
+MIN_STEP_RATIO = 0.01  # best over trial step: below it, directions restart
+COARSE_TOLERANCE, MIN_COARSE_COLUMNS = 0.03, 32  # of cold starts
+SCALE_PASSES = 4  # between two evaluations of the rms of A p
+BLOCK = 128  # samples per search for overlaps
 # Rows of the values listed for free samples: p, g minus its mean, the last change of p, the
 # displacement by it, and the preconditioned residual.
 PRESSURE, RESIDUAL, CHANGE, PUSH, CONDITIONED = range(5)
@@ -104,7 +104,7 @@ def press(
 def _cold_start(
     gap: np.ndarray, mean_pressure: float, operator: Operator, allowed: np.ndarray | None
 ) -> ElasticContact:
-    """Return pressures to start from: those of every second sample, or equal ones."""
+    """Return initial pressures: those of every second sample, or a constant."""
     rows, n = gap.shape
     odd = n % 2 or (rows > 1 and rows % 2)
     if allowed is not None or n < 2 * MIN_COARSE_COLUMNS or odd:
@@ -159,7 +159,7 @@ def _displace(height, d, step, pushed, change, p, allowed, free, values, count):
     open_to = allowed.ravel()
     for start in range(0, heights.size, BLOCK):
         stop, overlaps = min(start + BLOCK, heights.size), 0
-        if step != 0.0:  # the first displacement is that of the start
+        if step != 0.0:  # height already includes that of the start
             for j in range(start, stop):
                 heights[j] += step * pushes[j]
         for j in range(start, stop):
@@ -200,9 +200,9 @@ def _fill_residual(height, d, residual, free, values, touching):
 
 @kernel
 def _condition(residual, free, stencil_scale, values):
-    """Apply the stencil to the residual and subtract its mean; p = 0 may only increase.
+    """Apply the stencil to the residual and subtract its mean; zero p may only increase.
 
-    At the ends of a row the stencil continues in the next one: it need not be exact.
+    At the ends of a row the stencil continues in the next: it need not be exact.
     """
     residuals, n = residual.ravel(), residual.shape[1]
     size, total = residuals.size, 0.0
@@ -220,7 +220,7 @@ def _condition(residual, free, stencil_scale, values):
 
 @kernel
 def _conjugate(values, product):
-    """Make changes the next direction: down the preconditioned residual, conjugate to the last.
+    """Set changes to the next direction of descent, conjugate to the last one.
 
     product : of the last change and its displacement, or 0 at a restart.
     """

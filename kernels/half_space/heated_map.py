@@ -1,7 +1,7 @@
-"""A map on a half-space that its own friction heats: a body around a MovedMap (body/step.py).
+"""A map on a half-space heated by friction: a body around a MovedMap (body/step.py).
 
-The law of a step is that of its duration over a_T at its temperature (heating.py), so that drivers
-get a law whose lag is known after the attempt.
+A step uses the law of its duration over a_T at its temperature (heating.py). The lag of the law is
+therefore known only after the attempt.
 """
 
 import math
@@ -28,7 +28,7 @@ class HeatedForm(NamedTuple):
 
 
 class HeatedLaw:
-    """Law of a step that was attempted at a temperature of its own."""
+    """Law of a step, set by each attempt at a temperature."""
 
     def __init__(self, dt: float) -> None:
         self.dt = dt  # in tau
@@ -50,7 +50,7 @@ class HeatedMap(NamedTuple):
 
     moved: MovedMap
     heating: Heating
-    recorded: frozenset[int] | None  # steps whose temperatures are kept; None: all, of a drive
+    recorded: frozenset[int] | None  # steps whose temperatures are kept; None: all, for a drive
     kept: list[tuple[float, float, float]]  # time (tau), contact and flash temperature (°C)
 
     @property
@@ -76,7 +76,7 @@ class HeatedAttempt(NamedTuple):
     shear: float  # part of friction over the normal force, in h/dx
     warmth: Warmth  # after the step
     temperature: float  # in the step, °C
-    direction: float  # of this motion, or of the last one
+    direction: float  # of this motion, or of the last one at rest
     number: int  # of the step
 
 
@@ -96,7 +96,7 @@ class HeatedState(NamedTuple):
 
     @property
     def d(self) -> float:
-        """Return the approach after it, in h."""
+        """Return the approach after the last accepted step, in h."""
         return self.moved.d
 
     @property

@@ -1,7 +1,7 @@
-"""Heat of friction on a map: flux, contact temperature, and steps at the rates of that temperature.
+"""Heat of friction on a map: flux, contact temperature, and steps at this temperature.
 
 The flux into the surface is mu v p, where mu is the sum of viscoelastic friction and shear of the
-real contact: heat of the shear is distributed as the pressures. One temperature acts in a step: the
+real contact: shear heat is distributed like the pressure. One temperature acts in a step: the
 mean over the contact, weighted with p, halfway between its values before and after the step.
 """
 
@@ -27,12 +27,10 @@ from ..root_search import new_secant_search, next_secant_guess
 from .body import HalfSpace
 from .waves import two_sided, wave_numbers
 
-TEMPERATURE_TOLERANCE = (
-    0.5  # K, of the temperature of a step; one that warms by 1 K is not repeated
-)
+TEMPERATURE_TOLERANCE = 0.5  # K; a step that warms by up to 1 K is not repeated
 FIRST_WARMING = 100.0  # K, limit of the first change of an assumed temperature
 SHEAR_TOLERANCE = 1e-3  # K, of the temperature at which shear acts in steady sliding
-MIN_WARMING = 1e-9  # K, of changes by secants
+MIN_WARMING = 1e-9  # K, smallest change by a secant
 
 
 class Warmth(NamedTuple):
@@ -51,7 +49,7 @@ class Heating(NamedTuple):
     shape: tuple[int, int]  # of the map
     steps_per_spacing: int
     pressure: float  # mean pressure, in E* h/dx
-    law: ShearLaw | None  # of the shear, which heats too
+    law: ShearLaw | None  # of the shear, which also heats
 
     @classmethod
     def of(cls, space: HalfSpace, effects: Effects, min_step: float) -> "Heating | None":
@@ -83,7 +81,7 @@ class Heating(NamedTuple):
         return Warmth(cold_content(self.surface), rise, self.heat.temperature)
 
     def steady(self, p: np.ndarray, mu: float, area: float, speed: float) -> tuple[Warmth, float]:
-        """Return the warmth of steady sliding, and the shear part of friction at it, in h/dx.
+        """Return the warmth of steady sliding, and its shear part of friction, in h/dx.
 
         p : pressures at the samples. mu : viscoelastic friction. area : real contact over L^2, not
         used without shear. speed : vbar, signed.
@@ -147,7 +145,7 @@ class SlidingContact(NamedTuple):
     p: np.ndarray  # pressures at the samples, shape (rows, n)
     friction: float  # over the normal force, in h/dx, with the sign of the motion
     moved: float  # by the surface, in samples, signed
-    fraction: float  # of a sample, by which the surface lies further than the samples
+    fraction: float  # of a sample, from the samples to the surface
 
 
 def heated_step(

@@ -1,4 +1,4 @@
-"""Relaxation after a velocity step of a half-space that its friction heats."""
+"""Relaxation of a half-space heated by friction, after a velocity step."""
 
 import numpy as np
 
@@ -21,10 +21,10 @@ def hot_relaxation(
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray, int]:
     """Return (mu, its shear part, real contact, passes) after the jump to ``speed``.
 
-    The first three are those at the given steps. mu is viscoelastic and tends to that at v2.
+    Arrays are over the given steps. mu is viscoelastic and tends to mu_2.
 
-    ends : steady sliding before the jump and long after it. speed : vbar, signed. The flux of heat
-    is that of the returned friction.
+    ends : steady sliding before the jump and long after it. speed : vbar, signed. The returned
+    friction heats.
     """
     (one, two), surface = ends, space.surface
     direction, n = two.sliding.step.direction, surface.z.shape[1]

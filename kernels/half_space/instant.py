@@ -29,9 +29,9 @@ def friction_jumps(
     ratios: tuple[float, ...],
     tiles: int = 0,
 ) -> tuple[np.ndarray, np.ndarray, int, np.ndarray]:
-    """Return (jumps of mu in h/dx, of the real contact, passes, sums over tiles) to each ratio.
+    """Return (jumps of mu in h/dx, jumps of real contact over L^2, passes, sums over tiles).
 
-    The jumps are those from ``speed`` to each ratio of it; the contact is that over L^2.
+    The velocity jumps from ``speed`` to each of ``ratios`` times ``speed``.
 
     one : steady sliding at ``speed`` (vbar, signed); with a dashpot its memory must be complete.
     tiles : per side. With constant contacts A dp = -eta dv dz/dx + const, so that the jump is a

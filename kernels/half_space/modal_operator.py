@@ -23,7 +23,7 @@ class Operator(NamedTuple):
     def of(cls, stiffness: np.ndarray, n: int) -> "Operator":
         """Return the operator of a stiffness over the modes of maps (rows, n).
 
-        The stiffness of the mean is not used. Raises ValueError if another one is not positive.
+        The mean is not used. Raises ValueError if another mode has no positive stiffness.
         """
         inner = stiffness.ravel()[1:]
         if not np.all(inner > 0.0):
@@ -82,5 +82,5 @@ def _multiply(modes, compliance):
 
 
 def _stencil_scale(compliance: np.ndarray, n: int) -> float:
-    """Return the factor of the stencil, which is STENCIL_CENTRE - 2 for a wave of four samples."""
+    """Return the factor that makes the stencil 1/A for waves of four samples along x."""
     return float(1.0 / ((STENCIL_CENTRE - 2.0) * compliance[0, max(1, n // 4)]))

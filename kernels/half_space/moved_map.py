@@ -1,7 +1,7 @@
 """The body of a map on a half-space, which a programme or a drive moves (body/step.py).
 
-At whole samples the given surface lies over other elements; between samples it is shifted along x
-by Fourier (motion/fourier.py).
+At whole samples the surface is rolled over the elements; between samples it is shifted along x by
+Fourier (motion/fourier.py).
 """
 
 import math
@@ -39,7 +39,7 @@ class MovedMap(NamedTuple):
     position: Callable  # place of a step -> position of the surface, in samples
     tolerance: Callable  # law of a step -> tolerance of its contact
     spectrum: Spectrum  # of the material
-    shear: ShearLaw | None  # in the friction of every step; None: left to the reduction
+    shear: ShearLaw | None  # added to the friction of every step; None: by the reduction
 
     @classmethod
     def of(
@@ -60,7 +60,7 @@ class MovedMap(NamedTuple):
         return self.space.surface.z.shape[1] / self.space.surface.steps_per_spacing
 
     def slopes_over(self, place: Any, offset: int) -> np.ndarray:
-        """Return the slopes at a place, over the elements under the samples at ``offset``."""
+        """Return the slopes at a place, at the elements under the samples at ``offset``."""
         position = self.position(place)
         whole = math.floor(position)
         slopes = self.shifts(position - whole)[1]
@@ -94,9 +94,9 @@ def moved_map(
     carried: CarriedBranches | None = None,
     heating: Heating | None = None,
 ) -> tuple[MovedMap, MapState, Forces, Warmth | None]:
-    """Return (map, state, Forces of the step before, warmth if heated) at the start of a scene.
+    """Return (map, state, Forces, warmth if heated) at the start of a scene.
 
-    carried : branches that the motion carries along from a start at rest, if any.
+    carried : branches carried along by the motion from a start at rest, if any.
     """
     warmth = heating.cold() if heating else None
     shear = speed = sudden = 0.0
@@ -150,7 +150,7 @@ def _forces_of(
 ) -> Forces:
     """Return the Forces of pressures at slopes; the load is divided by the side of the map.
 
-    sudden : as for ``real_contact``, which is the contact fraction. speed : signed, in dx/tau.
+    sudden : as for ``real_contact``. speed : signed, in dx/tau.
     """
     side, mu = body.side, mean_slope(p, weight)
     normal, friction = float(p.mean()) * side, body.space.pressure * side * mu
@@ -180,7 +180,7 @@ def _forces(body, state, law, step):
     _, contact, offset = state.attempted
     weight = slopes_in_step(body, offset, law, step)
     moved = body.position(step.after) - body.position(step.before)
-    # Pressures jump at leading edges for the samples of a step alone.
+    # Pressures jump only at samples passed in this step.
     sudden = jump_weight(body.spectrum, moved / step.dt) * min(abs(moved), 1.0)
     speed = moved / (body.space.surface.steps_per_spacing * step.dt)
     return _forces_of(body, contact.p, weight, sudden, speed)

@@ -38,7 +38,7 @@ def waves_of_self_affine(
 ) -> Waves:
     """Return the waves of a self-affine surface; arguments: see ring_amplitudes.
 
-    Rings of wave vectors replace single ones on sides of more than MAX_LATTICE_ELEMENTS elements.
+    Beyond MAX_LATTICE_ELEMENTS per side, rings replace single wave vectors.
     """
     if elements <= MAX_LATTICE_ELEMENTS:
         return waves_of_map(
@@ -109,7 +109,7 @@ def persson_theory(
     if layer is not None:
         modulus /= compliance_ratio(layer, waves.q)
     spread = 0.125 * np.cumsum(waves.q**2 * waves.power * np.abs(modulus) ** 2)
-    # All waves of one length take the sum up to the last of them.
+    # Waves of equal length share the sum up to the last of them.
     last = np.searchsorted(waves.q, waves.q * (1.0 + 1e-12), side="right") - 1
     contact = ERF(0.5 / np.sqrt(np.maximum(spread[last], 1e-300)))
     share = GAMMA + (1.0 - GAMMA) * contact**2

@@ -24,7 +24,7 @@ from .heating import Heating
 from .moved_map import PressureFrames, moved_map
 from .surface import Surface
 
-SLIP_STEP_SHARE = 0.1  # shortest step of a slider that its temperature resolves, over the drive's
+SLIP_STEP_SHARE = 0.1  # shortest resolved step of a heated slider, over the drive's
 HALF_SPACE_QUANTITIES = ("trace", "cycle_mean", "snapshots")
 
 
@@ -112,7 +112,7 @@ def _at_start(
     recorded: np.ndarray | None,
     carried: CarriedBranches | None = None,
 ) -> tuple[Any, Any, Forces]:
-    """Return (body, state, Forces of the step before), heated if the scene requests it.
+    """Return (body, state, Forces) before the first step, heated if the scene requests it.
 
     steps : of the programme. recorded : numbers of the recorded steps, or None for all.
     carried : as for ``moved_map``.

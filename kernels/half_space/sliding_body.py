@@ -2,13 +2,13 @@
 
 Direct solution. In the frame of the surface, a step has the complex compliance B = A J(zeta) for a
 wave (response.py), and the gap is g = z + B p - d. Each iteration solves the elastic contact of
-heights z + y with the real compliance M = A |J|^2/Re J. The displacement (B - M) p of its pressures
-should be y. Their difference, the error, is multiplied by at most |1 - B/M| = sin(phi) if the
-displacement replaces y, where phi is the loss angle of a step. It falls faster if y becomes the
-combination of the last displacements that has the least error on the contact: D. G. Anderson,
-J. ACM 12, 547 (1965), doi:10.1145/321296.321305. Contacts are solved to a share of the error. In
-full contact, pressures deviate by the error over |B/M| = cos(phi), so that the limit of the error
-is proportional to the smallest cos(phi). The result is a fixed point of the march.
+heights z + y with the real compliance M = A |J|^2/Re J. At the solution (B - M) p = y; the
+difference is the error. Replacing y by (B - M) p multiplies the error by at most |1 - B/M| =
+sin(phi), where phi is the loss angle of a step. The error falls faster if y becomes the combination
+of the last (B - M) p with the least error on the contact: D. G. Anderson, J. ACM 12, 547 (1965),
+doi:10.1145/321296.321305. The tolerance of contacts is proportional to the error. In full contact,
+pressures deviate by the error over |B/M| = cos(phi), so that the limit of the error is proportional
+to the smallest cos(phi). The result is a fixed point of the march.
 
 March. It is used for Kelvin elements if phi is large. The body forgets its start as exp(-t/tau).
 
@@ -39,7 +39,7 @@ from .response import steady_response
 from .waves import two_sided, wave_numbers
 
 MAX_DIRECT_ERROR = 2e-7  # rms on the contact, over the rms of A p and the smallest cos(phi)
-COMBINED = 5  # displacements from the last contacts
+COMBINED = 5  # number of last displacements
 FIRST_TOLERANCE = 0.1  # of contacts in a direct solution, relative to the rms of A p
 TOLERANCE_PER_ERROR, MIN_TOLERANCE_RATIO = 0.5, 0.1  # over the last error and the last tolerance
 STEADY_MU_CHANGE = 1e-6  # relative change of mu per time tau that ends a march
@@ -190,9 +190,9 @@ def _solve_directly(
 
 
 def _least_error_weights(errors: np.ndarray, last: int) -> np.ndarray:
-    """Return the weights (k,) with sum 1 of the errors (k, samples) whose sum is least.
+    """Return weights (k,) of sum 1 that minimise the weighted sum of errors (k, samples).
 
-    Means of errors do not count. last : row of the last error.
+    Means of errors are ignored. last : row of the last error.
     """
     errors = errors - errors.mean(axis=1, keepdims=True)
     differences = errors - errors[last]
@@ -219,9 +219,9 @@ def _march(space: HalfSpace, step: Step, speed: float, start: Body | None) -> tu
     """March until mu is steady; return (body, passes). Deviations fall by a factor e in a time tau.
 
     An element meets the same sample again after a period, and remembers the share exp(-L/(v tau))
-    of its state. After a constant phase, mu may therefore change by this share of its change a
-    period ago. It may also be equal at two instants by chance. Convergence therefore requires a
-    small range of mu over a time tau, and a small remembered share of its range over a period.
+    of its state. A constant mu may therefore change again, by this share of its change a period
+    ago. It may also be equal at two instants by chance. Convergence therefore requires a small
+    range of mu over a time tau, and a small remembered share of its range over a period.
     """
     surface, passes = space.surface, 0
     steepest = float(np.abs(surface.slope).max())

@@ -1,9 +1,9 @@
 """Sums over the tiles of a map, from which the standard errors of a single map follow.
 
-Dissipated power and the jump of friction are positive quadratic forms of pressures,
-sum w |p_q|^2. By Parseval's theorem they are means of the square of the pressures filtered by
-sqrt(w), which is local. The density p dz/dx is not: the forces between distant contacts cancel only
-in its sum over the map, so that its scatter between tiles is several times that of friction.
+Dissipated power and the jump of friction are positive quadratic forms of pressures, sum w |p_q|^2.
+By Parseval's theorem they are means of a local density: the square of the pressures filtered by
+sqrt(w). The density p dz/dx is not local: the forces between distant contacts cancel only in its
+sum over the map, so that its scatter between tiles is several times that of friction.
 """
 
 import numpy as np
