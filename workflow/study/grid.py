@@ -137,7 +137,7 @@ def read_grid(
         axis: replace(key, default=excluded.get(axis, (key.default,))[0])
         for axis, key in GRID.items()
     }
-    if not {*scene.quantities} - {"steady", "persson"} and not scene.programme:
+    if not {*scene.quantities} - {"steady", "persson", "model_ratio"} and not scene.programme:
         keys["velocity_step"] = replace(GRID["velocity_step"], default=(0.0,))
     grid: Grid = filled("grid", given, keys)
     if surface.profile is None:

@@ -39,8 +39,10 @@ def test_values_of_the_file_reach_the_study():
 
 
 def test_steady_states_alone_need_no_velocity_step():
-    study = small_study('scene.quantities=["steady"]', text=TEXT.replace("velocity_step = 0.2", ""))
-    assert study.grid["velocity_step"] == (0.0,)
+    text = TEXT.replace("velocity_step = 0.2", "")
+    for quantities in ('["steady"]', '["steady", "model_ratio"]'):
+        study = small_study(f"scene.quantities={quantities}", text=text)
+        assert study.grid["velocity_step"] == (0.0,)
 
 
 def test_settings_in_force_are_kept_as_text():
