@@ -15,7 +15,8 @@ PYTEST := $(BIN)/python -m pytest -n $(PROCESSES)
 USUAL  := not cluster and not exhaustive
 # Tests of numbers, which other processors may round otherwise. Which machine code is made, kept and
 # found is the same on all.
-NUMERICAL := tests/kernels $(addprefix --ignore=tests/kernels/,compile/test_cache.py test_loading.py test_machine_code.py) \
+NUMERICAL := tests/kernels $(addprefix --ignore=tests/kernels/,test_loading.py test_machine_code.py) \
+  $(addprefix --ignore=tests/kernels/compile/test_,cache.py cache_files.py clock.py) \
   tests/independent tests/workflow/reduce \
   $(addprefix tests/hard/test_,corners.py shapes.py domain.py convergence.py scenes.py fits.py units.py)
 # The last column of the tables of a page names the tests that repeat what a row tells.

@@ -55,9 +55,9 @@ def start(
 
 
 def start_scheduler(log: Path, port: int, host: str = "127.0.0.1") -> subprocess.Popen:
-    """Start a scheduler that gives up workers as docs/cluster.md advises."""
+    """Start a scheduler that gives up silent workers sooner than docs/cluster.md advises."""
     options = ("--host", host, "--port", str(port), "--no-dashboard")
-    ttl = {"DASK_DISTRIBUTED__SCHEDULER__WORKER_TTL": "25s"}
+    ttl = {"DASK_DISTRIBUTED__SCHEDULER__WORKER_TTL": "10s"}
     return start(log, "distributed.cli.dask_scheduler", *options, **ttl)
 
 

@@ -7,15 +7,12 @@ import time
 
 import psutil
 import pytest
-from distributed import Client
 
 from tests.cluster.processes import (
     PATIENCE,
     end,
-    free_port,
     said,
     shards,
-    start_scheduler,
     wait_while,
     workers_of,
 )
@@ -66,7 +63,7 @@ def test_a_scheduler_that_is_stopped_during_a_run_is_said_to_be_and_waited_for(
     scheduler = cluster.processes["scheduler"]
     scheduler.send_signal(signal.SIGSTOP)
     trial.go_on()
-    trial.wait_for(r"no answer of the scheduler for 3\d s: waiting, at most 10.0 min")
+    trial.wait_for(r"no answer of the scheduler for \d+ s: waiting, at most 10.0 min")
     scheduler.send_signal(signal.SIGCONT)
     assert trial.whole() == undisturbed
 
@@ -98,7 +95,7 @@ def test_a_scheduler_that_is_started_anew_during_a_run_ends_it_and_the_next_resu
 
 
 def test_where_all_workers_are_stopped_others_take_their_place(trial, cluster, undisturbed):
-    """Dask looks every 25 s of whom nothing was heard for 25 s, and starts it anew."""
+    """Dask looks every 10 s of whom nothing was heard for 10 s, and starts it anew."""
     stopped, began = cluster.workers(), time.monotonic()
     for pid in stopped:
         os.kill(pid, signal.SIGSTOP)
@@ -130,17 +127,3 @@ def test_ctrl_c_does_not_wait_for_a_worker_of_our_own_that_is_stopped(tried, tmp
         if taken[1] < 16.0 + 3.0 * taken[0]:  # 10 s for what runs, and some to end it
             return
     pytest.fail(f"{taken[1]:.0f} s, and {taken[0]:.0f} s where none is stopped")
-
-
-def test_a_scheduler_that_is_stopped_before_a_run_is_given_up(tried, tmp_path):
-    port = free_port()
-    scheduler = start_scheduler(tmp_path / "scheduler.log", port)
-    address = f"tcp://127.0.0.1:{port}"
-    try:
-        with Client(address, timeout=PATIENCE):
-            pass
-        scheduler.send_signal(signal.SIGSTOP)
-        status, lines = tried(tmp_path, "--scheduler", address).ended()
-    finally:
-        end(scheduler)
-    assert (status, lines[-1]) == (2, f"error: --scheduler {address}: no scheduler answers there")

@@ -151,62 +151,37 @@ def test_usual_homes_work_and_the_folder_is_ours_alone_from_then_on(home, made):
     assert [path.name for path in folder.iterdir()] == [HASH]
 
 
-def by_a_file(home):
-    """Create a file in place of the home."""
-    home.write_text("not a folder")
+def made(folder, mode=0o755, owner=-1):
+    """Create a folder with a mode and an owner; return it."""
+    folder.mkdir()
+    folder.chmod(mode)
+    os.chown(folder, owner, -1)
+    return folder
 
 
-def open_to_all(home):
-    """Give everyone write access to the home."""
-    home.mkdir()
-    home.chmod(0o777)
-
-
-def above(home):
-    """Give everyone write access to the parent of the home."""
-    home.mkdir()
-    home.parent.chmod(0o777)
-
-
-def of_another_user(home):
-    """Create a home that belongs to another user, as can happen among temporary files."""
-    home.mkdir(mode=0o755)
-    os.chown(home, 54321, -1)
-
-
-def sticky_of_another_user(home):
-    """Create a sticky home whose owner is another user, who may rename folders in it."""
-    home.mkdir()
-    home.chmod(0o1777)
-    os.chown(home, 54321, -1)
-
-
-def ours_of_another_user(home):
-    """Create a cache folder that belongs to another user, in a home open to everyone."""
-    home.mkdir()
-    home.chmod(0o1777)
-    (home / "elastomer-friction").mkdir()
-    os.chown(home / "elastomer-friction", 54321, -1)
-
-
-def linked_elsewhere(home):
-    """Make the home a link to a folder to which everyone has write access."""
-    real = home.with_name("real")
-    real.mkdir()
-    real.chmod(0o777)
-    home.symlink_to(real)
-
-
-UNSAFE = [by_a_file, open_to_all, above, linked_elsewhere]
-UNSAFE += [of_another_user, sticky_of_another_user, ours_of_another_user]
+OTHER_USER = 54321
+# The owner of a sticky folder may rename folders in it.
+UNSAFE = {
+    "a file": lambda home: home.write_text("not a folder"),
+    "open to all": lambda home: made(home, 0o777),
+    "in a folder open to all": lambda home: made(home).parent.chmod(0o777),
+    "a link to a folder open to all": lambda home: home.symlink_to(
+        made(home.with_name("real"), 0o777)
+    ),
+    "of another user": lambda home: made(home, owner=OTHER_USER),
+    "sticky, of another user": lambda home: made(home, 0o1777, OTHER_USER),
+    "sticky, with our folder of another user": lambda home: made(
+        made(home, 0o1777) / cache.CACHE_NAME, owner=OTHER_USER
+    ),
+}
 
 
 @pytest.mark.parametrize("spoil", UNSAFE)
 def test_machine_code_of_others_is_not_run(home, monkeypatch, capsys, spoil):
     """A private folder is used instead, with one line on stderr; child processes use it too."""
-    if "user" in spoil.__name__ and os.getuid() != 0:
+    if "user" in spoil and os.getuid() != 0:
         pytest.skip("only root can give a folder away")
-    spoil(home)
+    UNSAFE[spoil](home)
     monkeypatch.setattr(cache.atexit, "register", lambda *_, **__: None)
     folder = Path(cache.cache_folder())
     private = folder.parents[1]
@@ -224,7 +199,7 @@ def test_machine_code_of_others_is_not_run(home, monkeypatch, capsys, spoil):
 def test_temporary_files_in_a_folder_of_another_user_are_no_place_for_it(
     home, monkeypatch, tmp_path
 ):
-    sticky_of_another_user(home)
+    UNSAFE["sticky, of another user"](home)
     monkeypatch.delenv("XDG_CACHE_HOME")
     monkeypatch.setattr(cache.tempfile, "tempdir", str(home))
     private = Path(cache.cache_folder()).parents[1]

@@ -1,12 +1,12 @@
 """Cached machine code is used if it is intact, and compiled again if not; no fault is fatal."""
 
-import math
 import signal
 from pathlib import Path
 from threading import Thread
 
 import numba
 import pytest
+from numba.core import event
 
 from elastomer_friction.kernels.compile import cache
 from elastomer_friction.kernels.compile.jit import kernel
@@ -168,8 +168,10 @@ def test_a_process_that_is_stopped_while_it_compiles_is_not_waited_for_long(hold
 
 
 def test_other_kernels_are_compiled_meanwhile(holder, monkeypatch):
-    monkeypatch.setattr(cache, "LOCK_SECONDS", math.inf)
-    assert kernel(lambda x: x + 1.0)(1.0) == 2.0
+    monkeypatch.setattr(cache, "LOCK_SECONDS", 1.0)
+    with event.install_recorder(cache.WAITING_EVENT) as waits:
+        assert kernel(lambda x: x + 1.0)(1.0) == 2.0
+    assert waits.buffer == []
 
 
 def test_machine_code_of_a_wheel_is_used_where_it_lies(folder, tmp_path, monkeypatch):
