@@ -18,7 +18,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from elastomer_friction.studies.style import slide_of
-from elastomer_friction.workflow.report import COLOURS, band, foot_line
+from elastomer_friction.workflow.report import COLOURS, band, foot_line, legend_in_room
 from elastomer_friction.workflow.result import Groups
 
 CAPTION = (
@@ -69,11 +69,11 @@ def draw(groups: Groups) -> Figure:
         _per_decade(axes[1, 2], steps, "rest", **style)
     axes[0, 0].set_ylabel("change of $\\mu$")
     axes[1, 0].set_ylabel("change of indentation (µm)")
-    axes[0, 0].legend(loc="center right", handlelength=1.2)
+    legend_in_room(axes[0, 0], 0.2, ncols=3, handlelength=1.0, columnspacing=0.8)
     axes[0, 2].set_title("(c) direct effect: peak$\\,/\\,\\ln r$")
     axes[1, 2].set_title("(d) lasting: $(\\mu_2 - \\mu_1)/\\ln r$")
     axes[1, 2].set_xlabel("velocity ratio $r = v_2/v_1$")
-    axes[0, 2].legend(loc="upper left")
+    legend_in_room(axes[0, 2], 0.25)
     note = (
         "Dotted is D_c = 1/q_max, which the paper remarks on. In rate-and-state friction all "
         "points of (c) are one a, and those of (d) one a − b."

@@ -6,7 +6,7 @@ import numpy as np
 from matplotlib import pyplot as plt
 from matplotlib.figure import Figure
 
-from ..report import COLOURS, Picture, write_below, write_figure
+from ..report import COLOURS, Picture, legend_in_room, write_below, write_figure
 from .measured_spectrum import MeasuredSpectrum
 from .rolloff_fit import RolloffFit
 
@@ -36,8 +36,10 @@ def _figure_of(spectrum: MeasuredSpectrum, fit: RolloffFit) -> Figure:
     shown = spectrum.q >= fit.first_q * (1.0 - 1e-9)
     left.set(xscale="log", yscale="log", xlabel="$q$ (1/m)", ylabel=f"${name}$ ({unit})")
     left.set_ylim(0.3 * max(bins.density.min(), 1e-4 * fit.model.min()))
-    left.legend(loc="upper right", frameon=True, edgecolor="none")
+    left.set_title("(a) power spectrum")
+    legend_in_room(left, 0.3, ncols=2, markerscale=4.0)
     right.plot(2.0 * np.pi / spectrum.q[shown], spectrum.slopes()[shown], "-", color="k")
     right.set(xscale="log", yscale="log", xlabel="shortest wave (m)", ylabel="rms slope")
+    right.set_title("(b) slope of all waves that are longer")
     write_below(figure, "Bars and the band of the roll-off show one standard error.")
     return figure
