@@ -199,6 +199,18 @@ def step_average(weight, c, d):
 
 
 @kernel
+def steady_step_average(z, slope, state, lag):
+    """Return mu of the steps of steady sliding, in h/dx, at which a march in these steps ends.
+
+    z, slope : the line, shape (n,). state : of steady sliding (rheology/law.py). lag : in steps.
+    """
+    c = np.empty(z.size)
+    for j in range(z.size):  # a loop: numba takes seconds to compile array expressions
+        c[j] = z[j] - state.w[j]
+    return step_average(lagged_slope(slope, lag), c, state.d)
+
+
+@kernel
 def weighted_sums(threshold, covered, slope, d):
     """Return the sums of eq. 5: of forces, of forces times slopes, and the number of samples.
 

@@ -11,7 +11,7 @@ import numpy as np
 from ..lines.line import Line
 from ..rheology.kelvin import SCHEMES
 from .force import ConstantForce
-from .friction import lagged_slope, quadrature, sliding_friction, step_average
+from .friction import lagged_slope, quadrature, sliding_friction, steady_step_average
 from .march import march
 from .steady import steady_sliding
 
@@ -27,7 +27,13 @@ class Realization(NamedTuple):
 
 
 def realization(
-    line: Line, load: float, speed: float, ratio: float, scheme: str, kept_steps: np.ndarray
+    line: Line,
+    load: float,
+    speed: float,
+    ratio: float,
+    scheme: str,
+    kept_steps: np.ndarray,
+    stepped: bool = False,
 ) -> Realization:
     """Return the friction of Kelvin elements on one line before, at and after a velocity jump.
 
@@ -35,6 +41,11 @@ def realization(
     scheme : a key of SCHEMES. kept_steps : increasing step numbers, from 1 on, at which mu is kept.
     In a step the line moves by one sample. The march averages mu over each step. The difference
     from the same average in steady sliding at v2 is added to mu_2: mu then tends to mu_2 exactly.
+
+    stepped : whether mu_1, mu_2 and the jump are those of the steps too, so that they contain the
+    error of a coarse step: mu_1 and mu_2 are averages over a step of steady sliding, and the jump
+    leads from mu_1 to the first step at v2. In implicit Euler this is a jump of the velocity at the
+    displacements of the steady state, as u' is a difference over the step.
     """
     z, slope, force = line.z, line.slope, load * line.z.size
     v1, v2 = speed, ratio * speed
@@ -47,7 +58,12 @@ def realization(
     # At t0+ the displacements are those of steady sliding at v1, and the line moves at v2.
     before, after = (quadrature(z, slope, one.w, one.d, v1, v, force)[0] for v in (v1, v2))
 
+    steps = np.union1d(1, kept_steps)
     weight = lagged_slope(slope, law_2.lag)
-    mu, _, _, _ = march(law_2, ConstantForce(force), z, weight, one, kept_steps, np.inf)
-    settled = step_average(weight, z - two.w, two.d)
-    return Realization(mu_1, mu_2, after - before, mu_2 + (mu - settled), one.d)
+    mu, _, _, _ = march(law_2, ConstantForce(force), z, weight, one, steps, np.inf)
+    settled = steady_step_average(z, slope, two, law_2.lag)
+    if stepped:
+        mu_1, mu_2 = steady_step_average(z, slope, one, law_1.lag), settled
+        before, after = mu_1, mu[0]
+    relaxation = mu_2 + (mu[np.isin(steps, kept_steps)] - settled)
+    return Realization(mu_1, mu_2, after - before, relaxation, one.d)

@@ -5,7 +5,7 @@ from typing import NamedTuple
 import numpy as np
 
 from ..compile.jit import kernel
-from ..model.friction import lagged_slope, step_average
+from ..model.friction import lagged_slope, steady_step_average
 from ..model.march import march
 from ..rheology.law import State
 from .steady.span_sliding import DecayFactors, sweep_spans
@@ -18,6 +18,21 @@ class SteadyEnds(NamedTuple):
     decay: DecayFactors
     thresholds: np.ndarray  # d above which whole spans touch (spans.py), shape (lines, spans)
     d: np.ndarray  # indentation over the deepest sample, in h, shape (lines,)
+
+
+@kernel
+def steady_step_frictions(stack, law, ends):
+    """Return mu of the steps of steady sliding of each line, shape (lines,).
+
+    stack, law, ends : as in plain_relaxations, all at one speed.
+    """
+    lines, n = stack.z.shape
+    mu, w = np.empty(lines), np.empty(n)
+    for k in range(lines):
+        z, spans = stack.z[k], spans_in(stack, k)
+        sweep_spans(ends.decay, z, spans, ends.thresholds[k], ends.d[k], None, w)
+        mu[k] = steady_step_average(z, stack.slope[k], State(w, ends.d[k]), law.lag)
+    return mu
 
 
 @kernel
@@ -45,9 +60,7 @@ def plain_relaxations(stack, law, one, two, control, kept_steps):
         if not inside:
             mu, _, passes, _ = march(law, control, z, weight, state, kept_steps, last)
             updates[k] += passes * n
-        for j in range(n):  # loops: numba takes seconds to compile array expressions
-            after[j] = z[j] - after[j]  # contact thresholds
-        steady = step_average(weight, after, two.d[k])
+        steady = steady_step_average(z, stack.slope[k], State(after, two.d[k]), law.lag)
         for i in range(mu.size):
             curves[k, i] = mu[i] - steady
     return curves, updates

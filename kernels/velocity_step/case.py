@@ -35,6 +35,7 @@ class Case(NamedTuple):
     scheme: str
     spectrum: Spectrum = KELVIN
     refine: bool = True  # whether contacts of steady sliding are followed between the samples
+    stepped: bool = False  # whether friction of a line is that of its steps (model/realization.py)
     tiles: int = 0  # per side of a map, whose sums are returned; 0: none
     effects: Effects = NO_EFFECTS  # of a half-space
 

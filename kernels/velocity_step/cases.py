@@ -20,13 +20,14 @@ from ..quick.contacts.steady_friction import (
 )
 from ..quick.march.active import active_march
 from ..quick.march.problem import JumpProblem, SteadyState
-from ..quick.relaxation import SteadyEnds, plain_relaxations
+from ..quick.relaxation import SteadyEnds, plain_relaxations, steady_step_frictions
 from ..quick.steady.spans import single_line
-from .case import MARCHING, Case, Outcome, PhaseClocks, Quantities, Seconds
+from .case import JUMP, MARCHING, Case, Outcome, PhaseClocks, Quantities, Seconds
 from .memory_case import run_memory_case
 from .prepared import Prepared, SharedCases, prepare
 
 MAX_PLAIN_UPDATES = 4000  # element steps up to which the plain march beats the active-set march
+FIRST_STEP = np.array([1])
 JUMP_WORK_SHARE = 0.3  # work of one jump relative to that of following contacts (measured)
 
 
@@ -75,8 +76,11 @@ def _run_shared(
     """Compute SharedCases; return one list per case, with the outcome on each line."""
     lines, n = line_set.stack.z.shape
     loads, clocks = shared.loads * n, PhaseClocks(len(shared.cases))
-    follow = shared.cases[0].refine and line_set.smooth
+    stepped = shared.cases[0].stepped
+    follow = shared.cases[0].refine and line_set.smooth and not stepped
     one = steady_friction(line_set, shared.constants, loads, follow)
+    if stepped:
+        _average_over_steps(one)
     jumps = len(shared.constants.others)
     clocks.lap(_work(one), 0.0 if follow else jumps * n * lines)
     if follow:
@@ -87,6 +91,8 @@ def _run_shared(
         two = one
         if constants.speed != shared.constants.speed:
             two = steady_friction(line_set, constants, loads, follow)
+            if stepped:
+                _average_over_steps(two)
             clocks.lap(_work(two))
             if follow:
                 clocks.lap(follow_contacts(two, one))
@@ -95,6 +101,18 @@ def _run_shared(
         _outcomes_under_load(one, twos, i, shared, requested, clocks)
         for i in range(len(shared.cases))
     ]
+
+
+def _average_over_steps(sliding: SteadySliding) -> None:
+    """Replace friction in steady sliding by its average over a step."""
+    stack, law = sliding.line_set.stack, sliding.constants.law
+    for i in range(sliding.loads.size):
+        sliding.mu[:, i] = steady_step_frictions(stack, law, _ends_under_load(sliding, i))
+
+
+def _ends_under_load(sliding: SteadySliding, i: int) -> SteadyEnds:
+    """Return the steady states under load i on all lines."""
+    return SteadyEnds(sliding.decay, sliding.thresholds, sliding.d[:, i].copy())
 
 
 def _work(sliding: SteadySliding) -> np.ndarray:
@@ -132,6 +150,10 @@ def _outcomes_under_load(
             work += updates
             clocks.lap_phase(MARCHING, i)
     jumps = one.results.jumps[:, i] if requested.jump else np.full(mu_2.shape, np.nan)
+    if case.stepped and requested.jump:
+        for k, two in enumerate(twos):
+            jumps[:, k] = _first_steps(one, two, i, requested) - one.mu[:, i]
+        clocks.lap_phase(JUMP, i)
     seconds = Seconds(*(spent / lines for spent in clocks.seconds(i)))
     return [
         Outcome(
@@ -150,6 +172,23 @@ def _outcomes_under_load(
     ]
 
 
+def _first_steps(
+    one: SteadySliding, two: SteadySliding, i: int, requested: Quantities
+) -> np.ndarray:
+    """Return mu of the first step at v2 under load i, shape (lines,)."""
+    ends = _ends_under_load(one, i), _ends_under_load(two, i)
+    control = _control(one, i, requested)
+    stack, law = one.line_set.stack, two.constants.law
+    deviations, _ = plain_relaxations(stack, law, *ends, control, FIRST_STEP)
+    return two.mu[:, i] + deviations[:, 0]
+
+
+def _control(sliding: SteadySliding, i: int, requested: Quantities) -> ConstantForce | PrintedForce:
+    """Return the control that keeps load i."""
+    control = ConstantForce if requested.indentation_rate else PrintedForce
+    return control(float(sliding.loads[i]))
+
+
 def relaxations_under_load(
     one: SteadySliding,
     two: SteadySliding,
@@ -165,10 +204,10 @@ def relaxations_under_load(
     """
     stack, law = one.line_set.stack, two.constants.law
     lines, n = stack.z.shape
-    control = (ConstantForce if requested.indentation_rate else PrintedForce)(float(one.loads[i]))
+    control = _control(one, i, requested)
     curves, updates = np.zeros((lines, kept_steps.size)), np.zeros(lines)
     marched = ~(one.full[:, i] & two.full[:, i])
-    ends = [SteadyEnds(end.decay, end.thresholds, end.d[:, i].copy()) for end in (one, two)]
+    ends = _ends_under_load(one, i), _ends_under_load(two, i)
     if not requested.indentation_rate or kept_steps[-1] * n <= MAX_PLAIN_UPDATES:
         if marched.any():
             plain, work = plain_relaxations(stack, law, *ends, control, kept_steps)

@@ -20,12 +20,15 @@ from ..rheology.retardation import Retardation
 from ..scene import SavedState, SceneCase, run_scene
 from .case import JUMP, MARCHING, STEADY, Case, Outcome, PhaseClocks, Quantities
 
+FIRST_STEP = np.array([1])
+
 
 def run_memory_case(line: Line, case: Case, requested: Quantities) -> Outcome:
     """Compute one case on one line; the case has been checked (prepared.py).
 
     The relaxation curve is mu_2 plus the difference between mu of the march and its step average
-    in steady sliding at v2. Without a dashpot mu does not jump, but d mu/dt does.
+    in steady sliding at v2. Without a dashpot mu does not jump, but d mu/dt does. Friction and
+    jumps of a stepped case are those of the steps, as in model/realization.py.
     """
     clock, form = PhaseClocks(), form_of(case.spectrum, case.scheme)
     one, mu_1, contact = _steady(line, case, case.speed)
@@ -38,7 +41,9 @@ def run_memory_case(line: Line, case: Case, requested: Quantities) -> Outcome:
         speed = ratio * case.speed
         if requested.jump:
             jump[k] = 0.0  # without a dashpot
-            if case.spectrum.viscosity > 0.0:
+            if case.spectrum.viscosity > 0.0 and case.stepped:
+                jump[k] = _relaxation(line, case, one, speed, FIRST_STEP)[0] - mu_1
+            elif case.spectrum.viscosity > 0.0:
                 jump[k] = friction_jump(form, line, one.elements, case.speed, ratio)
         if requested.initial_rate:
             units = _retardation_form(case)
@@ -65,6 +70,8 @@ def _steady(line: Line, case: Case, speed: float) -> tuple[SteadyMemory, float, 
     load = case.load * line.z.size
     state = steady_memory(form, line.z, line.steps_per_spacing * speed, load)
     mu, contact = friction_by_loss(_retardation_form(case), form, line, state.p, speed)
+    if case.stepped:
+        mu = step_friction(form, line, state.p, speed)
     return state, mu, contact
 
 

@@ -44,7 +44,7 @@ def prepare(cases: Sequence[Case], steps_per_spacing: int, requested: Quantities
     for i, case in enumerate(cases):
         _check(case, steps_per_spacing, requested)
         if case.plain:
-            key = case.speed, case.scheme, case.ratios, case.refine
+            key = case.speed, case.scheme, case.ratios, case.refine, case.stepped
             groups.setdefault(key, []).append(i)
         else:
             separate.append(i)
@@ -60,7 +60,8 @@ def _share(
     speed, ratios, scheme = group[0].speed, group[0].ratios, group[0].scheme
     after = tuple(ratio * speed for ratio in ratios)
     others = after if requested.jump or requested.relaxation else ()
-    following = after if requested.steady or requested.relaxation else ()
+    by_steps = group[0].stepped and requested.jump
+    following = after if requested.steady or requested.relaxation or by_steps else ()
     constants = SpeedConstants.of(scheme, steps, speed, others)
     constants_after = tuple(SpeedConstants.of(scheme, steps, v2) for v2 in following)
     loads, no_rates = np.array([case.load for case in group]), np.full(len(ratios), np.nan)

@@ -78,6 +78,7 @@ def steady_ends(batch: Batch, line: Any, task: Task) -> dict[str, Any]:
         (),
         batch.scheme,
         problem.spectrum,
+        stepped=batch.stepped,
         tiles=batch.recording.tiles,
         effects=problem.kernel_effects,
     )

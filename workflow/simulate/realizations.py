@@ -178,6 +178,7 @@ def _case(batch: Batch, rows: list[int], refinement: int) -> Case:
         scheme=batch.scheme,
         spectrum=tasks[0].problem.spectrum,
         refine=batch.refine,
+        stepped=batch.stepped,
         tiles=batch.recording.tiles,
         effects=tasks[0].problem.kernel_effects,
     )

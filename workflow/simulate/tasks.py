@@ -140,6 +140,14 @@ class Batch:
     modes: np.ndarray | None = field(default=None, compare=False)
     resumed: SavedState | None = field(default=None, compare=False)  # initial state
 
+    @property
+    def stepped(self) -> bool:
+        """Return whether steady friction and jumps are those of the steps of the march.
+
+        This shows what implicit Euler with a given number of steps does.
+        """
+        return self.scheme == "implicit-euler" and not self.refine
+
 
 class BatchResult(NamedTuple):
     """Block means of a batch, dimensionless (mu in h/dx, indentation in h), and their cost."""
