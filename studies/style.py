@@ -17,7 +17,7 @@ from elastomer_friction.workflow.study import Study, read_grid_study
 
 CONVERGED, PAPER_STEP = "", "paper_step"  # groups of a result; the first is the study itself
 VARIANTS = {
-    CONVERGED: "converged",
+    CONVERGED: "converged in time",
     PAPER_STEP: "implicit Euler, one step per $\\Delta x$",
 }
 # Colour and marker of each variant in all figures, distinct from the colours of H and of forces.

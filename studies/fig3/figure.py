@@ -10,15 +10,16 @@ from matplotlib.axes import Axes
 from matplotlib.cm import ScalarMappable
 from matplotlib.figure import Figure
 
-from elastomer_friction.studies.style import CONVERGED, SCHEMES, shades
+from elastomer_friction.studies.style import SCHEMES, VARIANTS, shades
 from elastomer_friction.workflow.report import error_band, error_bars, foot_line
 from elastomer_friction.workflow.result import Groups
 
 CAPTION = (
     "Panel (a) shows the steady coefficient of friction over the sliding velocity, with the "
     "regions I, in which friction grows with the velocity, II and III, in which it has reached its "
-    "plateau near the rms slope of the surface. Panel (b) shows friction over time for each of "
-    "these velocities, over that before they all rise by the same share at the time 10 τ."
+    "plateau near the rms slope of the surface, converged in time and with one implicit Euler step "
+    "per spacing Δx. Panel (b) shows friction over time, converged in time, for each of these "
+    "velocities, over that before they all rise by the same share at the time 10 τ."
 )
 JUMP_AT = 10.0  # tau
 END = 20.0  # tau
@@ -30,7 +31,7 @@ def draw(groups: Groups) -> Figure:
     """Return the figure of a result of this study."""
     figure, axes = plt.subplots(1, 2, figsize=(6.9, 3.0))
     points = groups[""].squeeze()
-    _steady(axes[0], points)
+    _steady(axes[0], points, groups)
     colours = shades(float(points.velocity.min()), float(points.velocity.max()))
     _kinetics(axes[1], points, colours)
     figure.colorbar(colours, ax=axes[1], label="velocity $v_1$ (m/s)")
@@ -45,8 +46,10 @@ def regions(points: xr.Dataset) -> list[float]:
     return [velocity[exponent < part].min(initial=np.inf) for part in (LINEAR, FLAT)]
 
 
-def _steady(ax: Axes, points: xr.Dataset) -> None:
-    error_bars(ax, points, "mu_1", "velocity", ls="-", **SCHEMES[CONVERGED])
+def _steady(ax: Axes, points: xr.Dataset, groups: Groups) -> None:
+    for group, label in VARIANTS.items():
+        style = SCHEMES[group] | {"ls": "-", "ms": 2.4, "label": label}
+        error_bars(ax, groups[group].squeeze(), "mu_1", "velocity", **style)
     velocity = points.velocity.values
     ends = [velocity[0], *regions(points), velocity[-1]]
     regimes = (("I", 0.04), ("II", 0.12), ("III", 0.04))
@@ -77,4 +80,4 @@ def _kinetics(ax: Axes, points: xr.Dataset, colours: ScalarMappable) -> None:
         ax.plot([after.time[-1], END], [curve.mu[-1], curve.mu_2], **style)
     ax.set(xlim=(0, END), xlabel="time $t/\\tau$", ylabel="$\\mu/\\mu_1$")
     ratio = 1.0 + float(points.velocity_step)
-    ax.set_title(f"(b) $v_2 = {ratio:g}\\,v_1$ at $t = {JUMP_AT:g}\\,\\tau$")
+    ax.set_title(f"(b) converged, $v_2 = {ratio:g}\\,v_1$ at $t = {JUMP_AT:g}\\,\\tau$")

@@ -20,7 +20,14 @@ if TYPE_CHECKING:
     )
     from .choices import MapChoice, map_choices
     from .cost import COST_FACTOR
-    from .error_laws import LAWS, first_order_rate_error, known, rate_error, shape_error
+    from .error_laws import (
+        LAWS,
+        first_order_rate_error,
+        known,
+        rate_error,
+        shape_error,
+        stepped_error,
+    )
     from .error_prediction import PredictedErrors, predicted_errors
     from .goal import (
         BIAS,

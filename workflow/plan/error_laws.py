@@ -92,6 +92,14 @@ def shape_error(steps: Numbers) -> Numbers:
     return 0.5 / np.asarray(steps) ** 2.0
 
 
+def stepped_error(steps: Numbers) -> Numbers:
+    """Return the error of friction, or of its jump, that is averaged over steps of implicit Euler.
+
+    It bounds 9 in 10 of 220 means over 4 lines: m 1 ... 64, the other numbers as above.
+    """
+    return 1.6 / np.asarray(steps)
+
+
 def first_order_rate_error(problem: Problem, steps: Numbers, rate: Numbers) -> Numbers:
     """Return the additional error of b due to the implicit Euler scheme.
 

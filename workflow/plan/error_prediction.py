@@ -5,8 +5,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ..study import accuracy_estimates
-from .error_laws import known
+from ..study import FOUNDATION, accuracy_estimates
+from .error_laws import known, stepped_error
 from .goal import FIRST_ORDER
 from .half_space import laws_of
 from .plan import Plan
@@ -46,5 +46,7 @@ def predicted_errors(plan: Plan) -> dict[str, PredictedErrors]:
             chance[row] = laws[name].scatter(task.problem) / math.sqrt(lines)
             if not (first_order and name == "relaxation_rate"):
                 bound[row] = laws[name].error(task.problem, equivalent_steps, refines)
+                if first_order and not refines and task.problem.surface.body == FOUNDATION:
+                    bound[row] = stepped_error(task.steps_per_spacing)
         errors[name] = PredictedErrors(chance, bound)
     return errors

@@ -15,6 +15,7 @@ from ..plan import (
     rate_error,
     remembered_share,
     shape_error,
+    stepped_error,
 )
 from ..simulate import Task
 from ..study import HALF_SPACE, Numerics
@@ -58,7 +59,8 @@ def resolution(
 
     A bias is an upper bound of the relative discretisation error; bias_bound is the largest. It
     follows from the laws of error in plan, with the measured samples per contact and rate b instead
-    of predicted ones. FIRST_ORDER steps of a first-order scheme count as one of second order.
+    of predicted ones. FIRST_ORDER steps of a first-order scheme count as one of second order,
+    unless friction is that of the steps (stepped_error).
     """
     biases: dict[str, np.ndarray] = {}
     if not names:  # no steady quantity
@@ -83,6 +85,8 @@ def resolution(
             if name != "relaxation_rate":
                 equivalent = steps / FIRST_ORDER if first_order else steps
                 bias[row] = LAWS[name].error(problem, equivalent, numerics.refines)
+                if first_order and not numerics.refines:
+                    bias[row] = stepped_error(steps)
                 continue
             bias[row] = rate_error(problem, steps, samples[row], rates[row])
             if first_order:
@@ -147,6 +151,8 @@ def trace_resolution(
             if on_map
             else shape_error(equivalent)
         )
+        if numerics.scheme == "implicit-euler" and not (numerics.refines or on_map):
+            bias[row] = np.hypot(bias[row], stepped_error(steps))
         steady = problem.start == "steady" and origin == ZERO_ORIGIN and "mu_1" in estimates
         if steady and speed_at_start(problem.programme) == problem.ends[0]:
             start[row] = abs(first[row] / estimates["mu_1"][row] - 1.0)
