@@ -101,6 +101,11 @@ def usable(points: xr.Dataset) -> xr.DataArray:
     return (points.fit_status == FITTED) & small & (points.contact_fraction < NEARLY_FULL)
 
 
+def significant_jumps(points: xr.Dataset) -> xr.Dataset:
+    """Return points with a jump of NaN where it is below two standard errors."""
+    return points.assign(jump=points.jump.where(points.jump > 2.0 * points.jump_error))
+
+
 def normalised(points: xr.Dataset) -> xr.Dataset:
     """Add mu_bar, mu_1 over grad z, and jump_bar, the jump over grad z dv/v1 (eqs. 11, 12)."""
     slope, step = points.rms_slope, points.velocity_step

@@ -5,16 +5,21 @@ import xarray as xr
 from matplotlib import pyplot as plt
 from matplotlib.figure import Figure
 
-from elastomer_friction.studies.style import CONVERGED, PAPER_STEP, VARIANTS, shades
+from elastomer_friction.studies.style import (
+    CONVERGED,
+    PAPER_STEP,
+    VARIANTS,
+    shades,
+    significant_jumps,
+)
 from elastomer_friction.workflow.report import error_bars, foot_line
 from elastomer_friction.workflow.result import Groups
 
 CAPTION = (
     "Panel (a) shows the jump of friction over the relative velocity step, and panel (b) the "
     "steady friction, over the sliding velocity and for several normal forces, converged in time "
-    "and for three of the forces with one implicit Euler step per spacing Δx. At low velocities both "
-    "grow with the velocity, and at high ones both reach a plateau (horizontal) that no longer "
-    "depends on the force."
+    "and for three forces with one implicit Euler step per spacing Δx. At low velocities both grow "
+    "with the velocity, and at high ones both reach a plateau (horizontal)."
 )
 JUMP_LABEL = "$\\Delta\\mu_0 / (\\Delta v/v_1)$"
 PANELS = (  # variable, label, plateau over the rms slope, its label, title
@@ -47,13 +52,13 @@ def draw(groups: Groups) -> Figure:
     axes[1].tick_params(labelleft=True)
     axes[0].set_ylim(slope * 1e-5 if np.isfinite(slope) else None, 4.0 * slope)
     figure.colorbar(colours, ax=axes, label="normal force $F_N$ (N)")
-    foot_line(figure, groups[""])
+    foot_line(figure, groups[""], "Jumps below two standard errors are not shown.")
     return figure
 
 
 def _over_step(points: xr.Dataset) -> xr.Dataset:
     """Add the jump over the relative velocity step."""
-    step = points.velocity_step
+    step, points = points.velocity_step, significant_jumps(points)
     return points.assign(
         jump_over_step=points.jump / step, jump_over_step_error=points.jump_error / step
     )

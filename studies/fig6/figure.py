@@ -4,7 +4,7 @@ import numpy as np
 from matplotlib import pyplot as plt
 from matplotlib.figure import Figure
 
-from elastomer_friction.studies.style import DOTS, VARIANTS, normalised, shades
+from elastomer_friction.studies.style import DOTS, VARIANTS, normalised, shades, significant_jumps
 from elastomer_friction.workflow.kinetic_law import PLATEAU, normalised_jump
 from elastomer_friction.workflow.report import error_bars, foot_line
 from elastomer_friction.workflow.result import Groups
@@ -19,11 +19,12 @@ CAPTION = (
 
 def draw(groups: Groups) -> Figure:
     """Return the figure of a result of this study."""
-    size = {"figsize": (6.9, 4.4), "height_ratios": (2.4, 1)}
-    figure, axes = plt.subplots(2, 2, sharex=True, sharey="row", **size)
+    figure, axes = plt.subplots(
+        2, 2, figsize=(6.9, 4.4), sharex=True, sharey="row", height_ratios=(2.4, 1)
+    )
     colours = shades(0.0, 1.0, log=False)
     for column, (group, label), letter in zip(axes.T, VARIANTS.items(), "ab", strict=True):
-        points = normalised(groups[group].squeeze())
+        points = normalised(significant_jumps(groups[group].squeeze()))
         law = normalised_jump(points.mu_bar)
         points["ratio"], points["ratio_error"] = points.jump_bar / law, points.jump_bar_error / law
         for hurst in points.hurst.values:
@@ -43,5 +44,5 @@ def draw(groups: Groups) -> Figure:
     axes[0, 0].legend(loc="lower right")
     axes[1, 0].set(ylabel="simulated / eq. 12", ylim=(0.0, 1.6))
     figure.colorbar(colours, ax=axes, label="Hurst exponent $H$")
-    foot_line(figure, groups[""])
+    foot_line(figure, groups[""], "Jumps below two standard errors are not shown.")
     return figure

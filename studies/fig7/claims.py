@@ -21,7 +21,7 @@ def exponential_fits(results: report.Results) -> report.Claim:
     report.needed(quality.size)
     share = float((quality >= GOOD_FIT).sum() / relaxing)
     low, middle = np.percentile(quality, [5, 50])
-    verdict = report.judge(1.0 - share, tolerance=0.5)
+    verdict = report.judge(1.0 - share)
     return report.Claim(
         "The relaxation is accurately fitted by an exponential (eq. 6)",
         "accurate",
@@ -43,8 +43,7 @@ RATE_VARIABLES = (
     "fit_status",
 )
 
-FORCE_TOLERANCE = 0.5
-ALPHA_TOLERANCE = 0.2  # absolute, of alpha
+ALPHA_TOLERANCE = 0.1  # absolute, of alpha: the distance of the paper's values of H
 MIN_SPEEDS = 3  # for the fit of alpha at one normal force
 
 
@@ -98,7 +97,7 @@ def force_independence(results: report.Results) -> report.Claim:
     deviation = log_rate.std("normal_force", ddof=1).where(several)
     report.needed(several.any())
     rms = float(np.sqrt((deviation**2).mean()))
-    verdict = report.judge(float(np.expm1(rms)), tolerance=FORCE_TOLERANCE)
+    verdict = report.judge(float(np.expm1(rms)))
     extreme = float(np.exp((log_rate.max("normal_force") - log_rate.min("normal_force")).max()))
     force = points.normal_force.values
     return report.Claim(

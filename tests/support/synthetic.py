@@ -65,6 +65,7 @@ def with_alpha(dataset, alpha, error=0.01):
     alpha = alpha * xr.ones_like(dataset.hurst)
     fitted = {"alpha": alpha, "alpha_error": 0.0 * alpha + error, "alpha_free": alpha}
     fitted |= {"alpha_free_error": fitted["alpha_error"], "alpha_points": 0 * alpha + 10}
+    fitted["alpha_prefactor"] = 0 * alpha + 1.0
     return dataset.assign(fitted)
 
 

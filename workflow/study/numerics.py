@@ -49,7 +49,8 @@ NUMERICS = {
     "scheme": Key(
         partial(choice, known=SCHEMES),
         "The time-stepping scheme. `exponential` is of second order; a free element decays by "
-        "exp(−Δt/τ) per step. `implicit-euler` is of first order; it decays by 1/(1 + Δt/τ).",
+        "exp(−Δt/τ) per step. `implicit-euler` is of first order; it decays by 1/(1 + Δt/τ). "
+        "With a given `steps_per_spacing` its µ₁, µ₂ and Δµ₀ are those of the steps.",
         default=DEFAULTS.scheme,
     ),
     "steps_per_spacing": Key(
