@@ -137,3 +137,10 @@ def test_finding_a_missing_record_raises_key_error(tmp_path):
         store.index.find((BATCH.tasks[0].key, 99))
     with pytest.raises(KeyError):
         store.index.find(("0" * 32, 0))
+
+
+@pytest.mark.parametrize("chunk", [("part", 0.0, 1), ("part", 0, 1.0)])
+def test_an_entry_with_one_number_that_is_not_an_integer_is_refused(chunk):
+    entry = {"shard": "name", "bytes": 100, "records": 1, "chunks": [chunk]}
+    with pytest.raises(TypeError, match="not integers"):
+        Index().replay(entry)
