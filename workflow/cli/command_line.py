@@ -231,6 +231,7 @@ def _spectrum_options(command: argparse.ArgumentParser) -> None:
         add(f"--{key}", help=f"as surface.{key}")
     text = "figure, as PNG and PDF (%(default)s)"
     add("--figure", default="results/spectrum.png", help=text)
+    add("--out", help="file for surface.spectrum: C(q) of a map up to the cut-off")
 
 
 def _fit_options(command: argparse.ArgumentParser) -> None:

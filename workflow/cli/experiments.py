@@ -139,7 +139,13 @@ def run_spectrum(options: argparse.Namespace) -> int:
     spectrum = laboratory.spectrum_of(profile)
     longest = profile.measured_length / (1.5 if options.detrend == "parabola" else 1.0)
     fit = laboratory.fit_rolloff(spectrum, 2.0 * math.pi / longest)
-    print(*laboratory.describe_spectrum(profile, spectrum, fit), "# figure", sep="\n")
+    described = laboratory.describe_spectrum(profile, spectrum, fit)
+    if options.out:
+        lines = laboratory.spectrum_rows(spectrum, fit.last_q)
+        write_durably(Path(options.out), "\n".join([*lines, ""]).encode())
+        instead = f'spectrum = {{file = "{options.out}", kind = "2D"}}'
+        described.append(f"# or, in place of hurst and roughness: {instead}")
+    print(*described, "# figure", sep="\n")
     path = Path(options.figure)
     make_folder(path.parent)
     report.print_pictures(laboratory.draw_spectrum(spectrum, fit, path))

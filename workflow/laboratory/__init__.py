@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from .rolloff_fit import fit_rolloff
     from .sentences import describe
     from .spectrum_figure import draw_spectrum
-    from .spectrum_table import describe_spectrum
+    from .spectrum_table import describe_spectrum, spectrum_rows
     from .together import Known, fit_records
 
 __all__, __getattr__, __dir__ = public_names(__name__, __file__)

@@ -5,6 +5,7 @@ import math
 import numpy as np
 from scipy.fft import next_fast_len
 
+from ..ground import UserError
 from ..study import Profile
 from .measured_spectrum import MeasuredSpectrum, skewness_of
 from .rolloff_fit import RolloffFit
@@ -44,6 +45,18 @@ def describe_spectrum(profile: Profile, spectrum: MeasuredSpectrum, fit: Rolloff
             rows["misfit"] += '; not a power law: use the file itself, or lines = "random-phase"'
     head = [f"# {note}" for note in profile.notes.split("; ")]
     return [*head, *(f"# {name:10} {text}" for name, text in rows.items()), *keys]
+
+
+def spectrum_rows(spectrum: MeasuredSpectrum, last_q: float) -> list[str]:
+    """Return the lines of a file for ``surface.spectrum`` of the kind "2D", up to last_q (1/m).
+
+    Raises UserError for the spectrum of lines, which scatters too much to be inverted.
+    """
+    if spectrum.falling == 1:
+        raise UserError("--out: needs a map; for lines, use the printed keys")
+    kept = (spectrum.q <= last_q * (1.0 + 1e-9)) & (spectrum.density > 0.0)
+    rows = zip(spectrum.q[kept], spectrum.density[kept], strict=True)
+    return ["q [1/m], C [m^4]", *(f"{q:.10g}, {density:.10g}" for q, density in rows)]
 
 
 def _keys(profile: Profile, spectrum: MeasuredSpectrum, fit: RolloffFit) -> tuple[list[str], float]:

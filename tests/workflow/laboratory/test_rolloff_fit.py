@@ -15,6 +15,7 @@ from elastomer_friction.workflow.study.surfaces.profile import (
     profile_of_lines,
 )
 from elastomer_friction.workflow.study.surfaces.raw_lines import LineFile, Lines
+from elastomer_friction.workflow.study.surfaces.spectrum_file import read_spectrum
 from tests.support.commands import output, refusal
 from tests.support.small import small_study
 
@@ -117,6 +118,18 @@ def test_the_command_prints_keys_of_a_study(capsys, tmp_path, shape, kind, body)
     settings = [f"{table}.{key}={value}" for table in keys for key, value in keys[table].items()]
     study = small_study(*settings, "grid.roughness=1e-6", f"scene.body={body}")
     assert study.surface.rolloff == pytest.approx(LENGTH / WAVES, rel=0.5)
+
+
+def test_a_written_spectrum_has_the_height_of_the_map(capsys, tmp_path):
+    """The mean square height is int C d^2q over rings as wide as the first wave number."""
+    z, out, figure = piece(2, (64, 64), copies=1), tmp_path / "c.csv", str(tmp_path / "s.png")
+    path = file_of(tmp_path, z)
+    output(capsys, "spectrum", path, "--periodic", "none", "--figure", figure, "--out", str(out))
+    read, _ = read_spectrum({"file": "c.csv", "kind": "2D", "times": 1.0}, tmp_path)
+    power = np.array(read.q) * np.array(read.density)
+    assert 2.0 * np.pi * power.sum() * 2.0 * np.pi / LENGTH == pytest.approx(np.var(z), rel=0.1)
+    line = file_of(tmp_path, piece(2))
+    assert "--out" in refusal(capsys, "spectrum", line, "--figure", figure, "--out", str(out))
 
 
 @pytest.mark.parametrize(
