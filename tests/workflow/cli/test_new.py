@@ -82,9 +82,9 @@ def test_values_said_to_be_usual_are_those_that_are_left_out(tmp_path):
 
 
 def test_every_key_that_is_commented_out_can_be_given(tmp_path):
-    """A pressure replaces the force; a measured line needs its file."""
+    """A pressure replaces the force; a measured line needs its file, an accuracy no branches."""
     text = STUDY_TEMPLATE.read_text(encoding="utf-8")
-    given = re.sub(r"^# (\w+ = )(?!\"line)", r"\1", text, flags=re.MULTILINE)
+    given = re.sub(r"^# (?!file|accuracy)(\w+ = )", r"\1", text, flags=re.MULTILINE)
     path = tmp_path / "all.toml"
     path.write_text(re.sub(r"^normal_force", "# normal_force", given, flags=re.MULTILINE))
     study = read_study(str(path))
