@@ -21,7 +21,7 @@ SHARE = ColumnSpec(
 BRANCH_TIME_COLUMN = ColumnSpec(
     "a time", "time", r"time|tau|\u03c4|^t([\W_]|[bi]?$)", "s", HEADER_ADVICE
 )
-MIN_BRANCH_SHARE = 0.01  # of the relaxed modulus, of moduli without a unit
+MIN_BRANCH_SHARE = 0.01  # of the relaxed modulus; below it the order of columns is doubtful
 ABAQUS_KEYWORD = re.compile(r"^\s*\*VISCOELASTIC", re.IGNORECASE)
 YOUNG_NAME = re.compile(r"young|tens|^E([\W_]|\d|[bi]?$)", re.IGNORECASE)
 

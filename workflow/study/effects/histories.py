@@ -35,13 +35,13 @@ def read_history(key: str, path: Path, wanted: ColumnSpec) -> tuple[np.ndarray, 
 
 
 def velocity_file(key: str, path: Path) -> FromFile:
-    """Return the segment that follows a file of times and velocities. Raises UserError."""
+    """Return the segment of a file of times and velocities. Raises UserError."""
     samples, description = read_history(key, path, VELOCITY_COLUMN)
     return _segment(key, samples, description)
 
 
 def velocity_arrays(where: str, table: dict[str, Any]) -> FromFile:
-    """Return the segment that follows {"time": ..., "velocity": ...}, lists in s and m/s."""
+    """Return the segment of {"time": ..., "velocity": ...}, lists in s and m/s."""
     times, velocities = table["time"], table["velocity"]
     for name, values in ("time", times), ("velocity", velocities):
         if not isinstance(values, list):
@@ -73,7 +73,7 @@ def _check_samples(key: str, samples: np.ndarray) -> None:
 
 
 def _segment(where: str, samples: np.ndarray, source: str) -> FromFile:
-    """Return the segment that follows times (s) and velocities (m/s), shape (2, samples)."""
+    """Return the segment of times (s) and velocities (m/s), shape (2, samples)."""
     times, velocities = samples
     if not np.any(velocities):
         raise UserError(f"{where}: all velocities are zero; use a segment hold")

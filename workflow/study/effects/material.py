@@ -130,15 +130,15 @@ def read_material(where: str, table: Mapping[str, Any], folder: Path) -> Materia
 
     where : name of the table, for messages. folder : folder of the files that the table names.
     """
-    given = filled(where, table, MATERIAL)
-    branches, description = given["branches"], ""
-    if given["branches_file"]:
+    values = filled(where, table, MATERIAL)
+    branches, description = values["branches"], ""
+    if values["branches_file"]:
         if "branches" in table:
             raise UserError(f"{where}.branches_file: give either it or {where}.branches")
-        key, path = f"{where}.branches_file", folder / given["branches_file"]
-        rows, description = read_branches(key, path, given["shear_modulus"], given["poisson"])
+        key, path = f"{where}.branches_file", folder / values["branches_file"]
+        rows, description = read_branches(key, path, values["shear_modulus"], values["poisson"])
         branches = _branches(key, rows)
-    modulus, time = given["shear_modulus"], given["relaxation_time"]
+    modulus, time = values["shear_modulus"], values["relaxation_time"]
     if not branches and time is None:
         raise UserError(f"{where}.relaxation_time: missing")
     if not branches and time == 0.0:
@@ -150,24 +150,24 @@ def read_material(where: str, table: Mapping[str, Any], folder: Path) -> Materia
                 f"{MODULUS_RATIO_RANGE[0]:g} and {MODULUS_RATIO_RANGE[1]:g} times shear_modulus = "
                 f"{modulus!r}"
             )
-    if "backing" in table and given["thickness"] is None:
-        raise UserError(f"{where}.backing = {given['backing']!r}: needs {where}.thickness")
-    shifts = {key: given[key] for key in SHIFT_KEYS}
-    if given["shifts_file"]:
+    if "backing" in table and values["thickness"] is None:
+        raise UserError(f"{where}.backing = {values['backing']!r}: needs {where}.thickness")
+    shifts = {key: values[key] for key in SHIFT_KEYS}
+    if values["shifts_file"]:
         if shifts["shifts"]:
             raise UserError(f"{where}.shifts_file: give either it or {where}.shifts")
-        path = folder / given["shifts_file"]
+        path = folder / values["shifts_file"]
         shifts["shifts"] = read_shift_table(f"{where}.shifts_file", path)
-    check_shift(where, shifts, given["temperature"])
+    check_shift(where, shifts, values["temperature"])
     return Material(
         shear_modulus=modulus,
         relaxation_time=time or 0.0,
         branches=_merged(branches),
-        temperature=given["temperature"],
-        poisson=given["poisson"],
+        temperature=values["temperature"],
+        poisson=values["poisson"],
         description=description,
-        thickness=given["thickness"],
-        backing=given["backing"],
+        thickness=values["thickness"],
+        backing=values["backing"],
         **shifts,
     )
 

@@ -1,4 +1,4 @@
-"""A motion given as a Python function v(t), sampled as finely as it bends."""
+"""Adaptive sampling of a motion given as a Python function v(t)."""
 
 from collections.abc import Callable
 from typing import Any
@@ -9,14 +9,14 @@ from ...ground import UserError
 from ..settings import number
 from .histories import MAX_SAMPLES
 
-FIRST_INTERVALS = 1009  # a prime: no periodic motion repeats in step with it
-VELOCITY_TOLERANCE = 1e-4  # of the largest speed: misfit of a line between two samples
-MIN_INTERVAL = 1e-7  # of the duration: time in which a jump of the velocity takes place
-THIRDS = np.array([[1.0], [2.0]]) / 3.0  # unlike the middle, they show a bend at an inflection
+FIRST_INTERVALS = 1009  # a prime, against aliasing of periodic motions
+VELOCITY_TOLERANCE = 1e-4  # misfit of a line between two samples, over the largest speed
+MIN_INTERVAL = 1e-7  # over the duration: shorter intervals are not divided
+THIRDS = np.array([[1.0], [2.0]]) / 3.0  # unlike the middle, these points detect an inflection
 
 
 def sampled_motion(velocity: Callable[[float], Any], duration: float) -> dict[str, list[float]]:
-    """Return times (s) and velocities (m/s) between which a function is linear within a tolerance.
+    """Return times (s) and velocities (m/s), between which a function is nearly linear.
 
     velocity : function of the time (s) that returns m/s. Intervals are divided in three until the
     line meets both inner points. Raises UserError for a value that is not a finite number, and for

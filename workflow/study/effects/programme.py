@@ -8,7 +8,11 @@ from .scene_effects import SceneEffects
 
 FORCE, INDENTATION = "force", "indentation"  # controls
 STEADY, RELAXED, FRESH = "steady", "relaxed", "fresh"  # starts
-PROGRAMME_AXES = ("hold", "velocity_amplitude", "frequency")  # axes with values in a segment
+PROGRAMME_AXES = (
+    "hold",
+    "velocity_amplitude",
+    "frequency",
+)  # axes given in a segment
 
 
 class Velocity(NamedTuple):
@@ -37,7 +41,7 @@ class SlideSegment(NamedTuple):
 
 
 class HoldSegment(NamedTuple):
-    """A hold of the line at rest; each duration gives a programme of its own."""
+    """A hold of the line at rest; each duration gives a separate programme."""
 
     durations: tuple[float, ...]  # s
     several: bool = False  # whether durations are a dimension of the result

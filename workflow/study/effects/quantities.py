@@ -21,7 +21,7 @@ def _required(is_met: Callable[[Scene, bool], bool], reason: str) -> Requirement
 
 
 def _jump(scene: Scene, materials: Materials, _: bool) -> str:
-    """Return a message that names a material without a dashpot, if no shear jumps, or ""."""
+    """Return a message that names a material without dashpot and shear, or ""."""
     for label, material in materials.items():
         if not (material.jumps or scene.effects.shear):
             where = f"compare.{label}" if label else "material"

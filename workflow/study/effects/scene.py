@@ -27,44 +27,44 @@ def read_scene_table(
     table : values, with the programme unchecked. folder : folder of the files that it names.
     materials : those of the study and its comparisons, which determine the default quantities.
     """
-    given = filled("scene", table, SCENE)
-    for name in ("body", *EFFECT_TABLES):  # of each variant (study/variants.py)
-        del given[name]
-    segments, history = given.pop("programme"), given.pop("indentation_file")
+    values = filled("scene", table, SCENE)
+    for name in ("body", *EFFECT_TABLES):  # read by variant (study/variants.py)
+        del values[name]
+    segments, history = values.pop("programme"), values.pop("indentation_file")
     programme = () if segments is None else read_programme("scene.programme", segments, folder)
-    drive = _drive(given.pop("drive"), is_pulled("scene.programme", segments or []))
+    drive = _drive(values.pop("drive"), is_pulled("scene.programme", segments or []))
     times, description = None, ""
-    if history and given["control"] != INDENTATION:
+    if history and values["control"] != INDENTATION:
         raise UserError('scene.indentation_file: needs scene.control = "indentation"')
     if history:
         key = "scene.indentation_file"
         samples, description = read_history(key, folder / history, INDENTATION_COLUMN)
         times = (tuple(samples[0].tolist()), tuple(samples[1].tolist()))
-    requested = given.pop("quantities")
+    requested = values.pop("quantities")
     scene = Scene(
         programme=programme,
         indentation_history=times,
         indentation_description=description,
         drive=drive,
-        **given,
+        **values,
     )
     scene = scene._replace(quantities=requested or _default_quantities(scene, materials))
     _check(table, scene, tuple(materials))
     return scene
 
 
-def _drive(given: dict[str, Any] | None, pulled: bool) -> Spring | None:
-    """Return the drive, if any. Raises UserError for a drive without pulls or pulls without it."""
-    if pulled and given is None:
+def _drive(values: dict[str, Any] | None, pulled: bool) -> Spring | None:
+    """Return the drive, if any. Raises UserError for a drive without pulls, or the reverse."""
+    if pulled and values is None:
         raise UserError(
             "scene.drive: missing; segments pull need the stiffness of a spring, for example "
             "[scene.drive] stiffness = 1e4"
         )
-    if given is not None and not pulled:
+    if values is not None and not pulled:
         raise UserError(
             "scene.drive: needs a programme of segments pull = {…}; omit it without one"
         )
-    return None if given is None else Spring(**given)
+    return None if values is None else Spring(**values)
 
 
 def _default_quantities(scene: Scene, materials: Iterable[Material]) -> tuple[str, ...]:

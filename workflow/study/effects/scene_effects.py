@@ -1,4 +1,4 @@
-"""Effects of a scene beside the loss of the elastomer, for the study and each comparison."""
+"""Effects of a scene besides the loss of the elastomer, for the study and each comparison."""
 
 from collections.abc import Callable, Mapping
 from pathlib import Path
@@ -59,31 +59,31 @@ def read_effects(
     scene, comparisons : checked values of [scene] and of each [compare.NAME].
     """
     effects = {"": _read("scene", scene, folder)}
-    for label, given in comparisons.items():
-        changed = _read(f"compare.{label}", given, folder)
-        own = {name: getattr(changed, name) for name in EFFECT_TABLES if name in given}
-        effects[label] = effects[""]._replace(**own)
+    for label, table in comparisons.items():
+        changed = _read(f"compare.{label}", table, folder)
+        replaced = {name: getattr(changed, name) for name in EFFECT_TABLES if name in table}
+        effects[label] = effects[""]._replace(**replaced)
     return effects
 
 
 def _read(where: str, tables: Mapping[str, Any], folder: Path) -> SceneEffects:
-    given = {name: tables[name] for name in EFFECT_TABLES if tables.get(name) is not None}
-    read = {n: EFFECT_TABLES[n][1](f"{where}.{n}", given[n], folder) for n in given}
+    requested = {name: tables[name] for name in EFFECT_TABLES if tables.get(name) is not None}
+    read = {n: EFFECT_TABLES[n][1](f"{where}.{n}", requested[n], folder) for n in requested}
     return SceneEffects(**read)
 
 
 def check_effects(
     where: str, effects: SceneEffects, material: Material, rests: bool, on_half_space: bool
 ) -> None:
-    """Raise UserError for effects that a material or a body does not support, or a missing key.
+    """Raise UserError for a missing key, or an effect that material or body do not support.
 
     where : "scene", or the name of a comparison. rests : whether the surface may be at rest.
     """
-    given = [name for name in EFFECT_TABLES if getattr(effects, name) is not None]
-    if given and not on_half_space:
+    requested = [name for name in EFFECT_TABLES if getattr(effects, name) is not None]
+    if requested and not on_half_space:
         raise UserError(
-            f"{where}.{given[0]}: needs the real contact area, which the foundation lacks; set "
-            f'scene.body = "half-space", or {where}.{given[0]} = false in a comparison'
+            f"{where}.{requested[0]}: needs the real contact area, which the foundation lacks; set "
+            f'scene.body = "half-space", or {where}.{requested[0]} = false in a comparison'
         )
     if effects.heat and material.shift_law is None:
         raise UserError(

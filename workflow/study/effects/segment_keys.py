@@ -127,7 +127,7 @@ HOLD = {
     "duration": Key(
         partial(one_or_several, positive),
         "The duration of rest. A list makes one programme for each value and the dimension `hold` "
-        "of the result; only one hold of a programme may have one.",
+        "of the result; only one hold of a programme may have a list.",
         "Doubled, the contact ages twice as long.",
         "s",
     ),

@@ -19,7 +19,7 @@ from .programme import (
 from .segment_keys import SEGMENTS
 
 MAX_SEGMENTS = 1000
-ARRAYS = {"time", "velocity"}  # keys of a sampled velocity given from Python
+ARRAYS = {"time", "velocity"}  # keys of a sampled velocity from Python
 SINGLE_LIST: dict[type[HoldSegment | Oscillate], str] = {
     HoldSegment: "hold: only one hold of a programme may have a list of durations",
     Oscillate: "oscillate: only one oscillation of a programme may have lists",
@@ -36,7 +36,7 @@ def read_programme(key: str, value: object, folder: Path) -> Programme:
         raise UserError(f"{key} = {value!r:.60}: must be a list of 1 to {MAX_SEGMENTS} segments")
     programme = tuple(_segment(f"{key}[{i}]", entry, folder) for i, entry in enumerate(value))
     for kind, message in SINGLE_LIST.items():
-        lists = [i for i, one in enumerate(programme) if isinstance(one, kind) and one.several]
+        lists = [i for i, part in enumerate(programme) if isinstance(part, kind) and part.several]
         if len(lists) > 1:
             raise UserError(f"{key}[{lists[1]}].{message}")
     for i, (before, after) in enumerate(pairwise(programme), 1):
@@ -46,7 +46,7 @@ def read_programme(key: str, value: object, folder: Path) -> Programme:
 
 
 def is_pulled(where: str, entries: list[dict[str, Any]]) -> bool:
-    """Return whether the segments of a programme move a drive in place of the line.
+    """Return whether the segments of a programme move a drive, not the line.
 
     Raises UserError if only some of them do.
     """
@@ -73,23 +73,23 @@ def _segment(where: str, entry: object, folder: Path) -> Segment:
         return velocity_file(where, folder / as_text(where, content))
     if kind == "pull" and isinstance(content, dict) and content.keys() == ARRAYS:
         return velocity_arrays(where, content)
-    given = read_table(where, content, SEGMENTS[kind])
+    checked = read_table(where, content, SEGMENTS[kind])
     match kind:
         case "slide":
-            return _slide(where, given)
+            return _slide(where, checked)
         case "hold":
-            return _hold(given["duration"])
+            return _hold(checked["duration"])
         case "ramp":
-            return _ramp(where, given)
+            return _ramp(where, checked)
         case "oscillate":
-            return _oscillate(where, given)
-    return _pull(where, given, folder)
+            return _oscillate(where, checked)
+    return _pull(where, checked, folder)
 
 
-def _slide(where: str, given: Checked) -> SlideSegment:
-    velocity = _velocity(where, given)
-    _only_key(where, given, "distance", "duration")
-    return SlideSegment(velocity, given["distance"], given["duration"])
+def _slide(where: str, checked: Checked) -> SlideSegment:
+    velocity = _velocity(where, checked)
+    _only_key(where, checked, "distance", "duration")
+    return SlideSegment(velocity, checked["distance"], checked["duration"])
 
 
 def _hold(duration: float | tuple[float, ...]) -> HoldSegment:
@@ -98,19 +98,19 @@ def _hold(duration: float | tuple[float, ...]) -> HoldSegment:
     return HoldSegment((duration,))
 
 
-def _ramp(where: str, given: Checked) -> RampSegment:
-    key = _only_key(where, given, "velocity", "ratio")
-    first, last = (Velocity(value, key == "ratio") for value in given[key])
-    return RampSegment(first, last, given["duration"])
+def _ramp(where: str, checked: Checked) -> RampSegment:
+    key = _only_key(where, checked, "velocity", "ratio")
+    first, last = (Velocity(value, key == "ratio") for value in checked[key])
+    return RampSegment(first, last, checked["duration"])
 
 
-def _oscillate(where: str, given: Checked) -> Oscillate:
-    if given["velocity"] is None and given["ratio"] is None:
-        given["velocity"] = 0.0
-    velocity = _velocity(where, given)
-    _only_key(where, given, "amplitude", "velocity_amplitude")
-    lists = {key: values for key, values in given.items() if isinstance(values, tuple)}
-    first = given | {key: values[0] for key, values in lists.items()}
+def _oscillate(where: str, checked: Checked) -> Oscillate:
+    if checked["velocity"] is None and checked["ratio"] is None:
+        checked["velocity"] = 0.0
+    velocity = _velocity(where, checked)
+    _only_key(where, checked, "amplitude", "velocity_amplitude")
+    lists = {key: values for key, values in checked.items() if isinstance(values, tuple)}
+    first = checked | {key: values[0] for key, values in lists.items()}
     return Oscillate(
         velocity,
         first["amplitude"],
@@ -121,16 +121,16 @@ def _oscillate(where: str, given: Checked) -> Oscillate:
     ).with_derived_amplitude()
 
 
-def _pull(where: str, given: Checked, folder: Path) -> Segment:
+def _pull(where: str, checked: Checked, folder: Path) -> Segment:
     """Return the motion of a drive: a slide, a hold or a sampled velocity."""
-    key = _only_key(where, given, "velocity", "ratio", "file")
-    distance, duration = given["distance"], given["duration"]
+    key = _only_key(where, checked, "velocity", "ratio", "file")
+    distance, duration = checked["distance"], checked["duration"]
     if key == "file":
         if distance or duration:
             raise UserError(f"{where}.file: determines the duration; omit distance and duration")
-        return velocity_file(f"{where}.file", folder / given["file"])
-    length = _only_key(where, given, "distance", "duration")
-    if given[key] == 0.0:
+        return velocity_file(f"{where}.file", folder / checked["file"])
+    length = _only_key(where, checked, "distance", "duration")
+    if checked[key] == 0.0:
         if length == "distance":
             raise UserError(
                 f"{where}.distance = {distance!r}: must be omitted at velocity 0; give duration"
@@ -140,20 +140,20 @@ def _pull(where: str, given: Checked, folder: Path) -> Segment:
         raise UserError(
             f"{where}.duration = {list(duration)!r:.60}: must be one number, except at velocity 0"
         )
-    return SlideSegment(Velocity(given[key], key == "ratio"), distance, duration)
+    return SlideSegment(Velocity(checked[key], key == "ratio"), distance, duration)
 
 
-def _only_key(where: str, given: Checked, *names: str) -> str:
+def _only_key(where: str, checked: Checked, *names: str) -> str:
     """Return the single given key out of ``names``. Raises UserError for none or several."""
-    present = [name for name in names if given[name] is not None]
+    present = [name for name in names if checked[name] is not None]
     if len(present) != 1:
         raise UserError(f"{where}: give one of {' and '.join(names)}, not {len(present) or 'none'}")
     return present[0]
 
 
-def _velocity(where: str, given: Checked) -> Velocity:
-    key = _only_key(where, given, "velocity", "ratio")
-    return Velocity(given[key], key == "ratio")
+def _velocity(where: str, checked: Checked) -> Velocity:
+    key = _only_key(where, checked, "velocity", "ratio")
+    return Velocity(checked[key], key == "ratio")
 
 
 def _check_continuous(where: str, end: Velocity, mean: Velocity) -> None:

@@ -51,35 +51,35 @@ def read_shear(where: str, table: Mapping[str, Any], folder: Path) -> Shear:
 
     where : name of the table, for messages. folder : folder of the file that it names.
     """
-    given = filled(where, table, SHEAR)
-    file = given.pop("file")
-    if (given["stress"] is None) == (not file):
+    values = filled(where, table, SHEAR)
+    file = values.pop("file")
+    if (values["stress"] is None) == (not file):
         raise UserError(
             f"{where}.file: give either it or {where}.stress"
             if file
             else f"{where}.stress: missing; give the shear stress of the real contact in Pa, or a "
             f"table of it over the speed as {where}.file"
         )
-    _check_together(where, given, "velocity", "width")
-    _check_together(where, given, "activation_energy", "reference")
-    bell = given["velocity"] is not None
+    _check_together(where, values, "velocity", "width")
+    _check_together(where, values, "activation_energy", "reference")
+    bell = values["velocity"] is not None
     for name, allowed in (
         ("velocity", not file),
         ("creep_velocity", bell),
         ("activation_energy", bell or bool(file)),
     ):
-        if given[name] is not None and not allowed:
+        if values[name] is not None and not allowed:
             kind = "a table" if file else "a constant stress, without velocity and width,"
-            raise UserError(f"{where}.{name} = {given[name]:g}: {kind} has none; omit it")
+            raise UserError(f"{where}.{name} = {values[name]:g}: {kind} has none; omit it")
     if not file:
-        return Shear(**given)
+        return Shear(**values)
     rows, description = _read_rows(f"{where}.file", folder / file)
-    return Shear(**given, rows=rows, description=description)
+    return Shear(**values, rows=rows, description=description)
 
 
-def _check_together(where: str, given: Mapping[str, Any], *names: str) -> None:
+def _check_together(where: str, values: Mapping[str, Any], *names: str) -> None:
     """Raise UserError if one of two keys is given without the other."""
-    missing = [name for name in names if given[name] is None]
+    missing = [name for name in names if values[name] is None]
     if len(missing) == 1:
         other = next(name for name in names if name not in missing)
         raise UserError(f"{where}.{missing[0]}: missing; {where}.{other} needs it")

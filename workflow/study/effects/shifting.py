@@ -14,7 +14,7 @@ from ..columns import ColumnSpec, describe_columns, select_columns
 from ..settings import NUMBER, Key, as_text, number, pair, positive, read_table, two_numbers
 
 MAX_SHIFT_DECADES = 30.0
-KELVIN_SUSPICION = 230.0  # degrees above the reference, from which a value is taken to be in K
+KELVIN_SUSPICION = 230.0  # degrees above the reference: the value is probably in K
 SHIFT_HEADER_ADVICE = 'a header "temperature [°C], log a_T"'
 TEMPERATURE_COLUMN = ColumnSpec(
     "a temperature", "temperature", r"temp|^T([\W_]|$)", "°C", SHIFT_HEADER_ADVICE
@@ -49,7 +49,7 @@ def _in_kelvin(temperature: float, reference: float) -> str:
 def read_shift_table(key: str, path: Path) -> ShiftTable:
     """Return the shifts of a text table with columns temperature and log10 a_T, ln a_T or a_T.
 
-    Values without a name, or such as "shift", are log10 a_T.
+    A column without a name, or with one such as "shift", holds log10 a_T.
 
     Raises UserError, which begins with ``key``.
     """
@@ -67,8 +67,8 @@ def read_shift_table(key: str, path: Path) -> ShiftTable:
             )
         values, read_as = np.log10(values), "; these are a_T itself"
     rows = np.stack([temperature.values - ZERO_CELSIUS, values], axis=1).tolist()
-    told = describe_columns(table, (temperature, shift)) + read_as
-    return _shift_table(key, rows)._replace(told=told)
+    description = describe_columns(table, (temperature, shift)) + read_as
+    return _shift_table(key, rows)._replace(told=description)
 
 
 def _shift_table(key: str, value: object) -> ShiftTable:
@@ -92,16 +92,16 @@ def check_shift(where: str, laws: dict[str, ShiftLaw | None], value: float | Non
 
     where : name of the table, for messages. laws : key -> law or None. value : temperature, °C.
     """
-    given = {key: law for key, law in laws.items() if law is not None}
-    if len(given) > 1:
-        one, other, *_ = given
-        raise UserError(f"{where}.{other}: give either it or {where}.{one}")
-    if not given and value is None:
+    chosen = {key: law for key, law in laws.items() if law is not None}
+    if len(chosen) > 1:
+        first, second, *_ = chosen
+        raise UserError(f"{where}.{second}: give either it or {where}.{first}")
+    if not chosen and value is None:
         return
-    if not given:
+    if not chosen:
         others = " or ".join(list(laws)[1:])
         raise UserError(f"{where}.wlf: missing; {where}.temperature needs it, or {others}")
-    ((key, law),) = given.items()
+    ((key, law),) = chosen.items()
     if value is None:
         raise UserError(f"{where}.temperature: missing; {where}.{key} needs it")
     assert law is not None
