@@ -9,7 +9,7 @@ MAX_RESOLVED_AREA = 0.3  # of the real contact over the nominal one, without a c
 
 
 def contact_warning(surface: Surface, area: float) -> str:
-    """Return a warning of a surface that is rougher than its waves show, or "".
+    """Return a warning if waves shorter than the samples may matter, or "".
 
     area : largest real contact area over the nominal one. The real contact of a random surface
     falls as 1/(rms slope), which grows with every shorter wave until the cut-off of the surface.
@@ -23,7 +23,7 @@ def contact_warning(surface: Surface, area: float) -> str:
 
 
 def body_in_words(data: xr.Dataset) -> str:
-    """Return sentences on the body of a result, the reason for it and its effects; "" without."""
+    """Return sentences on the body of a result, its reason and its effects; "" if unknown."""
     facts = [data.attrs[name] for name in ("body", "body_reason") if name in data.attrs]
     body = f"Body: {', '.join(facts)}." if facts else ""
     heat = f"Heating: {data.attrs['heat']}." if "heat" in data.attrs else ""
@@ -31,7 +31,7 @@ def body_in_words(data: xr.Dataset) -> str:
 
 
 def _shear_in_words(data: xr.Dataset) -> str:
-    """Return a sentence on the shear of a result, with the slope and the shortest wave; or ""."""
+    """Return a sentence on the shear of a result, with the slope and the shortest wave, or ""."""
     if "shear" not in data.attrs:
         return ""
     slopes, waves = data.rms_slope.values, 2.0 * np.pi / data.q_max.values
@@ -45,16 +45,16 @@ def _shear_in_words(data: xr.Dataset) -> str:
 
 
 def model_in_words(data: xr.Dataset) -> str:
-    """Return a sentence on the error of the model, or its reason to be unknown; "" without both."""
+    """Return a sentence on the error of the model, or why it is unknown; "" without either."""
     source = data.attrs.get("model_ratio_source", "")
     ratio = data.model_ratio.values if "model_ratio" in data else np.empty(0)
-    known = np.isfinite(ratio)
-    if not known.any():
+    finite = np.isfinite(ratio)
+    if not finite.any():
         return f"Error of the model: {source}" if source else ""
-    ends = dict.fromkeys(f"{value:.2g}" for value in (ratio[known].min(), ratio[known].max()))
+    ends = dict.fromkeys(f"{value:.2g}" for value in (ratio[finite].min(), ratio[finite].max()))
     with np.errstate(all="ignore"):
-        errors = data.model_ratio_error.values[known] / ratio[known]
+        errors = data.model_ratio_error.values[finite] / ratio[finite]
     error = f"± {np.median(errors):.0%}" if np.isfinite(errors).all() else "error unknown"
-    some = "" if known.all() else f" at {known.sum()} points"
+    where = "" if finite.all() else f" at {finite.sum()} points"
     notes = ", ".join(filter(None, [error, source]))
-    return f"mu_1 of the foundation is {' to '.join(ends)} of that of a half-space{some} ({notes})"
+    return f"mu_1 of the foundation is {' to '.join(ends)} of that of a half-space{where} ({notes})"

@@ -77,7 +77,7 @@ def _point_values(
 ) -> dict[str, xr.DataArray]:
     """Return the quantities of reduce/point_quantities.py at all points, with standard errors.
 
-    An undefined value is NaN. The replicates of the estimates they need are NAME_replicates.
+    An undefined value is NaN. The required estimates have replicates NAME_replicates.
     """
     study, dims, data = plan.study, (*plan.study.axes, "replicate"), {}
     request = study.scene.quantities, variant.lines.body
@@ -109,7 +109,7 @@ def _facts(plan: Plan, variant: Variant) -> dict[str, str | int | float]:
     if plan.study.realizations == 1:
         facts["standard_errors"] = lines.single_error
     share = plan.study.force_share(variant.label)
-    if share != 1.0:  # the force coordinate is that of the study
+    if share != 1.0:  # the coordinate normal_force is that of the study
         facts["normal_force_share"] = share
     if lines.profile is not None:
         facts |= {"lines": lines.description, "lines_digest": lines.profile.digest}
@@ -167,9 +167,9 @@ def _coordinates(plan: Plan, variant: Variant, dims: set[str]) -> dict[str, obje
 
 def _settings(plan: Plan, variant: Variant, units: Units) -> dict[str, xr.DataArray]:
     """Return tau, G, L and q_max in SI: the scales of the paper's dimensionless quantities."""
-    given = _over(plan, variant, "surface", lambda lines: lines.least_wave)
-    least = 2.0 * units["spacing"]
-    shortest = xr.where(given > least * (1.0 - 1e-9), given, least)
+    cutoff_wave = _over(plan, variant, "surface", lambda lines: lines.least_wave)
+    nyquist_wave = 2.0 * units["spacing"]
+    shortest = xr.where(cutoff_wave > nyquist_wave * (1.0 - 1e-9), cutoff_wave, nyquist_wave)
     scales = {
         "tau": units["tau"],
         "shear_modulus": xr.DataArray(variant.material.shear_modulus),
@@ -180,7 +180,7 @@ def _settings(plan: Plan, variant: Variant, units: Units) -> dict[str, xr.DataAr
 
 
 def _spectrum(variant: Variant) -> dict[str, xr.DataArray]:
-    """Return the power spectrum of measured lines, or of random lines with their spectrum."""
+    """Return the power spectrum of measured lines, or of random lines with such a spectrum."""
     profile, spectrum = variant.lines.profile, variant.lines.spectrum
     if profile is None or spectrum is None or variant.lines.body == HALF_SPACE:
         return {}

@@ -136,7 +136,7 @@ def _with_distinct_axes(root: "xr.Dataset", name: str, data: "xr.Dataset") -> "x
 def _groups(path: Path) -> dict[str, "xr.Dataset"]:
     """Return group -> dataset of a result file. Raises UserError if it is not one.
 
-    A file that is not known to be written by a run is first read in a sandboxed process.
+    A file not known to be written by a run is first read in a sandboxed process.
     """
     import xarray as xr
 
@@ -182,7 +182,7 @@ def peek(path: Path) -> Peek | None:
 def check_result(study: AnyStudy, path: Path, *, strict: bool) -> None:
     """Raise UserError for an unreadable result, and print a note if its settings differ.
 
-    strict : raise UserError also for differing settings, as if given on the command line.
+    strict : also raise UserError for differing settings (given on the command line).
     """
     with contextlib.ExitStack() as stack:
         attributes = open_result(study, path, stack)[ROOT].attrs

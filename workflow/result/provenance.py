@@ -20,10 +20,10 @@ LICENCE = (
 
 
 def commit(root: Path = PROGRAM_ROOT) -> str:
-    """Return the git commit of the program, marked where files differ from it, or "unknown".
+    """Return the git commit of the program, marked if files differ from it, or "unknown".
 
-    root : folder of the program. It must be the top of a repository that tracks the program; the
-    repository of a project whose environment contains the program does not count.
+    root : folder of the program. It must be the top of a repository that tracks the program; a
+    repository around the environment of the program does not count.
     """
     try:
         if Path(_git(root, "rev-parse", "--show-toplevel")).resolve() != root.resolve():
@@ -54,7 +54,7 @@ def maker_attributes(makers: Set[Maker]) -> dict[str, str]:
 def origin(study: AnyStudy) -> dict[str, str | int | float]:
     """Return the global attributes of every result file, for all kinds of study.
 
-    They contain the maker of this process, which a run replaces by those of the stored records.
+    The maker is this process; a run replaces it by those of the stored records.
     """
     program = f"elastomer-friction {version_of('elastomer-friction')}"
     return {

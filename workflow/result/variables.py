@@ -345,7 +345,7 @@ SCENES = {
 }
 VARIABLES |= SCENES
 
-# Coordinates that are not dimensions; values can be plotted over them.
+# Coordinates that are not dimensions, for the abscissa of plots.
 AUXILIARY = (
     "tau",
     "shear_modulus",
@@ -377,8 +377,7 @@ FLAGS = {
 def declared(name: str) -> Variable:
     """Return the declaration of a variable.
 
-    Those of NAME_error, NAME_bias and of the parts NAME_shear and NAME_viscoelastic derive from
-    that of NAME.
+    NAME_error, NAME_bias and the parts NAME_shear and NAME_viscoelastic derive from NAME.
     """
     if name in VARIABLES:
         return VARIABLES[name]
