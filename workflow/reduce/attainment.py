@@ -1,4 +1,4 @@
-"""Accuracy reached by estimates, and the further realizations that are needed."""
+"""Accuracy reached by estimates, and the number of further realizations."""
 
 from typing import NamedTuple
 
@@ -14,7 +14,7 @@ from .resolution import resolution
 MISSED, MET, MET_WHERE_DEFINED = 0, 1, 2
 MODERATED_GROUPS = 8  # of the jackknife; with fewer, errors are averaged with the scatter law
 MIN_SHAPE_GROUPS = 16  # of the jackknife, to accept that a mean curve is not exponential
-SCATTER_FREEDOM = 3.0  # degrees of freedom of the scatter law, two in three within 1.7
+SCATTER_FREEDOM = 3.0  # degrees of freedom of the scatter law: two in three within 1.7
 ACCURACY_MEANINGS = "missed met met_where_defined"
 
 
@@ -53,9 +53,9 @@ def attained(
     """Return the accuracy reached by the estimates of tasks.
 
     Values without a relative error (negligible relaxation, not exponential, exactly zero) are left
-    out, which the status shows; ``reached`` is NaN if no value remains. Few groups may agree too
-    well by chance (two groups, one time in ten). Their variance is therefore averaged with that of
-    the scatter law, which counts as SCATTER_FREEDOM degrees of freedom (G. K. Smyth, Stat. Appl.
+    out, and the status says so; ``reached`` is NaN if no value remains. Few groups may agree too
+    well by chance (two groups: in one of ten cases). Their variance is therefore averaged with that
+    of the scatter law, which counts as SCATTER_FREEDOM degrees of freedom (G. K. Smyth, Stat. Appl.
     Genet. Mol. Biol. 3, 3 (2004), doi:10.2202/1544-6115.1027).
     estimates : with the ``degrees_of_freedom`` of the errors. wanted : relative accuracy. ratios :
     v2/v1, shape (tasks,). realizations : of each task, shape (tasks,).
@@ -66,7 +66,7 @@ def attained(
     partly = np.zeros(len(goals), bool)
     for name in goals[0].bias:
         bias = np.array([goal.bias[name] for goal in goals])
-        permitted = np.array([allowed(wanted, one) for one in bias])
+        permitted = np.array([allowed(wanted, value) for value in bias])
         with np.errstate(all="ignore"):
             relative = estimates[f"{name}_error"] / np.abs(estimates[name])
         relative[~np.isfinite(relative)] = np.inf
@@ -90,13 +90,13 @@ def attained(
 
 
 def _undefined(name: str, estimates: Estimates, ratios: np.ndarray, wanted: float) -> np.ndarray:
-    """Return the mask of estimates whose relative error more realizations cannot reduce."""
+    """Return the mask of estimates for which more realizations do not help."""
     if name != "relaxation_rate":
         return (estimates[name] == 0.0) & (estimates[f"{name}_error"] == 0.0)
     status = estimates["fit_status"]
     first = np.abs(estimates["deviation"][:, 1])
     error = estimates["deviation_error"][:, 1]
-    change = np.abs(estimates["mu"][:, 0] * (ratios - 1.0))  # of a viscous force, as a scale
+    change = np.abs(estimates["mu"][:, 0] * (ratios - 1.0))  # scale: change of a viscous force
     nothing = (status == NO_RELAXATION) & (first + 2.0 * error <= wanted * change)
     # A mean over few groups may deviate from an exponential by chance.
     shaped = (status == NOT_EXPONENTIAL) & (estimates["degrees_of_freedom"] + 1 >= MIN_SHAPE_GROUPS)

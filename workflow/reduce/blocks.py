@@ -41,7 +41,7 @@ class Blocks(NamedTuple):
     speeds: np.ndarray = np.empty((0, 2))  # before and after the velocity step, dx/tau, (tasks, 2)
     programmes: tuple[Programme, ...] = ()  # of the tasks
     legs: np.ndarray = np.empty((0, 0))  # of the trace samples, NaN after the last, (tasks, events)
-    negligible: float = 0.0  # relaxation below this share of the jump is negligible
+    negligible: float = 0.0  # largest negligible relaxation over the jump
     carried: tuple[str, ...] = ()  # scalars whose replicates enter the estimates
     parts: Parts | None = None  # of totals, by names such as mu_1_shear; None without shear
 
@@ -57,7 +57,7 @@ class Reduction(NamedTuple):
     normalisation: str  # of the lines
     jumps: bool  # friction jumps with the velocity
     carried: tuple[str, ...] = ()  # scalars whose replicates the quantities of a point need
-    copies: int = 1  # of the measured map along a side of its period: 2 if mirrored
+    copies: int = 1  # of the measured map per side of a period: 2 if mirrored
 
 
 def reduction_of(variant: Variant) -> Reduction:
@@ -86,43 +86,45 @@ def enter(estimates: Estimates, name: str, values: np.ndarray) -> None:
     estimates[f"{name}_error"] = standard_error(values, 1)
 
 
-def blocks_of(how: Reduction, tasks: list[Task], scalars: np.ndarray, rows: np.ndarray) -> Blocks:
+def blocks_of(
+    settings: Reduction, tasks: list[Task], scalars: np.ndarray, rows: np.ndarray
+) -> Blocks:
     """Return the block means of tasks, ready to be reduced.
 
     scalars : shape (tasks, blocks, len(SCALARS)). rows : (tasks, blocks, width), in the layout of
     simulate/layout.py. Arrays that differ in length between tasks are padded with NaN.
     """
-    layout = how.kernel_quantities, how.numerics.scheme, how.recording
+    layout = settings.kernel_quantities, settings.numerics.scheme, settings.recording
     parts = [unpack(row, row_layout(t, *layout)) for row, t in zip(rows, tasks, strict=True)]
     traces = {name for name in parts[0] if name in PROGRAMME_TRACES}
     values = {
-        name: np.stack([_filled(p[name], how.events if name in traces else 0) for p in parts])
+        name: np.stack([_filled(p[name], settings.events if name in traces else 0) for p in parts])
         for name in parts[0]
     }
-    if "tiles" in values and how.copies > 1:
+    if "tiles" in values and settings.copies > 1:
         values["tiles"] = _folded(values["tiles"])
-    legs = _legs(how, tasks)
+    legs = _legs(settings, tasks)
     scalars, values, shear_parts = add_shear(tasks, scalars, values, legs)
     speeds = [(t.problem.speed, t.problem.speed * t.problem.ratio) for t in tasks]
-    slopes = [line_slope(t.problem, how.normalisation) for t in tasks]
+    slopes = [line_slope(t.problem, settings.normalisation) for t in tasks]
     return Blocks(
         scalars,
         values,
-        _times(how, tasks),
+        _times(settings, tasks),
         np.array(slopes),
-        how.quantities,
-        how.jumps,
+        settings.quantities,
+        settings.jumps,
         np.array(speeds),
         tuple(task.problem.programme for task in tasks),
         legs,
-        how.numerics.negligible,
-        how.carried,
+        settings.numerics.negligible,
+        settings.carried,
         shear_parts or None,
     )
 
 
 def _folded(sums: np.ndarray) -> np.ndarray:
-    """Return sums (..., tiles, tiles) with mirrored tiles added, which are not independent."""
+    """Add the sums (..., tiles, tiles) of mirrored tiles, which are not independent."""
     for axis in (-2, -1):
         sums = np.split(sums + np.flip(sums, axis), 2, axis)[0]
     return sums
@@ -134,22 +136,22 @@ def _filled(values: np.ndarray, length: int) -> np.ndarray:
     return np.pad(values, ends, constant_values=np.nan) if ends[-1][1] else values
 
 
-def _legs(how: Reduction, tasks: list[Task]) -> np.ndarray:
+def _legs(settings: Reduction, tasks: list[Task]) -> np.ndarray:
     """Return the numbers of the legs of the trace samples, shape (tasks, events)."""
-    legs = np.full((len(tasks), how.events), np.nan)
-    for row, task in enumerate(tasks) if how.events else ():
+    legs = np.full((len(tasks), settings.events), np.nan)
+    for row, task in enumerate(tasks) if settings.events else ():
         setting = task.problem, task.steps_per_spacing
-        sampled = trace_steps(*setting, how.recording)
-        steps = programme_steps(*setting, how.recording.origin)
+        sampled = trace_steps(*setting, settings.recording)
+        steps = programme_steps(*setting, settings.recording.origin)
         legs[row, : sampled.size] = steps.leg[np.maximum(sampled - 1, 0)]
     return legs
 
 
-def _times(how: Reduction, tasks: list[Task]) -> np.ndarray:
+def _times(settings: Reduction, tasks: list[Task]) -> np.ndarray:
     """Return the times of the curves after the velocity step, shape (tasks, samples - 1)."""
-    samples, scheme = how.numerics.curve_samples, how.numerics.scheme
+    samples, scheme = settings.numerics.curve_samples, settings.numerics.scheme
     time = np.full((len(tasks), samples - 1), np.nan)
-    for row, task in enumerate(tasks) if how.kernel_quantities.relaxation else ():
+    for row, task in enumerate(tasks) if settings.kernel_quantities.relaxation else ():
         steps_per_tau = abs(task.problem.speed * task.problem.ratio) * task.steps_per_spacing
         sampled = record_steps(task.march_steps, samples, task.problem.spectrum)
         time[row, : sampled.size] = curve_times(

@@ -31,10 +31,9 @@ def completed(
 ) -> Estimates:
     """Return name -> array over all tasks of a variant.
 
-    estimates : of the tasks at the rows ``sound``; other rows become NaN or -1. counts :
-    realizations of each task, shape (tasks,). other : completed estimates of
-    ``plan.other_body``. Errors of the times and positions of trace samples are omitted if all are
-    zero.
+    estimates : of the tasks ``sound``; other rows become NaN or -1. counts : realizations of each
+    task, shape (tasks,). other : completed estimates of ``plan.other_body``. Errors of the times
+    and positions of trace samples are omitted if all are zero.
     """
     tasks = variant.tasks
     names = accuracy_estimates(variant.study.scene.quantities)
@@ -63,7 +62,7 @@ def completed(
 
 
 def _theoretical_totals(tasks: list[Task], theory: Estimates) -> Estimates:
-    """Return the shear of the contact area by Persson's theory, and the sum with its friction."""
+    """Return the shear part of mu by Persson's theory, and its sum with mu_persson."""
     problems = [task.problem for task in tasks]
     shear = per_contact(problems, [problem.ends[0] for problem in problems])
     shear *= theory["area_persson"]
@@ -71,7 +70,7 @@ def _theoretical_totals(tasks: list[Task], theory: Estimates) -> Estimates:
 
 
 def exponents_of(plan: Plan, variant: Variant, estimates: Estimates) -> Estimates:
-    """Remove the replicates of b from the estimates, and fit the exponents of eq. 13 to them."""
+    """Fit the exponents of eq. 13 to the replicates of b, which are removed from the estimates."""
     rates = estimates.pop("rate_replicates", None)
     if rates is None:
         return {}

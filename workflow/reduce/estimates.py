@@ -20,7 +20,7 @@ def reduce_blocks(blocks: Blocks) -> Estimates:
 
     ``rate_replicates`` holds the jackknife replicates for the fit of eq. 13, padded to the same
     number of groups for all tasks: shape (tasks, JACKKNIFE_GROUPS + 1). ``NAME_replicates`` holds
-    those of the scalars ``blocks.carried`` for the quantities of a point (point_quantities.py).
+    those of ``blocks.carried`` for point_quantities.py.
     """
     requested = blocks.quantities
     values = dict(zip(SCALARS, np.moveaxis(replicates(blocks.scalars, 1), 2, 0), strict=True))
@@ -123,8 +123,8 @@ def _relaxations(estimates: Estimates, blocks: Blocks, deviation: np.ndarray) ->
     enter(estimates, "relaxation_rate", rate)
     enter(estimates, "amplitude", amplitude)
     enter(estimates, "relaxation_rate_free", rate_free)
-    # A relaxation is negligible if its upper bound is below the given share of the jump. No status
-    # changes for a share of zero, or for a curve of NaN.
+    # A relaxation is negligible if its upper bound is below the given share of the jump. A share
+    # of zero, or NaN in the curve, changes no status.
     groups = max(blocks.scalars.shape[1], 2)
     error = np.nan_to_num(estimates["deviation_error"][:, 0])  # unknown for one block
     most = np.abs(estimates["deviation"][:, 0]) + errors_needed(groups, 2.0, 0.05) * error

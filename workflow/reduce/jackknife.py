@@ -18,11 +18,11 @@ ERROR_ROUNDING = 1e-14  # relative standard error below which replicates are equ
 def grouped_means(blocks: np.ndarray, groups: int) -> np.ndarray:
     """Return the means over every ``groups``-th block, shape (groups, ...).
 
-    Block i belongs to group i modulo ``groups``. Two points with different numbers of blocks
-    therefore have each shared block, with its random lines, in the same group. For groups of
-    unequal size the deviations are scaled such that the mean over groups equals the mean over
-    blocks, and the jackknife error equals that of equal groups within 1 %. Values that all blocks
-    share stay exactly equal.
+    Block i belongs to group i modulo ``groups``. Points with different numbers of blocks thus have
+    their shared blocks, on the same lines, in the same groups. For groups of unequal size the
+    deviations are scaled such that the mean over groups equals the mean over blocks, and the
+    jackknife error equals that of equal groups within 1 %. Values equal in all blocks stay exactly
+    equal.
     """
     count = len(blocks)
     if count % groups == 0:
@@ -93,9 +93,9 @@ def errors_needed(
 def significant(values: np.ndarray) -> bool:
     """Return whether an estimate differs from zero; values : replicates of shape (blocks + 1,).
 
-    An estimate with NaN in any replicate is not significant. Nor is one whose replicates agree to
-    rounding: as random lines differ, it cannot depend on the data, like a fit at the same bound in
-    every replicate. For one block every nonzero number is significant.
+    An estimate with NaN in any replicate is not significant. Neither is one whose replicates agree
+    to rounding: it does not depend on the data, for example a fit that ends at a bound. For one
+    block every nonzero number is significant.
     """
     if values.size == 1:
         return bool(np.isfinite(values[0]) and values[0] != 0.0)

@@ -2,8 +2,8 @@
 
 One call fits a curve and all its jackknife replicates in plain numpy, with the same bits in every
 process. scipy's ``leastsq`` is not reproducible: if columns of the Jacobian are nearly dependent,
-as for two exponentials fitted to one, MINPACK (scipy 1.15 to 1.17) reads one number past the end
-of the Jacobian and pivots by it (docs/decisions.md).
+as for two exponentials fitted to one, MINPACK (scipy 1.15 to 1.17) uses one number past the end of
+the Jacobian for pivoting (docs/decisions.md).
 Source: D. W. Marquardt, J. Soc. Ind. Appl. Math. 11, 431 (1963).
 """
 

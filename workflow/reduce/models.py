@@ -96,12 +96,12 @@ def compare_models(
         unknown |= dict.fromkeys(GAINS, (np.nan, np.nan))
         return Comparison(UNDECIDED_MODEL, **unknown)
     scale, span = deviation[0, 0], time[-1]
-    with np.errstate(all="ignore"):  # a fit may diverge, and is not decisive then
+    with np.errstate(all="ignore"):  # a diverging fit is not decisive
         fits, gains = _fits_and_gains(time / span, deviation / scale, blocks / scale, rate * span)
         b, beta = np.exp(fits[STRETCHED][:, 1:]).T
         pair = fits[TWO_EXPONENTIALS]
         rates, share = np.exp(pair[:, [1, 3]]), pair[:, 0] / (pair[:, 0] + pair[:, 2])
-        swap = rates[:, 1] > rates[:, 0]  # the faster one comes first
+        swap = rates[:, 1] > rates[:, 0]  # the faster exponential comes first
         fast, slow = rates.max(axis=1), rates.min(axis=1)
         share = np.where(swap, 1.0 - share, share)
         b[~determined(time / span, b, beta)] = np.nan
@@ -134,7 +134,7 @@ def determined(
     """Return the mask of coefficients of exp(-(b t)^beta) that the samples can determine.
 
     A fit may diverge to coefficients on which the curve no longer depends: a decay between two
-    samples or before the first, or a constant. Such coefficients are meaningless even if all
+    samples, one before the first, or a constant. Such coefficients are meaningless even if all
     replicates agree on them. rate : per unit of ``time``, any shape.
     """
     with np.errstate(all="ignore"):  # a fit may have diverged

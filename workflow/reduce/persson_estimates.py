@@ -62,7 +62,7 @@ def _waves(
 def _waves_of_spectrum(
     power: IsotropicSpectrum, lines: Surface, roughness: float, spacing: float
 ) -> Waves:
-    """Return all waves of a measured spectrum up to the cut-off, also those longer than L."""
+    """Return all waves of a measured spectrum up to the cut-off, including those longer than L."""
     last = 2.0 * np.pi / max(lines.least_wave, 2.0 * spacing)
     heights, slopes = power.moments_below(np.geomspace(power.q[0], last, RINGS + 1))
     ring_power = np.diff(heights)

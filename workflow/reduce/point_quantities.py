@@ -1,9 +1,9 @@
-"""Quantities that follow from the estimates of a point in SI units: one table.
+"""Table of quantities derived from the estimates of a point in SI units.
 
-Points of equal dimensionless numbers share one task, so that a quantity which is not a power of
-the axes times a dimensionless number cannot be reduced with the task. ``result/dataset.py`` applies
-the functions of this table at every grid point, to the estimates and to each of their jackknife
-replicates. The standard error then includes the covariances, and no gradient is needed.
+Points of equal dimensionless numbers share one task. A task only yields dimensionless numbers times
+powers of the axes. For other quantities ``result/dataset.py`` applies the functions of this table
+at every grid point, to the estimates and to each of their jackknife replicates. The standard error
+then includes the covariances, and no gradient is needed.
 """
 
 from collections.abc import Callable, Iterable, Mapping

@@ -30,7 +30,7 @@ class StoredBlocks(NamedTuple):
 
 
 class Portion(NamedTuple):
-    """Tasks with equal numbers of jackknife groups, and where their block means are."""
+    """Tasks with equal numbers of jackknife groups, and the places of their block means."""
 
     how: Reduction
     tasks: list[Task]

@@ -52,7 +52,7 @@ def fit_rate_state(
         return _nothing(size, NOT_FINITE)
     if not ratio > 0.0 or ratio == 1.0:
         return _nothing(size, NO_STATE)
-    # After a step up the deviation is positive, except for b < 0.
+    # For b > 0 the deviation is positive after a step up.
     sign = 1.0 if ratio > 1.0 else -1.0
     if np.max(sign * deviation[0]) < np.max(-sign * deviation[0]):
         sign = -sign

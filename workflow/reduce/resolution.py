@@ -59,8 +59,8 @@ def resolution(
 
     A bias is an upper bound of the relative discretisation error; bias_bound is the largest. It
     follows from the laws of error in plan, with the measured samples per contact and rate b instead
-    of predicted ones. FIRST_ORDER steps of a first-order scheme count as one of second order,
-    unless friction is that of the steps (stepped_error).
+    of predicted ones. A second-order step counts as FIRST_ORDER first-order steps, unless friction
+    is that of the steps (stepped_error).
     """
     biases: dict[str, np.ndarray] = {}
     if not names:  # no steady quantity
@@ -104,7 +104,7 @@ def resolution(
 
 
 def _excess_of_parts(estimates: Estimates, name: str) -> np.ndarray | float:
-    """Return the sum of the sizes of the parts of an estimate over its size; 1 without shear.
+    """Return the sum of the |parts| of an estimate over its |total|; 1 without shear.
 
     The law of the viscoelastic part bounds the error of the contact area too. A rate b that is
     fitted to a sum has no law: NaN.
@@ -119,7 +119,7 @@ def _excess_of_parts(estimates: Estimates, name: str) -> np.ndarray | float:
 
 
 def _on_maps(tasks: list[Task]) -> bool:
-    """Return whether tasks, which share their body, are those of a half-space."""
+    """Return whether tasks are those of a half-space (all share one body)."""
     return bool(tasks) and tasks[0].problem.surface.body == HALF_SPACE
 
 

@@ -3,8 +3,8 @@
     mu = mu_viscoelastic + tau_f(|v|) A/(A_0 sigma_0),    with the sign of v
 
 (kernels/interface/shear.py). A prescribed motion gives v, so that the sum is linear in the block
-means of mu and A: standard errors of a sum include their covariance. With a drive the kernels know
-the law; a trace of mu is then that of the viscoelastic part, and the friction force is the total.
+means of mu and A: standard errors of a sum include their covariance. With a drive the kernels apply
+the law: the trace of mu is then viscoelastic, and the friction force is the total.
 """
 
 from typing import Any
@@ -56,7 +56,7 @@ def _steady_parts(tasks: list[Task], scalars: np.ndarray, values: dict[str, np.n
     """Return the shear parts of steady friction and of the jump."""
     if "contact_2" not in values:
         return {}
-    if "mu_1_shear" in values:  # at temperatures that only the kernels know
+    if "mu_1_shear" in values:  # temperatures exist only in the kernels
         return {name: values[f"{name}_shear"] for name in ("mu_1", "mu_2", "jump")}
     problems = [task.problem for task in tasks]
     first, last = per_contact(problems, [problem.ends for problem in problems]).T[..., None]
@@ -89,10 +89,10 @@ def per_contact(problems: list[Problem], speeds: Any) -> np.ndarray:
     speeds : signed, shape (problems, ...), which is that of the result.
     """
     parts = []
-    for problem, own in zip(problems, np.asarray(speeds, float), strict=True):
+    for problem, values in zip(problems, np.asarray(speeds, float), strict=True):
         law = problem.effects.shear
         assert law is not None
-        parts.append(np.sign(own) * shear_stress(law, own) / nominal_pressure(problem))
+        parts.append(np.sign(values) * shear_stress(law, values) / nominal_pressure(problem))
     return np.array(parts)
 
 
@@ -121,7 +121,7 @@ def _directions(problem: Problem) -> np.ndarray:
 
 
 def _speeds(leg: Leg) -> tuple[float, ...]:
-    """Return speeds of a leg in their order, the last one at its end."""
+    """Return speeds of a leg in order; the last one is that at its end."""
     if isinstance(leg, Ramp):
         return leg.first, leg.last
     return leg.speeds if isinstance(leg, Sampled) else (last_speed(leg),)

@@ -15,7 +15,7 @@ from ..simulate import SCALARS
 from .blocks import Blocks, Estimates
 from .jackknife import padded, replicates, standard_error
 
-TILE_RATIOS = {  # estimate: sums of its ratio
+TILE_RATIOS = {  # estimate -> numerator and denominator
     "mu_1": ("power", "load"),
     "mu_2": ("power_2", "load_2"),
     "jump": ("jump", "load"),
@@ -27,7 +27,7 @@ SHEAR_RATIOS = {  # of the shear parts
     "jump": ("touching", "load"),
 }
 MIN_LOADED_TILES = 2.0  # effective number
-MIN_PATCHES = 3.0  # of contact: fewer are no sample of a rough surface, such as a single sphere
+MIN_PATCHES = 3.0  # fewer, as for a sphere, do not represent a rough surface
 MAX_PARTIAL_CONTACT = 0.5  # contact fraction up to which the number of patches counts
 
 
@@ -58,8 +58,8 @@ def enter_tile_errors(estimates: Estimates, blocks: Blocks) -> None:
         for name, ratio in TILE_RATIOS.items():
             values = {name: spread(scalars[name][:, None], *ratio)}
             if f"{name}_shear" in parts:
-                own = {f"{name}_viscoelastic": ratio, f"{name}_shear": SHEAR_RATIOS[name]}
-                values = {part: spread(parts[part], *sides) for part, sides in own.items()}
+                ratios = {f"{name}_viscoelastic": ratio, f"{name}_shear": SHEAR_RATIOS[name]}
+                values = {part: spread(parts[part], *sides) for part, sides in ratios.items()}
                 values[name] = np.sum(list(values.values()), axis=0)
             for part in values.keys() & estimates.keys():
                 estimates[f"{part}_error"] = standard_error(values[part], 1)

@@ -20,7 +20,7 @@ from .blocks import PROGRAMME_TRACES, TRACE_ESTIMATES, Blocks, Estimates, column
 from .jackknife import replicates, standard_error
 from .rate_state import STATE_LAWS, RateState, fit_rate_state
 
-CHANGE_TRACES = ("trace_mu", "trace_indentation")  # their changes within a leg are estimates too
+CHANGE_TRACES = ("trace_mu", "trace_indentation")  # their changes within a leg are also estimates
 SINGLE_REALIZATION = ("snapshot_", "state_")  # prefixes of values of one realization, without error
 
 Means = dict[str, np.ndarray]  # replicates of traces, shape (tasks, replicates, events)
@@ -142,7 +142,7 @@ def _store_loop(estimates: Estimates, blocks: Blocks, means: Means) -> None:
 
 
 def _store_slip_events(estimates: Estimates, blocks: Blocks, _: Means) -> None:
-    """Store the times and kinds of slip events, cut to the most events of any task."""
+    """Store the times and kinds of slip events, cut to the largest number of events of a task."""
     times, kinds = (blocks.values[name].mean(axis=1) for name in SLIP_EVENTS)
     count = int(np.isfinite(times).sum(axis=1).max())
     estimates["slip_event_time"] = times[:, :count]
@@ -163,14 +163,14 @@ QUANTITY_REDUCERS: tuple[tuple[tuple[str, ...], Callable[..., None]], ...] = (
 def _motion(values: np.ndarray) -> np.ndarray:
     """Return the replicates of times or positions of samples, shape (tasks, replicates, events).
 
-    values : shape (tasks, blocks, events). Values that all blocks share stay exactly equal.
+    values : shape (tasks, blocks, events). Values equal in all blocks stay exactly equal.
     """
     first = values[:, :1]
     return first + replicates(values - first, 1)
 
 
 def _changes(traces: np.ndarray, legs: np.ndarray) -> np.ndarray:
-    """Return the change of traces since the last sample of the leg before.
+    """Return the change of traces since the last sample of the previous leg.
 
     traces : shape (tasks, replicates, events). legs : of the events, ascending, NaN after the
     last one, shape (tasks, events). Lines shift both ends of a change alike, so that its error is
@@ -192,7 +192,7 @@ def _balance_residual(means: Means) -> np.ndarray:
 
 
 def _last(traces: np.ndarray) -> np.ndarray:
-    """Return the last sample of each trace, before the NaN, shape (tasks, replicates)."""
+    """Return the last sample of each trace that is not NaN, shape (tasks, replicates)."""
     known = np.isfinite(traces[:, 0])
     ends = known.shape[1] - 1 - np.argmax(known[:, ::-1], axis=1)
     return np.take_along_axis(traces, ends[:, None, None], axis=2)[:, :, 0]
