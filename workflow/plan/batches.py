@@ -14,8 +14,8 @@ from .plan import Plan
 from .variant import Variant, samples_of, sharing
 
 MIN_BATCH_SECONDS, MAX_BATCH_SECONDS = 1.0, 10.0
-MANY_BATCHES = 200  # then batches get longer instead, as each costs the scheduler milliseconds
-MAX_SHARED_LENGTH = 6.0  # of a piece of tasks that share sweeps, in batch lengths
+MANY_BATCHES = 200  # more work makes batches longer, as each costs the scheduler milliseconds
+MAX_SHARED_LENGTH = 6.0  # of a piece whose tasks share sweeps, over the target
 RECUT_FACTOR = 2.0  # pieces that exceed the target by this factor are cut again
 
 
@@ -102,7 +102,7 @@ def batch_of(piece: Missing, first_block: int, blocks: int) -> Batch:
     """Return the batch of some blocks of a piece."""
     variant = piece.variant
     block_size, lines = variant.block_size, variant.lines
-    heights, modes = None, lines.amplitudes  # in h; modes: of random lines like measured ones
+    heights, modes = None, lines.amplitudes  # in h; modes: of lines with a measured spectrum
     if lines.power is not None:
         elements = piece.tasks[0].problem.elements
         modes = lines.drawn_amplitudes(elements) / variant.study.grid["roughness"][0]
@@ -133,7 +133,7 @@ def batch_of(piece: Missing, first_block: int, blocks: int) -> Batch:
 def _missing_runs(
     line: list[Task], blocks: dict[str, int], stored: Container[Record]
 ) -> Iterator[tuple[list[Task], int, int]]:
-    """Yield (tasks, first block, number of blocks) for runs of blocks that the same tasks lack."""
+    """Yield (tasks, first block, number of blocks) for blocks missing from the same tasks."""
     counts = [(task, blocks[task.key]) for task in line]
     ends = sorted({count for _, count in counts})
     requested = [[task for task, count in counts if count >= end] for end in ends]

@@ -19,7 +19,7 @@ class MapChoice(NamedTuple):
 
 
 def map_choices(plan: Plan) -> list[MapChoice]:
-    """Return the planned number of steps, its neighbours and their predictions.
+    """Return predictions for the planned number of steps and its neighbours.
 
     The result is empty for a foundation, and if a requested accuracy chooses the steps.
     """
@@ -33,10 +33,10 @@ def map_choices(plan: Plan) -> list[MapChoice]:
         for m in {*STEPS_OF_MAPS, chosen}
         if max(problem.samples(m) for problem in problems) <= MAX_MAP_SAMPLES
     )
-    known = sorted(fitting)
-    first = max(min(known.index(chosen) - 1, len(known) - 3), 0)
+    candidates = sorted(fitting)
+    first = max(min(candidates.index(chosen) - 1, len(candidates) - 3), 0)
     choices = []
-    for steps in known[first : first + 3]:
+    for steps in candidates[first : first + 3]:
         numerics = ours.numerics._replace(steps_per_spacing=steps)
         other = make_plan(replace(study, variants=study.variants | {ours.label: numerics}))
         choices.append(

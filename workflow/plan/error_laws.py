@@ -23,7 +23,7 @@ from ..simulate import Problem
 from ..study import FOUNDATION
 from .problems import Numbers, expected_rate, speed_ratio, viscous_pressure
 
-FEW = 2.0  # with fewer contact patches, marches are shorter (window_rate)
+FEW_PATCHES = 2.0  # contact patches; below it marches are shorter (window_rate)
 
 
 def known(problem: Problem, body: str = FOUNDATION) -> Numbers:
@@ -77,8 +77,8 @@ def relaxation_rate_error(problem: Problem, steps: Numbers, refine: bool = True)
 def rate_error(problem: Problem, steps: Numbers, samples: Numbers, rate: Numbers) -> Numbers:
     """Return the error of b from the steps of the march and the samples per contact.
 
-    rate : b. Errors due to contact edges, and to straight lines between samples, count from x = 1
-    on, where sliding replaces the contacts.
+    rate : b. Errors of contact edges and of straight lines between samples count for x >= 1, where
+    sliding replaces the contacts.
     """
     share = _share(problem, steps, rate)
     stepping = 0.02 * (share / allowed_share(problem)) ** 1.5
@@ -159,7 +159,7 @@ def window_rate(problem: Problem) -> Numbers:
     with np.errstate(all="ignore"):  # loads of zero, where no law holds
         width = contact_width(problem)
         patches = problem.elements * problem.load / viscous_pressure(problem) / width
-        few = known(problem) & (speed_ratio(problem) > 1.0) & (patches < FEW)
+        few = known(problem) & (speed_ratio(problem) > 1.0) & (patches < FEW_PATCHES)
         return rate + np.where(few, 0.4 * np.abs(problem.speed) / width, 0.0)
 
 

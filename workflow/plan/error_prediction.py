@@ -11,7 +11,7 @@ from .goal import FIRST_ORDER
 from .half_space import laws_of
 from .plan import Plan
 
-MAX_PROBLEMS = 300  # maximum number of predicted problems, taken at equal intervals
+MAX_PROBLEMS = 300  # problems with predictions, at equal intervals
 
 
 class PredictedErrors(NamedTuple):
@@ -28,8 +28,8 @@ def predicted_errors(plan: Plan) -> dict[str, PredictedErrors]:
     For b by the first-order scheme no bound is known before a run.
     """
     variant = plan.variants[0]
-    some = variant.tasks[:: math.ceil(len(variant.tasks) / MAX_PROBLEMS)]
-    tasks = [task for task in some if known(task.problem, task.problem.surface.body)]
+    chosen = variant.tasks[:: math.ceil(len(variant.tasks) / MAX_PROBLEMS)]
+    tasks = [task for task in chosen if known(task.problem, task.problem.surface.body)]
     errors: dict[str, PredictedErrors] = {}
     if not tasks:
         return errors

@@ -29,7 +29,7 @@ from .problems import Numbers, expected_rate, viscous_pressure
 JACKKNIFE_GROUPS = 32  # at most; with fewer blocks, each block is a group
 MIN_BLOCKS, MIN_RATE_BLOCKS = 2, 8  # minimum per point, without and with b
 FIRST_SHARE = 0.3  # of the predicted realizations, run first; their errors determine the rest
-TRIED = 3  # number of m compared: the first fine enough, and its doublings
+TRIED = 3  # number of m compared: the first fine enough one, and its doublings
 STATES = 28.0  # cost of drawing and both steady states per sample, in updates of the march
 
 
@@ -79,7 +79,7 @@ def goal_of(problem: Problem, scene: Scene, numerics: Numerics) -> Goal:
     lowest, steps = np.full(least.shape, np.inf), least
     share = touchable_share(problem.hurst, problem.load, viscous_pressure(problem))
     fits = may_be_so_fine if on_map else may_be_so_long
-    while (open_ones := fits(problem, steps) & (tried < TRIED)).any():
+    while (unfinished := fits(problem, steps) & (tried < TRIED)).any():
         bias = {name: laws[name].error(problem, steps) for name in names}
         goal = Goal(steps, bias, scatter, _need(wanted, bias, scatter))
         fine = np.max([counted[name] * bias[name] for name in names], axis=0) <= 0.5 * wanted
@@ -91,14 +91,14 @@ def goal_of(problem: Problem, scene: Scene, numerics: Numerics) -> Goal:
         if on_map:
             updates = steps**3  # of a map: m^2 samples times m steps, per spacing
         cost = np.where(fine, lines * updates, np.inf)
-        better = open_ones & ((cost < lowest) | (tried == 0))
+        better = unfinished & ((cost < lowest) | (tried == 0))
         best = Goal(
             np.where(better, steps, best.steps),
             {name: np.where(better, bias[name], best.bias[name]) for name in names},
             scatter,
             np.where(better, goal.realizations, best.realizations),
         )
-        lowest, tried = np.where(open_ones, np.minimum(cost, lowest), lowest), tried + fine
+        lowest, tried = np.where(unfinished, np.minimum(cost, lowest), lowest), tried + fine
         steps = 2 * steps
     return best
 
@@ -204,14 +204,14 @@ def may_be_so_long(problem: Problem, steps: Numbers) -> Numbers:
 
 
 def fits_worker(problem: Problem, steps: int) -> bool:
-    """Return whether a line with this m fits into a worker, and no step is lost in rounding."""
+    """Return whether a line with this m fits into a worker, without steps lost in rounding."""
     fastest = max(abs(problem.speed), abs(problem.speed * problem.ratio))
     lost = steps * fastest * min_step(problem.spectrum) > 1.0
     return may_be_so_long(problem, steps) and not lost
 
 
 def check_resolution(problem: Problem, steps: Numbers, numerics: Numerics) -> None:
-    """Raise UserError for a line too long for a worker, and for speeds with visible rounding.
+    """Raise UserError for a line too long for a worker, and for speeds lost in rounding.
 
     The kernels refuse these speeds too (kernels/velocity_step/cases.py).
     """
@@ -229,7 +229,7 @@ def check_resolution(problem: Problem, steps: Numbers, numerics: Numerics) -> No
     speeds = np.sort(np.abs([speed, speed * ratio]), axis=0)
     most = np.minimum(SPEED_LIMITS[1], 1.0 / min_step(problem.spectrum) / steps)
     outside = ~((speeds[0] >= SPEED_LIMITS[0]) & (speeds[1] <= most))
-    outside &= speeds[1] != 0.0  # that of a programme which only holds
+    outside &= speeds[1] != 0.0  # zero in a programme of holds alone
     if outside.any():
         raise UserError(
             f"grid.velocity: v tau/dx runs from {speeds[0][outside][0]:.3g} to "
@@ -240,7 +240,7 @@ def check_resolution(problem: Problem, steps: Numbers, numerics: Numerics) -> No
 
 
 def _shorter(problem: Problem, elements: int) -> str:
-    """Return advice to the user on how to reduce the samples of a line."""
+    """Return advice on how to reduce the samples of a line."""
     if not problem.surface.measured:
         return "set a smaller number, a higher velocity or a larger spacing"
     most = MAX_SAMPLES_PER_LINE // elements
@@ -252,7 +252,7 @@ def _shorter(problem: Problem, elements: int) -> str:
 
 
 def _check_map(problem: Problem, steps: np.ndarray, numerics: Numerics) -> None:
-    """Raise UserError for a map that does not fit into a worker, with the m that does."""
+    """Raise UserError for a map too large for a worker, and name an m that fits."""
     if np.any(problem.samples(steps) > MAX_MAP_SAMPLES):
         side, most = int(np.max(problem.elements)), int(MAX_MAP_SAMPLES**0.5)
         smaller = "a larger grid.spacing or a shorter surface.length"

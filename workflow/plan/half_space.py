@@ -9,8 +9,8 @@ m = 8, for any load and x. With many samples per contact patch the error of the 
 with n samples per patch it is up to 2/n. Other maps, and materials without a dashpot, have the
 error of ``equivalent_steps``: m = 1, 2, 3, 4 against 4, 8 or 16 on spheres of 64^2 and 128^2, maps
 of 64^2 with cut-offs of 4, 8 and 16 dx and 128^2 samples of asphalt, one, five and twelve branches.
-Of 235 errors 207 were within the bound, and of 134 others 131. It fails on maps that are rough down
-to their samples at m = 2 and 3, where an error was twice the bound, and four times on 16^2 samples.
+Of 235 errors 207 were within the bound; of 134 others, 131. At m = 2 and 3 it fails on maps that
+are rough down to their samples: one error was twice the bound, on 16^2 samples four times.
 
 Scatter: standard error times the root of the number of maps; 264 problems, sigma_0/(E* grad z)
 0.002 ... 0.6, x 0.1 ... 30, H 0 ... 1, side of one or two longest waves, N 8 ... 64. Two in three
@@ -31,8 +31,8 @@ from .shortest_wave import REFERENCE_WAVE_NUMBER, ROUGHEST_WAVE
 LEAST_OF_MAPS = 4
 STEPS_OF_MAPS = 1, 2, 3, 4, 6, 8, 12, 16  # among which "auto" chooses
 MAX_MAP_SAMPLES = 4096**2  # of a map; a worker then needs 4 GiB and more
-# Memory of a worker that "auto" may use, as cluster.memory by default. It is fixed, so that no
-# result depends on the machine.
+# Memory of a worker that "auto" may use: the default of cluster.memory, so that no result depends
+# on the machine.
 AUTO_BYTES = 2e9
 WORKER_BYTES = 235e6  # interpreter, libraries, machine code
 # Memory measured on maps of 512^2 and 1024^2 samples, without branches and with 13, and marches of
@@ -51,7 +51,7 @@ LEAST_FREE = 0.1  # smallest free area at which the scatter was measured
 def steps_for(problem: Problem, quantities: tuple[str, ...], wanted: float) -> Numbers:
     """Return the smallest m whose error of the requested quantities is at most ``wanted``.
 
-    If no map reaches it within AUTO_BYTES, return the largest m that does not need more, or 1.
+    If no m reaches it within AUTO_BYTES, return the largest m that fits, or 1.
     """
     steps = np.full(np.shape(problem.load), STEPS_OF_MAPS[0])
     for finer in STEPS_OF_MAPS[1:]:
@@ -64,7 +64,7 @@ def steps_for(problem: Problem, quantities: tuple[str, ...], wanted: float) -> N
 def largest_error(problem: Problem, quantities: tuple[str, ...], steps: Numbers) -> Numbers:
     """Return the largest predicted error of the estimates of requested quantities.
 
-    For materials with branches, no law predicts the samples per patch, and mu_1 stands for all.
+    With branches no law predicts the samples per patch; the error of mu_1 is returned.
     """
     names = accuracy_estimates(quantities) if problem.spectrum == KELVIN else ()
     return np.max([expected_error(name, problem, steps) for name in names or ("mu_1",)], axis=0)
@@ -88,7 +88,7 @@ def equivalent_steps(problem: Problem, steps: Numbers) -> Numbers:
 
     The error of m steps is e(m) ((1 - s) (2/w)^2 + s), where e(m) ~ m^-2 is that of such a map. The
     share s of the loss is due to branches that relax within a step, or to the dashpot. They
-    dissipate at the edges of contacts, in waves as short as the samples, however smooth the map is.
+    dissipate at contact edges, in waves as short as the samples, even on smooth maps.
     """
     wave = problem.surface.shortest
     share = _fast_share(problem, REFERENCE_WAVE_NUMBER * ROUGHEST_WAVE / wave, steps)

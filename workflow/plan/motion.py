@@ -39,7 +39,7 @@ from ..study import (
 from .shortest_wave import ROUGHEST_WAVE, shortest_wave
 
 MANTISSA_BITS = 40  # to 1e-12: values that differ by input rounding become equal
-MIN_ROUNDING = 0.02  # largest rounding error of a force over the tolerance; at 1, no step converges
+MAX_ROUNDING_SHARE = 0.02  # rounding error of a force over its tolerance; at 1 no step converges
 
 
 def canonical(values: np.ndarray) -> np.ndarray:
@@ -175,7 +175,7 @@ def _leg(segment: Segment, scale: Scale) -> kernels.Leg:
 def check_programme(problem: Problem, steps: Any, origin: Origin) -> None:
     """Raise UserError for more than MAX_PROGRAMME_STEPS steps, and for steps lost in rounding.
 
-    Raises it too for a drive that never moves the line. steps : numbers of steps per spacing of the
+    A drive that never moves the line is an error too. steps : numbers of steps per spacing of the
     problems that share this programme.
     """
     programme = problem.programme
@@ -212,9 +212,9 @@ def _check_pull(problem: Problem, drive: Drive) -> None:
         raise UserError(
             f"scene.drive.stiffness: the spring pulls with {np.min(share):.2g} of F_N times the "
             f"rms slope at most, and forces are balanced to {FORCE_TOLERANCE:g} of it: the line "
-            "never moves; give a larger stiffness, or a longer way of the drive"
+            "never moves; give a larger stiffness, or a longer travel of the drive"
         )
-    if np.max(share) * np.finfo(float).eps > MIN_ROUNDING * FORCE_TOLERANCE:
+    if np.max(share) * np.finfo(float).eps > MAX_ROUNDING_SHARE * FORCE_TOLERANCE:
         raise UserError(
             f"scene.drive: spring and damper pull with up to {np.max(share):.2g} of F_N times the "
             f"rms slope, and forces are balanced to {FORCE_TOLERANCE:g} of it, which is lost in "

@@ -1,4 +1,4 @@
-"""The other body at the points of a study, whose steady friction shows the error of the model.
+"""Steady friction on the other body at the points of a study: the error of the model.
 
 The foundation and the half-space are computed for the same rough surface, at the same nominal
 pressure and speed. ``model_ratio`` is mu_1 of the foundation over that of the half-space.
@@ -19,7 +19,7 @@ from ..study import (
 )
 from .half_space import MAX_MAP_SAMPLES
 
-MODEL_LABEL = "other body"  # label of the variant; names of comparisons have no blank
+MODEL_LABEL = "other body"  # label of the variant; no comparison may have it
 MODEL_ACCURACY = 0.05  # relative standard error of its steady friction
 MAP_STEPS, LINE_STEPS = 4, 8  # steps per spacing
 MAX_MAPS, MAX_LINES = 64, 1024  # per point
@@ -37,12 +37,12 @@ def compared_label(study: Study) -> str | None:
 
 
 def other_body(surface: Surface) -> str:
-    """Return the body that a surface does not have."""
+    """Return the other body of the two."""
     return FOUNDATION if surface.body == HALF_SPACE else HALF_SPACE
 
 
 def study_of_other_body(study: Study) -> Study | str:
-    """Return the study of steady friction on the other body, or the reason if it has none."""
+    """Return the study of steady friction on the other body, or the reason why there is none."""
     if "steady" not in study.scene.quantities:
         return "steady friction is not requested"
     if study.scene.effects.heat is not None:

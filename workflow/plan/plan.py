@@ -31,7 +31,7 @@ class Plan(NamedTuple):
 
     study: Study
     variants: list[Variant]
-    first: dict[str, int]  # blocks of the first round, by task key; all without a goal
+    first: dict[str, int]  # blocks of the first round, by task key; all blocks without a goal
     expected: dict[str, int]  # blocks that the goals are predicted to need, by task key
     other_body: Variant | None = None  # steady friction on the other body (other_body.py)
     no_other_body: str = ""  # the reason if it is not computed
@@ -56,7 +56,7 @@ class Plan(NamedTuple):
         return max(variant.longest for variant in self.variants)
 
     def widest_row(self, variant: Variant) -> int:
-        """Return the largest number of values in a row of the store, of any task of a variant."""
+        """Return the largest number of values in a row of the store for a variant."""
         tasks = variant.tasks if variant.recording.requested else variant.tasks[:1]
         scheme, recording = variant.numerics.scheme, variant.recording
         return max(
@@ -88,7 +88,7 @@ class Plan(NamedTuple):
         return DRIVER_BYTES + stored + estimates + BYTES_PER_STEP * self.longest_programme()
 
     def predicted_seconds(self) -> float:
-        """Return the predicted core-seconds of the whole study, right within COST_FACTOR."""
+        """Return the predicted core-seconds of the whole study, within a factor of COST_FACTOR."""
         return sum(variant.total_seconds(self.expected) for variant in self.variants)
 
     def variant_of_batch(self, batch: Batch) -> Variant:
@@ -159,7 +159,7 @@ def _with_other_body(plan: Plan) -> Plan:
             return plan._replace(no_other_body=other)
         problems = problems_of(other)[MODEL_LABEL]
         variant = variant_of(other, MODEL_LABEL, problems, ZERO_ORIGIN)
-    except UserError as error:  # a map or line that the other body cannot have
+    except UserError as error:  # the map or line is not possible
         return plan._replace(no_other_body=str(error))
     blocks = _blocks_of([variant])
     seconds = variant.total_seconds(blocks[1])

@@ -1,4 +1,4 @@
-"""Exact similarity: many points of the grid are one dimensionless problem, computed once.
+"""Exact similarity: grid points with equal dimensionless numbers are one problem, computed once.
 
 mu/grad z, d/h and t/tau depend only on H, N = L/dx, Fbar = F_N/(4 G L h), vbar = v1 tau/dx and
 r = v2/v1; h and F_N enter only as F_N/h. A scene adds the spectrum of the material in units of G
@@ -24,7 +24,7 @@ from .motion import Scale, canonical, line_modes, rounded, with_scene
 from .scaled_effects import check_shear_range, scaled_effects
 
 LEAST_CHANGE = 1e-13  # |dv/v1| vbar; below it rounding is over 1e-3 of the jump
-TYPICAL_HURST = 0.8  # assumed for measured lines, in predictions alone
+TYPICAL_HURST = 0.8  # assumed for measured lines, only in predictions
 Numbers = Any  # a number, or an array with one entry per problem of a stack
 Points = dict[str, np.ndarray]  # axis -> values at all points of the grid
 
@@ -106,7 +106,7 @@ def _settings(
     different, inverse = np.unique(rows, axis=0, return_inverse=True)
     spectrum, tau, nan = _rounded_spectrum(parts.material), parts.material.tau, math.nan
     stiffness = parts.material.contact_modulus * length
-    height = float(points["roughness"].flat[0])  # a measured spectrum has one
+    height = float(points["roughness"].flat[0])  # one value for a measured spectrum
     plain = {
         count: Problem(
             *(0.0, 0, 0.0, 0.0, 0.0, spectrum, line_modes(parts.surface, count, height)),
@@ -138,7 +138,7 @@ def _effects(parts: Parts, elements: int) -> Effects:
 
 
 def _numbers(study: Study, label: str, all_parts: list[Parts], points: Points) -> list[np.ndarray]:
-    """Return load, speed and ratio at all points; last axis : all_parts. Programmes: 0 and 1."""
+    """Return load, speed and ratio at all points; last axis : all_parts."""
     modulus = np.array([parts.material.contact_modulus for parts in all_parts])
     tau = np.array([parts.material.tau for parts in all_parts])
     at = {axis: values[..., None] for axis, values in points.items()}

@@ -3,7 +3,7 @@
 A programme that starts "relaxed" or "fresh" imprints its first contact on every branch that is not
 carried along from the start (kernels/scene/carried.py). A branch that outlives the time of one
 period still holds the imprint when the motion has covered a period, and friction repeats it. Steady
-sliding leaves no such imprint, nor does a motion about one place.
+sliding and motion about one place leave no such imprint.
 """
 
 import math
@@ -13,11 +13,11 @@ from ..simulate import Problem
 
 
 def remembered_share(problem: Problem) -> float:
-    """Return the share of the first contact that the slowest branch with one holds for a period.
+    """Return the share of its imprint that the slowest imprinted branch holds after a period.
 
     It is exp(-L/(v t)) at the highest speed v of the programme; 0 if the motion covers no period,
-    if it starts with steady sliding, or for elements that only have a dashpot. The motion of a
-    drive stands for that of the line that it pulls, which starts at rest.
+    if it starts with steady sliding, or for elements that only have a dashpot. For a line pulled by
+    a drive, the motion of the drive is used.
     """
     spectrum, programme = problem.spectrum, problem.programme
     if problem.start == "steady":

@@ -28,7 +28,7 @@ from .motion import Scale, rounded
 def scaled_effects(
     effects: SceneEffects, material: Material, scale: Scale, others: Effects
 ) -> Effects:
-    """Return the effects of a scene for the kernels, beside others of the same problem."""
+    """Return ``others`` with the effects of a scene added, in units of the kernels."""
     shear, heat = effects.shear, effects.heat
     return others._replace(
         shear=shear and _shear_law(shear, material, scale),
@@ -37,7 +37,7 @@ def scaled_effects(
 
 
 def _heat(heat: HeatProperties, material: Material, scale: Scale) -> Heat:
-    """Return the heating of a scene, from the temperature of the material on."""
+    """Return the heating of a scene that starts at the temperature of the material."""
     law, temperature = material.shift_law, material.temperature
     assert law is not None
     assert temperature is not None
@@ -59,25 +59,25 @@ def _shear_law(shear: Shear, material: Material, scale: Scale) -> ShearLaw:
     """Return the law of the shear stress, with the temperature of the material as reference."""
     stress_unit = material.contact_modulus * (scale.roughness / scale.spacing) ** 2
     speed_unit, activation, reference = scale.spacing / scale.tau, 0.0, 1.0
-    own_speed_unit = speed_unit  # of the speeds of the law
+    curve_speed_unit = speed_unit  # of the speeds of the curve
     if shear.activation_energy is not None and shear.reference is not None:
         assert material.temperature is not None
         shift = Arrhenius(shear.activation_energy, shear.reference)
-        own_speed_unit *= 10.0 ** shift.decades(material.temperature)
+        curve_speed_unit *= 10.0 ** shift.decades(material.temperature)
         activation = shear.activation_energy / GAS_CONSTANT
         reference = material.temperature + ZERO_CELSIUS
     curve: Bell | ShearTable
     if shear.rows:
         speeds, stresses = zip(*shear.rows, strict=True)
         curve = ShearTable(
-            tuple(rounded(speed / own_speed_unit) for speed in speeds),
+            tuple(rounded(speed / curve_speed_unit) for speed in speeds),
             tuple(rounded(stress / stress_unit) for stress in stresses),
         )
     elif shear.velocity is None or shear.width is None:
         curve = ShearTable((math.inf,), (rounded((shear.stress or 0.0) / stress_unit),))
     else:
         maximum = rounded((shear.stress or 0.0) / stress_unit)
-        curve = Bell(maximum, rounded(shear.velocity / own_speed_unit), shear.width)
+        curve = Bell(maximum, rounded(shear.velocity / curve_speed_unit), shear.width)
     creep = rounded((shear.creep_velocity or 0.0) / speed_unit)
     return ShearLaw(curve, creep, activation, reference)
 

@@ -1,4 +1,4 @@
-"""The shortest wave of a map that matters for its contacts, which the samples must resolve.
+"""Shortest wave of a map that matters for its contacts and must be resolved.
 
 A measured map has waves down to two samples, but a smooth one hardly uses them. Its rms curvature
 over its rms slope is the typical wave number of the slopes. Only the upper half of the heights
@@ -10,8 +10,8 @@ import numpy as np
 from ...kernels.half_space.surface import Surface as SampledMap
 from ..study import Surface
 
-# Curvature over slope, in 1/dx, of self-affine maps of H = 0.7 whose shortest wave is 2 dx. By
-# proportion this ratio gives the shortest wave of any map.
+# Curvature over slope, in 1/dx, of self-affine maps of H = 0.7 whose shortest wave is 2 dx. The
+# shortest wave of any map follows in proportion.
 REFERENCE_WAVE_NUMBER = 1.35
 ROUGHEST_WAVE = 2.0  # dx
 

@@ -98,7 +98,7 @@ def problems_of(study: Study) -> dict[str, Problems]:
 
 def _distinct(study: Study, label: str) -> Problems:
     problems, points = distinct_problems(study, label)
-    # Many problems share the fields after the first five, so these are converted to text once.
+    # Many problems share all fields but the first five: these are converted to text once.
     settings = {
         problem[5:]: repr(problem._replace(effects=problem.kernel_effects)[5:]).encode()
         for problem in problems
@@ -109,15 +109,15 @@ def _distinct(study: Study, label: str) -> Problems:
 
 
 def _number_equals(key_bytes: list[bytes]) -> None:
-    """Add a number to each of the bytes that occurred before, in place.
+    """Append a number to repeated entries, in place.
 
-    Problems that differ only in effects of the reduction have records of their own in one variant.
+    Problems that differ only in effects of the reduction have separate records in a variant.
     """
     counts: dict[bytes, int] = {}
-    for row, own in enumerate(key_bytes):
-        counts[own] = counts.get(own, -1) + 1
-        if counts[own]:
-            key_bytes[row] += b"%d" % counts[own]
+    for row, entry in enumerate(key_bytes):
+        counts[entry] = counts.get(entry, -1) + 1
+        if counts[entry]:
+            key_bytes[row] += b"%d" % counts[entry]
 
 
 class Sizes(NamedTuple):
@@ -186,7 +186,7 @@ def variant_of(study: Study, label: str, problems: Problems, origin: Origin) -> 
 
 
 def _recording(study: Study, label: str, problems: list[Problem], steps: list[int]) -> Recording:
-    """Return the recording of a variant; no halved steps if these do not fit into a worker."""
+    """Return the recording of a variant; without halved steps if they do not fit a worker."""
     recording = recording_of(study, label)
     pairs = zip(problems, steps, strict=True)
     if recording.refined_blocks and not all(
