@@ -145,7 +145,7 @@ class SlidingContact(NamedTuple):
     p: np.ndarray  # pressures at the samples, shape (rows, n)
     friction: float  # over the normal force, in h/dx, with the sign of the motion
     moved: float  # by the surface, in samples, signed
-    fraction: float  # of a sample, from the samples to the surface
+    fraction: float  # shift of the surface beyond its samples, in samples
 
 
 def heated_step(

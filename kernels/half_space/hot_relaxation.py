@@ -23,8 +23,8 @@ def hot_relaxation(
 
     Arrays are over the given steps. mu is viscoelastic and tends to mu_2.
 
-    ends : steady sliding before the jump and long after it. speed : vbar, signed. The returned
-    friction heats.
+    ends : steady sliding before the jump and long after it. speed : vbar, signed. The heat
+    flux is that of the returned friction.
     """
     (one, two), surface = ends, space.surface
     direction, n = two.sliding.step.direction, surface.z.shape[1]

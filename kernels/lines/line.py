@@ -29,7 +29,7 @@ class Line(NamedTuple):
         """Return the Line of heights (in h) and slopes (in h/dx) over one period.
 
         band_limited : as the field. Raises ValueError for samples that are not finite, for shapes
-        that do not match, and for heights far from their rms roughness.
+        that do not match, and for heights beyond MAX_HEIGHT or its inverse.
         """
         if z.shape != slope.shape or z.ndim != 1 or z.size == 0 or steps_per_spacing < 1:
             raise ValueError("a line needs one slope per height, one sample per spacing or more")

@@ -76,7 +76,7 @@ def coefficients_between(z, slope, bend, h, k, j):
 def bernstein_coefficients(c):
     """Return the eight Bernstein coefficients, whose extremes bound the polynomial on [0, 1]."""
     c0, c1, c2, c3, c4, c5, c6, c7 = c
-    # Divided by binomial coefficients, the coefficients add up to Bernstein's.
+    # Bernstein coefficients are sums of the coefficients divided by binomial ones.
     c1, c2, c3, c4 = c1 * (1.0 / 7.0), c2 * (1.0 / 21.0), c3 * (1.0 / 35.0), c4 * (1.0 / 35.0)
     c5, c6 = c5 * (1.0 / 21.0), c6 * (1.0 / 7.0)
     return (

@@ -191,7 +191,7 @@ def first_hold_step(leg: Hold, m: int, speed: float, shortest: float) -> float:
 
 
 def has_equal_steps(leg: Oscillation, m: int) -> bool:
-    """Return whether no step exceeds a sample with min_cycle_steps equal steps a cycle."""
+    """Return whether min_cycle_steps equal steps per cycle cover at most one sample each."""
     fastest = abs(leg.speed) + 2.0 * math.pi * leg.frequency * leg.amplitude
     return fastest * m <= leg.frequency * min_cycle_steps(m)
 
@@ -207,7 +207,7 @@ def path_of(leg: Leg, m: int) -> Path:
 
 
 def _equal_steps(leg: Oscillation, m: int, position: float) -> tuple[np.ndarray, np.ndarray]:
-    """Return (positions, dt) of an oscillation, with min_cycle_steps equal steps a cycle."""
+    """Return (positions, dt) of an oscillation, with min_cycle_steps equal steps per cycle."""
     count = min_cycle_steps(m)
     number = np.arange(1, count * leg.cycles + 1)
     phase = 2.0 * math.pi * (number % count) / count

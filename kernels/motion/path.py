@@ -12,7 +12,7 @@ import numpy as np
 
 SNAP_TOLERANCE = 1e-9  # in samples: a smaller distance from a whole sample is rounding
 MIN_PARTIAL_STEP = 0.25  # in samples: minimum step next to a turn or an end of the path
-TIME_BISECTIONS = 60  # resolve a time to the last bit, unless it is far below the piece
+TIME_BISECTIONS = 60  # resolve a time to the last bit, unless it is far shorter than the piece
 
 
 class Path(NamedTuple):
