@@ -1,7 +1,6 @@
 """Compilation of all kernels that a case can need, by two processes in parallel.
 
-``python -m elastomer_friction.kernels.loading SCHEME`` compiles the marches. Meanwhile its parent
-process compiles steady sliding, which takes as long.
+``python -m elastomer_friction.kernels.loading SCHEME`` compiles marches, its parent the rest.
 """
 
 import contextlib
@@ -42,19 +41,20 @@ def load(scheme: str, requested: Quantities) -> None:
     with _helper(scheme, requested):
         law_of(form_of(KELVIN, scheme), 1.0)  # called for the times of a curve
         run_cases(_line(), [wide, narrow], requested)
+        if scheme == "implicit-euler":
+            run_cases(_line(), [wide._replace(refine=False, stepped=True)], requested)
 
 
 def load_marches(scheme: str) -> None:
     """Compile the marches, with arguments of the right types and arbitrary values."""
     line, law = _line(), SCHEMES[scheme](1.0)
     line_set = LineSet.of([line], marched=True)
-    spans = np.zeros(line.z.size // SPAN)
-    control = ConstantForce(LOAD * line.z.size)
+    spans, control = np.zeros(line.z.size // SPAN), ConstantForce(LOAD * line.z.size)
     ends = SteadyEnds(DecayFactors(*law), spans[None], np.array([LOAD]))
     plain_relaxations(line_set.stack, law, ends, ends, control, PLAIN_STEPS)
     steady = SteadyState(DecayFactors(*law), spans, np.zeros(spans.size + 1), LOAD)
-    line_spans = line_set.lines[0].spans
-    problem = JumpProblem(line.z, line.slope, line_spans, law, law, steady, steady, 0.0)
+    ground = line.z, line.slope, line_set.lines[0].spans
+    problem = JumpProblem(*ground, law, law, steady, steady, 0.0)
     active_march(problem, control, LISTED_STEPS)
 
 

@@ -147,11 +147,12 @@ def test_a_point_that_was_drawn_says_its_value_and_error(tmp_path):
     data = result("fig5", hurst=[0.7])
     v = xr.DataArray(data.velocity.values, dims="velocity")
     data = add(data, mu_1=v, mu_2=1.2 * v, jump=0.2 * v)
-    write_datasets(tmp_path / "fig5.nc", {"": data})
+    write_datasets(tmp_path / "fig5.nc", {"": data, "paper_step": data})
     page = written(tmp_path, "fig5")
     drawn = r'<circle cx="([\d.]+)" cy="([\d.]+)" r="4"><title>(.*?)</title>'
     points = re.findall(drawn, page, re.DOTALL)
-    assert 20 < len(points) <= 2 * 2 * 7  # panels, loads, velocities; some are below the axes
+    # Panels, loads of both steps, velocities; some are below the axes.
+    assert 20 < len(points) <= 2 * (2 + 3) * 7
     texts = [text for _, _, text in points]
     for name in ("µ₁", "Δµ₀/(Δv/v₁)"):
         (first, *_) = (text for text in texts if text.startswith(f"{name} = 0.01 ± 0.0001"))
