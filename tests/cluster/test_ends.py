@@ -15,6 +15,7 @@ from elastomer_friction.workflow.run.workers import RunOptions
 from elastomer_friction.workflow.simulate.realizations import block_means
 from elastomer_friction.workflow.study.cluster import Cluster
 from tests.cluster.processes import PATIENCE, Standing, kill, workers_of
+from tests.support.python import ROOT
 from tests.support.runs import run
 from tests.support.small import small_plan
 
@@ -136,7 +137,8 @@ ENDS = {
 def test_a_batch_outlives_its_job(slurm, tmp_path, monkeypatch, expected, end):
     """The worker of a job retires well before its walltime, a minute being SLURM's least."""
     marker = tmp_path / "first"
-    for name, value in {**slurm.environment, MARKER: str(marker)}.items():
+    own = {MARKER: str(marker), "PYTHONPATH": str(ROOT)}  # its jobs import ``outliving``
+    for name, value in {**slurm.environment, **own}.items():
         monkeypatch.setenv(name, value)
 
     def strike():
