@@ -55,19 +55,30 @@ def material_table(options: argparse.Namespace) -> MaterialTable:
 
 def run_prony(options: argparse.Namespace) -> int:
     """Fit moduli, print a table [material], write the branches if requested; return the status."""
-    source, out = Path(options.file), Path(options.out) if options.out else None
-    if out and out.exists() and source.exists() and out.samefile(source):
-        raise UserError(f"--out {options.out}: is the measurement itself; name another file")
+    out = _output_of(options)
     table = material_table(options)
     listed = table.listed()
     if out:
         lines = [*table.comments, f"# {table.keys[0]}", "modulus [Pa], time [s]", *table.branches]
         write_durably(out, "\n".join([*lines, ""]).encode())
-        beside = (out.parent / "study.toml").is_file()
-        listed = [f'branches_file = "{out.name if beside else out.resolve().as_posix()}"']
+        listed = [f'branches_file = "{_name_for_study(out)}"']
     printed = laboratory.FORMS[options.write](table.fit) or ["[material]", *table.keys, *listed]
     print(*table.comments, *printed, sep="\n")
     return DONE
+
+
+def _output_of(options: argparse.Namespace) -> Path | None:
+    """Return the path of --out, if given. Raises UserError if it is the file that is read."""
+    source, out = Path(options.file), Path(options.out) if options.out else None
+    if out and out.exists() and source.exists() and out.samefile(source):
+        raise UserError(f"--out {options.out}: is the measurement itself; name another file")
+    return out
+
+
+def _name_for_study(out: Path) -> str:
+    """Return the name of a file for a study: relative to a study beside it, else absolute."""
+    beside = (out.parent / "study.toml").is_file()
+    return out.name if beside else out.resolve().as_posix()
 
 
 def _at_one_temperature(
@@ -128,7 +139,7 @@ def run_fit(options: argparse.Namespace) -> int:
 
 def run_spectrum(options: argparse.Namespace) -> int:
     """Print and draw the parameters of a measured spectrum; return the exit status."""
-    words = options.columns.split(",") if options.columns else None
+    out, words = _output_of(options), options.columns.split(",") if options.columns else None
     given = {
         "file": options.file,
         "columns": words and [int(word) if word.strip().isdecimal() else word for word in words],
@@ -140,10 +151,10 @@ def run_spectrum(options: argparse.Namespace) -> int:
     longest = profile.measured_length / (1.5 if options.detrend == "parabola" else 1.0)
     fit = laboratory.fit_rolloff(spectrum, 2.0 * math.pi / longest)
     described = laboratory.describe_spectrum(profile, spectrum, fit)
-    if options.out:
+    if out:
         lines = laboratory.spectrum_rows(spectrum, fit.last_q)
-        write_durably(Path(options.out), "\n".join([*lines, ""]).encode())
-        instead = f'spectrum = {{file = "{options.out}", kind = "2D"}}'
+        write_durably(out, "\n".join([*lines, ""]).encode())
+        instead = f'spectrum = {{file = "{_name_for_study(out)}", kind = "2D"}}'
         described.append(f"# or, in place of hurst and roughness: {instead}")
     print(*described, "# figure", sep="\n")
     path = Path(options.figure)

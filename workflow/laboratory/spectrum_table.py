@@ -54,8 +54,8 @@ def spectrum_rows(spectrum: MeasuredSpectrum, last_q: float) -> list[str]:
     """
     if spectrum.falling == 1:
         raise UserError("--out: needs a map; for lines, use the printed keys")
-    kept = (spectrum.q <= last_q * (1.0 + 1e-9)) & (spectrum.density > 0.0)
-    rows = zip(spectrum.q[kept], spectrum.density[kept], strict=True)
+    resolved = (spectrum.q <= last_q * (1.0 + 1e-9)) & (spectrum.density > 0.0)
+    rows = zip(spectrum.q[resolved], spectrum.density[resolved], strict=True)
     return ["q [1/m], C [m^4]", *(f"{q:.10g}, {density:.10g}" for q, density in rows)]
 
 

@@ -130,6 +130,7 @@ def test_a_written_spectrum_has_the_height_of_the_map(capsys, tmp_path):
     assert 2.0 * np.pi * power.sum() * 2.0 * np.pi / LENGTH == pytest.approx(np.var(z), rel=0.1)
     line = file_of(tmp_path, piece(2))
     assert "--out" in refusal(capsys, "spectrum", line, "--figure", figure, "--out", str(out))
+    assert "is the measurement itself" in refusal(capsys, "spectrum", line, "--out", line)
 
 
 @pytest.mark.parametrize(
