@@ -25,6 +25,7 @@ SCHEMES: dict[str, dict[str, Any]] = {
     CONVERGED: {"color": "#000000", "marker": "o"},
     PAPER_STEP: {"color": "#D55E00", "marker": "s"},
 }
+ASIDE = {CONVERGED: -0.01, PAPER_STEP: 0.01}  # of H, to tell overlapping markers apart
 MAX_LIGHTNESS = 0.8  # largest value in a colour map; lighter lines are too pale for print
 X_LABEL = "$x = v_1 \\tau q_\\mathrm{max}$"
 # Marker and line style of each body, distinct from those of unresolved points.

@@ -10,6 +10,7 @@ from .ground import UserError
 
 MAX_PARTS = 1e5  # of a change of velocity
 ROUNDING = 1e-9  # relative to a part
+MIN_SPEED = 1e-300  # m/s, lower bound of a divisor
 
 
 class LawError(UserError, ValueError):
@@ -69,6 +70,14 @@ def divided(before: float, after: float, least: float, piece: float) -> list[tup
     return [((v - before) / (after - before), v) for v in velocities] + [(1.0, after)]
 
 
+def smallest_speed(slowest: float, fastest: float) -> float:
+    """Return the speed (m/s) relative to which changes at lower speeds are small.
+
+    slowest : of the known speeds; NaN or infinite: a thousandth of the fastest one.
+    """
+    return slowest if 0.0 < slowest < math.inf else max(1e-3 * fastest, MIN_SPEED)
+
+
 def finely(
     time: np.ndarray, velocity: np.ndarray, least: float, piece: float
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
@@ -78,7 +87,7 @@ def finely(
     """
     if time.size < 2:
         return time, velocity, np.arange(time.size)
-    least = least if 0.0 < least < np.inf else max(1e-3 * float(np.max(np.abs(velocity))), 1e-300)
+    least = smallest_speed(least, float(np.max(np.abs(velocity))))
     rows, given = [(float(time[0]), float(velocity[0]))], [0]
     intervals = zip(pairwise(time.tolist()), pairwise(velocity.tolist()), strict=True)
     for (start, end), (before, after) in intervals:

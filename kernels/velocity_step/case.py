@@ -8,6 +8,8 @@ from ..compile.clock import computing_seconds
 from ..interface.effects import NO_EFFECTS, Effects
 from ..rheology.spectrum import KELVIN, Spectrum
 
+FIRST_STEP = np.array([1])  # kept step of a march, whose mu determines the jump of a stepped case
+
 
 class Quantities(NamedTuple):
     """Quantities requested from a realization."""

@@ -22,12 +22,11 @@ from ..quick.march.active import active_march
 from ..quick.march.problem import JumpProblem, SteadyState
 from ..quick.relaxation import SteadyEnds, plain_relaxations, steady_step_frictions
 from ..quick.steady.spans import single_line
-from .case import JUMP, MARCHING, Case, Outcome, PhaseClocks, Quantities, Seconds
+from .case import FIRST_STEP, JUMP, MARCHING, Case, Outcome, PhaseClocks, Quantities, Seconds
 from .memory_case import run_memory_case
 from .prepared import Prepared, SharedCases, prepare
 
 MAX_PLAIN_UPDATES = 4000  # element steps up to which the plain march beats the active-set march
-FIRST_STEP = np.array([1])
 JUMP_WORK_SHARE = 0.3  # work of one jump relative to that of following contacts (measured)
 
 

@@ -18,9 +18,7 @@ from ..motion.legs import Slide
 from ..rheology.forms import form_of
 from ..rheology.retardation import Retardation
 from ..scene import SavedState, SceneCase, run_scene
-from .case import JUMP, MARCHING, STEADY, Case, Outcome, PhaseClocks, Quantities
-
-FIRST_STEP = np.array([1])
+from .case import FIRST_STEP, JUMP, MARCHING, STEADY, Case, Outcome, PhaseClocks, Quantities
 
 
 def run_memory_case(line: Line, case: Case, requested: Quantities) -> Outcome:

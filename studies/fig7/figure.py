@@ -9,6 +9,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from elastomer_friction.studies.style import (
+    ASIDE,
     CONVERGED,
     DOTS,
     NEARLY_FULL,
@@ -27,7 +28,6 @@ CAPTION = (
     "13 of the paper as lines. Panel (c) shows the exponent α of b = x^α for x > 1, which the "
     "paper gives as 1 − H."
 )
-ASIDE = {PAPER_STEP: -0.01, CONVERGED: 0.01}  # of H in (c), to tell markers apart
 MANY_POINTS, SMALL_MARKER = 3000, 1.3  # number of points above which markers have this size
 UNFITTED_MARKERS = {  # of points without a fit; below the grey line, in a row for each H
     NO_RELAXATION: ("|", "nothing to relax"),

@@ -3,7 +3,7 @@
 from matplotlib import pyplot as plt
 from matplotlib.figure import Figure
 
-from elastomer_friction.studies.style import CONVERGED, PAPER_STEP, SCHEMES, VARIANTS
+from elastomer_friction.studies.style import ASIDE, CONVERGED, SCHEMES, VARIANTS
 from elastomer_friction.workflow.report import error_bars, foot_line
 from elastomer_friction.workflow.result import Groups
 
@@ -12,7 +12,6 @@ CAPTION = (
     "time step of the paper's branch and converged in time, beside the paper's 1 − H (dashed). "
     "In panel (a) b = x^α is fitted, and in (b) with a factor before it that is free."
 )
-ASIDE = {CONVERGED: -0.01, PAPER_STEP: 0.01}  # of H, to tell overlapping markers apart
 LAWS = {"alpha": "$b = x^\\alpha$", "alpha_free": "$b = c\\,x^\\alpha$"}
 
 

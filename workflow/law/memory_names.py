@@ -23,10 +23,10 @@ VALID_NAME = re.compile(rf"({AGE}|{CONTACT}|{TEMPERATURE}|{UNKNOWN})(_[1-9][0-9]
 
 def numbered(origins: Sequence[str]) -> tuple[str, ...]:
     """Return distinct names: an origin that occurs several times is numbered from 1."""
-    total, seen, names = Counter(origins), Counter[str](), []
+    total, number, names = Counter(origins), Counter[str](), []
     for origin in origins:
-        seen[origin] += 1
-        names.append(f"{origin}_{seen[origin]}" if total[origin] > 1 else origin)
+        number[origin] += 1
+        names.append(f"{origin}_{number[origin]}" if total[origin] > 1 else origin)
     return tuple(names)
 
 
@@ -67,26 +67,26 @@ def origins(
     responses : for each memory and motion the columns of its response, shape (rows, columns); those
     of a response without memory come first.
     """
-    usual = [AGE] + [CONTACT] * (len(responses) - 2)
+    without_heat = [AGE] + [CONTACT] * (len(responses) - 2)
     known = [np.isfinite(motion.mu) & np.isfinite(motion.heating) for motion in motions]
     if not any(mask.any() for mask in known):
-        return usual, ""
+        return without_heat, ""
     heating = np.concatenate([m.heating[mask] for m, mask in zip(motions, known, strict=True)])
     left = [
         _mean_square_left(heating, [rows[mask] for rows, mask in zip(response, known, strict=True)])
         for response in responses
     ]
     if not left[0] > MIN_CHANGE**2:
-        return usual, "the temperature of the contact follows the velocity"
+        return without_heat, "the temperature of the contact follows the velocity"
     explained = 1.0 - np.array(left[1:]) / left[0]
     unexplained = 1.0 - explained
-    found = (explained >= MIN_EXPLAINED) & (unexplained <= MAX_RATIO * unexplained.min())
+    thermal = (explained >= MIN_EXPLAINED) & (unexplained <= MAX_RATIO * unexplained.min())
     shares = ", ".join(f"{100.0 * max(share, 0.0):.0f} %" for share in explained)
     evidence = f"they explain {shares} of the mean square change of the contact temperature"
-    if not found.any():
+    if not thermal.any():
         evidence += ": none follows the heating"
-    names = [TEMPERATURE if of else name for of, name in zip(found, usual, strict=True)]
-    return names, evidence
+    names = zip(thermal, without_heat, strict=True)
+    return [TEMPERATURE if is_thermal else name for is_thermal, name in names], evidence
 
 
 def _mean_square_left(values: np.ndarray, columns: Sequence[np.ndarray]) -> float:

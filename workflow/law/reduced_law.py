@@ -16,7 +16,13 @@ from typing import Any, ClassVar, NamedTuple, Self
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ..given_motion import LawError, distances_between_turns, divided, given_motion
+from ..given_motion import (
+    LawError,
+    distances_between_turns,
+    divided,
+    given_motion,
+    smallest_speed,
+)
 from ..study import shift_of
 from .transients import MAX_VELOCITY_CHANGE, motions_of
 
@@ -38,7 +44,6 @@ OPTIONAL_FIELDS = (  # of Validity, missing in older files
     "shortest_stroke",
 )
 MIN_ERROR = 1e-6  # relative to the rms of mu; smaller errors are rounding
-MIN_SPEED = 1e-300  # m/s, lower bound of a divisor
 RANGE_MARGIN = 1.0 + 1e-9  # factor on the ends of ranges, for rounding
 
 
@@ -234,8 +239,7 @@ class Law(FittedLaw):
 
     def _smallest_speed(self, fastest: float) -> float:
         """Return the speed (m/s) below which a small change is one relative to this speed."""
-        slowest = self.validity.slowest
-        return slowest if 0.0 < slowest < math.inf else max(1e-3 * fastest, MIN_SPEED)
+        return smallest_speed(self.validity.slowest, fastest)
 
     @property
     def numbers(self) -> int:
@@ -295,9 +299,8 @@ class Law(FittedLaw):
         """Return mu at times (s), for velocities (m/s) that are linear in between; shape (n,).
 
         Two samples at the same time are a jump. Sliding is steady before the first sample. Warns
-        above the fastest speed, and of turns that follow each other within
-        less than the shortest stroke. Raises UserError for times that decrease and for values that
-        are not finite.
+        above the fastest speed, and of turns that follow each other within less than the shortest
+        stroke. Raises UserError for times that decrease and for values that are not finite.
         """
         motion = given_motion(time, velocity)
         shortest = np.min(distances_between_turns(*motion), initial=np.inf)

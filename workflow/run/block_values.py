@@ -40,9 +40,11 @@ def block_dataset(study: Study, result: Path, group: str = "") -> xr.Dataset:
         dims = (*study.axes, "block", *declared(name).dims[len(COMMON_AXES) :])
         data[name] = in_si(name, estimates[name][variant.point_task], dims, units)
         data[name].attrs = whole[name].attrs if name in whole else {}
-    kept = {name: values for name, values in whole.coords.items() if "law" not in values.dims}
+    coordinates = {
+        name: values for name, values in whole.coords.items() if "law" not in values.dims
+    }
     facts = whole.attrs | {"realizations_per_block": variant.block_size}
-    return xr.Dataset(data, kept, facts)
+    return xr.Dataset(data, coordinates, facts)
 
 
 def _block_counts(variant: Variant, realizations: np.ndarray) -> np.ndarray:
