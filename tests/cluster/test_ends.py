@@ -137,8 +137,8 @@ ENDS = {
 def test_a_batch_outlives_its_job(slurm, tmp_path, monkeypatch, expected, end):
     """The worker of a job retires well before its walltime, a minute being SLURM's least."""
     marker = tmp_path / "first"
-    own = {MARKER: str(marker), "PYTHONPATH": str(ROOT)}  # its jobs import ``outliving``
-    for name, value in {**slurm.environment, **own}.items():
+    variables = {MARKER: str(marker), "PYTHONPATH": str(ROOT)}  # its jobs import ``outliving``
+    for name, value in {**slurm.environment, **variables}.items():
         monkeypatch.setenv(name, value)
 
     def strike():
