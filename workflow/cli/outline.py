@@ -35,6 +35,8 @@ def outline_grid(study: Study, result: Path, sample_seconds: float | None = None
     plan = announced_plan(study)
     predicted, cost = _predicted(plan.predicted_seconds())
     absent, choices = absent_effects(study), map_choices(plan)
+    if plan.other_body is not None:
+        absent.pop("model_ratio", None)  # computed without being requested
     facts = {
         "axes": {  # None replaces NaN, which marks an axis without a value and which JSON lacks
             axis: [None if math.isnan(v) else v for v in values]
@@ -59,7 +61,7 @@ def outline_grid(study: Study, result: Path, sample_seconds: float | None = None
         f"result      {result}",
         f"computes    {', '.join(study.scene.quantities)}",
         f"body        {study.body_choice}",
-        *(f"  {axis:14s}{len(v):4d}  {_range(np.array(v), 6)}" for axis, v in study.grid.items()),
+        *_axes(study),
         f"points      {plan.points}, {plan.problems} distinct problems",
         *_realizations(plan),
         *map(steps_line, plan.variants),
@@ -128,9 +130,18 @@ def _sampled(plan: Plan, seconds: float | None, facts: dict[str, Any]) -> list[s
 
 def _range(values: np.ndarray, digits: int = 4) -> str:
     if np.isnan(values).any():  # an axis whose value measured lines determine
-        return "of the lines"
+        return "of the surface"
     low, high = f"{values.min():.{digits}g}", f"{values.max():.{digits}g}"
     return low if low == high else f"{low} ... {high}"
+
+
+def _axes(study: Study) -> Iterator[str]:
+    """Yield a line per axis of the grid; a nominal pressure replaces the force that it gives."""
+    for axis, values in study.grid.items():
+        name, shown = axis, values
+        if axis == "normal_force" and study.pressures:
+            name, shown = "normal_pressure", study.pressures
+        yield f"  {name:16s}{len(shown):4d}  {_range(np.array(shown), 6)}"
 
 
 def _realizations(plan: Plan) -> Iterator[str]:
@@ -140,7 +151,8 @@ def _realizations(plan: Plan) -> Iterator[str]:
     if not any(variant.goals for variant in plan.variants):
         requested = study.realizations_requested
         rounded = f" ({requested} rounded up)" if requested < study.realizations else ""
-        yield f"realizations {study.realizations} each{rounded}, {total} in all"
+        whole = "in all" if plan.other_body is None else "in all, with those of the other body"
+        yield f"realizations {study.realizations} each{rounded}, {total} {whole}"
         return
     yield f"realizations {total} in all, predicted; rounds add more until the accuracy is met"
     for variant in plan.variants:

@@ -1,4 +1,4 @@
-"""Base of all rooms: errors for the user, files and their kinds, and lazily imported names.
+"""Base of all rooms: errors, numbers as text, files and their kinds, and lazily imported names.
 
 Imports no other room.
 """
@@ -11,6 +11,7 @@ if TYPE_CHECKING:
     from .errors import ErrorCollector, UserError, UserErrors, counted, did_you_mean, printable
     from .file_kinds import decoded, foreign_content, is_text
     from .garbage import garbage_collection_paused
+    from .numbers import with_error
     from .plain_files import MAX_INPUT_BYTES, open_plain, read_plain
 
 __all__, __getattr__, __dir__ = public_names(__name__, __file__)

@@ -3,7 +3,7 @@
 import math
 from statistics import fmean
 
-from ..ground import counted
+from ..ground import counted, with_error
 from .estimate import Estimate
 from .step_fit import NEITHER, NOTHING, POOR, StepFit
 from .together import APART, Fit, Rates
@@ -170,19 +170,5 @@ def _line(name: str, text: str) -> str:
 
 
 def shown(estimate: Estimate) -> str:
-    """Return text like "0.3012 ± 0.0023": the error with two digits, the value to the same place.
-
-    An unknown estimate is "not determined".
-    """
-    value, error = estimate
-    if not estimate.known:
-        return "not determined"
-    if error <= 1e-9 * abs(value):
-        return f"{value:.6g}"
-    size = math.floor(math.log10(max(abs(value), error)))
-    last = math.floor(math.log10(error)) - 1  # place of the second digit of the error
-    if -4 <= size < 6 and last <= 0:
-        return f"{value:.{-last}f} ± {error:.{-last}f}"
-    unit = 10.0**size
-    places = max(size - last, 0)
-    return f"({value / unit:.{places}f} ± {error / unit:.{places}f})e{size}"
+    """Return an estimate as text (see ``with_error``); an unknown one is "not determined"."""
+    return with_error(*estimate) if estimate.known else "not determined"

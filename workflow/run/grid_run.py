@@ -113,7 +113,7 @@ class _Run:
         if not is_unchanged(self.plan, self.store, self.failures, self.result, self.missing):
             return False
         self.summary.written = self.summary.unchanged = True
-        self.summary.say_accuracy(self.plan, self.result)
+        self.summary.read_estimates(self.plan, self.result)
         self.summary.failures = self.failures.lines()
         self.status.end("finished")
         return True
@@ -140,7 +140,7 @@ class _Run:
                     self.retry(partial(results.write_datasets, self.result, datasets))
                     self.retry(partial(enter_result, self.result))
                 self.summary.written = True
-                self.summary.say_accuracy(self.plan, self.result)
+                self.summary.read_estimates(self.plan, self.result)
             state = "finished" if datasets else "interrupted" if self.interrupt() else "stopped"
         finally:
             self.summary.interrupted = self.interrupt() and not self.summary.written

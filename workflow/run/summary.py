@@ -23,13 +23,6 @@ if TYPE_CHECKING:
     import xarray as xr
 
 COSTLIEST = 3  # number of costliest points shown
-SHOWN = (
-    "hurst",
-    "normal_force",
-    "spacing",
-    "velocity",
-    "velocity_step",
-)  # axes of these points, beside those of several values
 
 
 @dataclass
@@ -50,7 +43,8 @@ class Summary:
     written: bool = False  # whether the result file exists at the end
     unchanged: bool = False  # whether the result file was up to date before the run
     failures: list[str] = field(default_factory=list)  # lines of a table
-    accuracy: list[str] = field(default_factory=list)  # lines on the accuracy reached, by variant
+    # Table of a small result, and lines on the accuracy that each variant reached:
+    estimates: list[str] = field(default_factory=list)
     phases: dict[str, float] = field(default_factory=lambda: defaultdict(float))  # time by phase
     tasks: dict[str, float] = field(default_factory=lambda: defaultdict(float))  # time by task key
 
@@ -74,12 +68,13 @@ class Summary:
         yield
         self.files += time.monotonic() - began
 
-    def say_accuracy(self, plan: Plan, result: Path) -> None:
-        """Add lines on the accuracy that a written result reaches, if an accuracy is requested."""
-        if any(variant.goals for variant in plan.variants):
-            with ExitStack() as stack:
-                for label, dataset in results.open_result(plan.study, result, stack).items():
-                    self.accuracy += accuracy_lines(label, dataset)
+    def read_estimates(self, plan: Plan, result: Path) -> None:
+        """Read the table of a small result, and lines on the accuracy if one is requested."""
+        with ExitStack() as stack:
+            for label, dataset in results.open_result(plan.study, result, stack).items():
+                if not label:
+                    self.estimates += results.short_table(dataset)
+                self.estimates += accuracy_lines(label, dataset)
 
     def lines(self, plan: Plan) -> list[str]:
         """Return the lines of the summary."""
@@ -100,7 +95,7 @@ class Summary:
                 self._memory(plan),
                 *self._costliest(plan),
             ]
-        return rows + self.accuracy
+        return rows + self.estimates
 
     def _where(self) -> str:
         """Return a line with the shares of the workers' core time, counted from their start."""
@@ -126,11 +121,10 @@ class Summary:
         for key in sorted(self.tasks, key=lambda key: -self.tasks[key])[:COSTLIEST]:
             task, label = tasks[key]
             point = plan.first_point(task)
-            place = point_in_words(
-                {a: v for a, v in point.items() if a in SHOWN or len(plan.study.grid[a]) > 1}
-            )
+            place = point_in_words({a: v for a, v in point.items() if len(plan.study.grid[a]) > 1})
             share = self.tasks[key] / self.used
-            lines.append(f"  {share:4.0%}  {place} m={task.steps_per_spacing} {label}".rstrip())
+            words = place, f"m={task.steps_per_spacing}", label
+            lines.append(f"  {share:4.0%}  {' '.join(filter(None, words))}")
         return ["points that cost most:", *lines]
 
 

@@ -169,7 +169,7 @@ def test_a_value_that_a_plan_has_not_is_null(capsys, powers):
     measured = json.loads(output(capsys, "plan", "measured_line", "--scale", "smoke", "--json"))
     assert measured["axes"]["hurst"] == [None]
     shown = output(capsys, "plan", "measured_line", "--scale", "smoke")
-    assert re.search(r"^  hurst +1  of the lines$", shown, re.MULTILINE)
+    assert re.search(r"^  hurst +1  of the surface$", shown, re.MULTILINE)
     assert json.loads(output(capsys, "plan", "powers", "--json"))["predicted_core_seconds"] == 1.5
     assert json.loads(output(capsys, "status", "powers", "--json"))["written"] is False
 

@@ -60,7 +60,7 @@ def test_points_that_hit_the_cap_are_named(reached):
     assert missed.any()
     assert (data.realizations.where(missed, 256) == 256).all()
     assert (data.accuracy_reached.where(missed, 1.0) > 0.02).all()
-    (line, worst) = reached.summary.accuracy[1:]
+    *_, line, worst = reached.summary.estimates
     assert f"met at {int((~missed).sum())} of {missed.size} points" in line
     assert f"{float(data.accuracy_reached.max()):.2g}" in worst
 
