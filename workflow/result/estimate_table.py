@@ -8,7 +8,15 @@ import xarray as xr
 from ..ground import with_error
 
 MAX_POINTS = 12  # of a result that is shown as a table
-ESTIMATES = ("mu_1", "jump", "relaxation_rate", "model_ratio")  # columns, if the result has them
+ESTIMATES = (  # columns, if the result has them
+    "mu_1",
+    "mu_1_viscoelastic",
+    "mu_1_shear",
+    "contact_temperature",
+    "jump",
+    "relaxation_rate",
+    "model_ratio",
+)
 
 
 def short_table(data: xr.Dataset) -> list[str]:
