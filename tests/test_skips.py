@@ -37,9 +37,3 @@ def test_a_skip_that_is_not_on_the_list_is_a_failure(tmp_path, options):
     assert len(strangers) == 2
     assert "test_file.py: could not import 'no_such_package_as_this'" in out
     assert strangers[-1].endswith("test_some.py::test_stranger: no sun")
-
-
-def test_skips_on_the_list_are_none(tmp_path):
-    status, out = tried(tmp_path, "test_some.py: no \n", "-n", "0")
-    assert status == 0
-    assert "not on the list" not in out

@@ -182,8 +182,3 @@ def test_a_snippet_that_rots_fails(language, text):
     block = Block("page", 1, "", "", language, text)
     with pytest.raises((AssertionError, NameError, subprocess.CalledProcessError)):
         run_block(block, {})
-
-
-def test_commands_are_those_that_a_shell_would_run():
-    text = "# a comment\nmake docs   # the site\n\nelastomer-friction plan \\\n    fig2\n"
-    assert commands(text) == ["make docs", "elastomer-friction plan      fig2"]

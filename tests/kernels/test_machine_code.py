@@ -4,7 +4,6 @@ import ast
 import inspect
 import json
 import textwrap
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -22,7 +21,6 @@ from tests.kernels.scene.given import SOLID, a_line
 from tests.sizes import PLAIN_PYTHON
 from tests.support.python import printed
 
-ROOT = Path(__file__).resolve().parents[2]
 RECORDERS = ("trace", "energies", "lengths", "snapshots", "window")
 EFFECTS = (
     "elastomer_friction.kernels.control.indentation",

@@ -15,7 +15,7 @@ from elastomer_friction.kernels import (
 )
 from elastomer_friction.studies.accuracy.alternatives import MARCHES
 from elastomer_friction.studies.accuracy.measure import table
-from elastomer_friction.studies.accuracy.points import COMPARED, POINTS, Point, surface
+from elastomer_friction.studies.accuracy.points import Point, surface
 from elastomer_friction.studies.accuracy.recommendation import cheapest
 from elastomer_friction.studies.accuracy.sampling import Method, run_lines
 from elastomer_friction.workflow.cli import main
@@ -135,26 +135,6 @@ def test_refinement_moves_a_curve_with_the_steady_friction_it_ends_at_and_leaves
 
 
 @whole_study
-def test_rate_of_creep_is_that_of_the_scheme(groups):
-    creep = groups[""].error.isel(point=0).sel(quantity="rate", steps=16)  # x = 0.3
-    assert creep.sel(scheme="implicit-euler") > 0.1
-    assert creep.sel(scheme="exponential") < 0.01
-
-
-@whole_study
-def test_sampling_error_falls_as_the_root_of_the_number(groups):
-    error = groups["sampling"].error.sel(sampled=["mu_1", "jump"], realizations=[10, 50])
-    few, many = error.mean("point").transpose("realizations", ...)
-    assert (abs(np.log(few.values / many.values / np.sqrt(5.0))) < 0.7).all()
-
-
-@whole_study
-def test_alternatives_are_less_accurate_at_equal_m(groups):
-    error = groups["alternatives"].error.sel(quantity="mu_1", tried=[2, 4]).mean("tried")
-    assert (error.sel(solver="numpy") > error.sel(solver="kernels")).all()
-
-
-@whole_study
 def test_recommendation_asks_more_for_more_accuracy(groups):
     count = groups["recommendation"].realizations.sel(sampled="mu_1")
     coarse, fine = count.sel(target=0.1), count.sel(target=0.01)
@@ -169,11 +149,3 @@ def test_figure_and_table(groups):
     rows = table(groups)
     assert [*rows.columns[:3]] == ["point", "sampled", "target"]
     assert len(rows) > 4
-
-
-def test_points_are_spread_over_the_ranges():
-    assert len(POINTS) >= 12
-    assert len(set(POINTS)) == len(POINTS) > COMPARED
-    for name, low, high in (("hurst", 0.0, 1.0), ("load", 1e-3, 1.0), ("x", 0.03, 100.0)):
-        values = [getattr(point, name) for point in POINTS]
-        assert (min(values), max(values)) == (low, high)

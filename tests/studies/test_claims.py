@@ -38,13 +38,6 @@ def test_slow_sliding(claim, ratio, verdict):
     assert "points with x < 0.5, fig3" in actual.found
 
 
-def test_error_of_a_ratio_uses_the_covariance():
-    ratio, error = fig5._zeta(slow(covariance=0.0))
-    np.testing.assert_allclose(error / ratio, 0.03 * np.sqrt(2.0))
-    _, error = fig5._zeta(slow(covariance=1.0))
-    assert float(error.max()) < 1e-8
-
-
 def test_uncertain_ratio_is_no_verdict():
     unsure = fig5.slow_jump({"fig3": slow(zeta=0.9, covariance=0.0, error=0.15)})
     assert unsure.verdict == "cannot be judged: the error is too large"

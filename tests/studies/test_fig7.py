@@ -78,14 +78,6 @@ def test_nothing_is_fitted_in_full_contact(converged, paper_step):
         assert full.relaxation_rate.isnull().all()
 
 
-def test_full_contact_is_that_of_the_theory(converged):
-    full = converged.sel(normal_force=FULL_CONTACT)
-    np.testing.assert_allclose(full.contact_fraction, 1.0)
-    viscosity = 1e7 * 1e-3  # eta = G tau
-    mu = 4.0 * viscosity * full.velocity * 0.01 * full.rms_slope**2 / FULL_CONTACT
-    np.testing.assert_allclose(full.mu_1, mu.broadcast_like(full.mu_1), rtol=1e-9)
-
-
 def test_bias_of_an_exponent_is_small_where_converged_and_less_than_at_one_step(
     converged, paper_step
 ):

@@ -83,9 +83,3 @@ def test_temperature_shifts_as_wlf_says(found):
     assert temperature.size >= 4
     known = [np.log10(material.shift(t)) for t in temperature]
     np.testing.assert_allclose(shift, known, atol=0.15)
-
-
-def test_every_point_is_shown_or_counted(result, found):
-    family = found["force"].family
-    shown = sum(curve.x.size for curve in family.curves)
-    assert shown + family.left_out == result[""].mu_1.size

@@ -44,10 +44,3 @@ def test_the_result_says_which_lines_it_was_computed_on(groups):
     assert like[0].startswith("random lines of the power spectrum of afm-lines.nc")
     assert like[1].startswith("self-affine lines, H = 1, of rms height and slope of afm-lines.nc")
     assert all("its parabola removed" in data.attrs["lines"] for data in groups.values())
-
-
-def test_a_point_is_selected_without_the_exponent_that_it_has_not(result):
-    data = result[""]
-    assert np.isnan(data.hurst).all()
-    point = data.sel(normal_force=1e-7, velocity=2e-3, method="nearest").squeeze()
-    assert point.mu_1.shape == ()

@@ -4,8 +4,7 @@ import numpy as np
 import pytest
 
 from elastomer_friction.kernels.rheology.spectrum import complex_modulus
-from elastomer_friction.studies.rheology.figure import master, warmest
-from elastomer_friction.studies.style import slide_of
+from elastomer_friction.studies.rheology.figure import warmest
 from elastomer_friction.workflow.study.read import read_study
 from tests.support.studies import run
 
@@ -51,15 +50,6 @@ def test_rheologies_share_the_slowest_loss():
     assert glassy["standard"] == pytest.approx(glassy[""], rel=1e-4)
 
 
-def test_temperature_shifts_the_speed_exactly(groups):
-    """mu(v, T) = mu(a_T v): with a_T = 100 the speeds of the grid fall on each other."""
-    data = groups[""]
-    cold, warm = (data.mu_1.isel(temperature=k).values for k in (0, 1))
-    np.testing.assert_allclose(cold[:-DECADES], warm[DECADES:], rtol=1e-9)
-    actual, _ = master(data, read_study("rheology").material)
-    assert actual.rms < 0.1
-
-
 def test_linear_solid_has_a_bell_and_kelvin_loses_its_contact(groups):
     standard, kelvin = warmest(groups["standard"]), warmest(groups["kelvin"])
     mu = standard.mu_1.values
@@ -80,12 +70,3 @@ def test_rubber_has_the_broadest_bell(groups):
         widths.append(int((mu > 0.03 * mu.max()).sum()))
     assert widths[0] > widths[1]
     assert 0 < rubber.argmax() < rubber.size - 1
-
-
-def test_friction_goes_from_one_steady_state_to_the_other(groups):
-    fast = groups[""].sel(velocity=1e-6, method="nearest").isel(temperature=1)
-    mu = slide_of(fast, 1).trace_mu.values
-    before = fast.trace_mu.values[0]
-    assert before == pytest.approx(float(fast.mu_1), rel=0.05)
-    assert mu[0] == pytest.approx(before, rel=0.1)  # no dashpot: mu is continuous
-    assert mu[-1] == pytest.approx(float(fast.mu_2), rel=0.05)

@@ -7,8 +7,6 @@ import numpy as np
 import pytest
 
 from elastomer_friction.studies.slide_hold_slide.figure import LONGEST_TIME, TAU, law
-from elastomer_friction.workflow import scene
-from elastomer_friction.workflow.study import read_study
 
 pytestmark = pytest.mark.exhaustive  # its scenes compile kernels of their own
 
@@ -62,34 +60,6 @@ def test_friction_decays_in_a_hold_at_a_fixed_place(fast):
     assert (left[""].values[some] < 0.01).all()
     assert (left["rubber"].values[some] > 0.02).all()
     assert abs(left["rubber"].values[-1]) < 1e-3
-
-
-def test_friction_before_the_hold_is_steady(groups):
-    for data in groups.values():
-        np.testing.assert_allclose(data.static_peak - data.healing, data.mu_1, rtol=0.05)
-
-
-def test_the_stiffest_spring_holds_the_line_as_a_programme_of_the_line_does(slow):
-    """The same lines, slid and held themselves; to errors of a step by the drive."""
-    study = read_study("slide_hold_slide", "smoke")
-    point = slow["rubber"]
-    actual = scene.run(
-        surface={"hurst": 0.7, "roughness": 1e-5, "spacing": 1e-4, "length": 0.01},
-        material={"shear_modulus": 1e7, "branches": [[7e6, t] for t in np.geomspace(1e-5, 0.1, 9)]},
-        normal_force=0.4,
-        programme=[
-            {"slide": {"velocity": 0.024, "distance": 5e-5}},
-            {"hold": {"duration": {"geomspace": [1e-5, 1e1, 9]}}},
-            {"slide": {"velocity": 0.024, "distance": 1e-3}},
-        ],
-        quantities=["trace", "healing"],
-        numerics={"record": "log", "samples": 256},
-        realizations=study.realizations,
-        seed=study.seed,
-    )
-    for name in ("healing", "mu_end_of_hold"):
-        atol = 0.01 * float(point.mu_1[0])
-        np.testing.assert_allclose(point[name], actual[name], rtol=0.02, atol=atol, err_msg=name)
 
 
 def test_on_a_softer_spring_more_friction_is_left_and_less_is_healed(groups):

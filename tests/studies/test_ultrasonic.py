@@ -58,11 +58,3 @@ def test_friction_that_is_proportional_to_the_velocity_is_never_lowered(kelvin):
     """Its mean is that of the mean velocity, whatever the amplitude and the frequency."""
     warm = kelvin.mu_cycle_share.sel(temperature=kelvin.temperature.max())
     np.testing.assert_allclose(warm, 1.0, rtol=0.0, atol=0.015)
-
-
-def test_a_share_is_known_better_than_what_it_is_made_of(rubber):
-    relative = rubber.mu_cycle_mean_error / rubber.mu_cycle_mean
-    slow = {"temperature": TOP, "frequency": FAST}
-    assert (rubber.mu_cycle_share_error.sel(slow) < 0.05 * relative.sel(slow)).all()
-    actual = rubber.mu_cycle_mean / rubber.mu_1
-    np.testing.assert_allclose(rubber.mu_cycle_share, actual, rtol=1e-12)

@@ -3,13 +3,12 @@
 import numpy as np
 import pytest
 
-from elastomer_friction.kernels import Line, amplitudes, draw_phases, quadrature, steady_sliding
+from elastomer_friction.kernels import Line, amplitudes, draw_phases
 from elastomer_friction.kernels.branches.memory_friction import friction_by_loss
 from elastomer_friction.kernels.branches.steady_memory import steady_memory
 from elastomer_friction.kernels.rheology.forms import FORMS_BY_SCHEME
-from elastomer_friction.kernels.rheology.kelvin import SCHEMES
 from elastomer_friction.kernels.rheology.retardation import retardation
-from elastomer_friction.kernels.rheology.spectrum import KELVIN, complex_modulus
+from elastomer_friction.kernels.rheology.spectrum import complex_modulus
 from tests.convergence import observed_order
 from tests.sizes import PLAIN_PYTHON, size
 from tests.viscoelastic import MATERIALS, PRONY3
@@ -71,18 +70,6 @@ def test_four_samples_per_spacing_are_near_sixty_four(name, speed):
         coarse = friction(MATERIALS[name], line_of(4, seed), speed)[0]
         errors.append(coarse / friction(MATERIALS[name], line_of(64, seed), speed)[0] - 1.0)
     assert np.sqrt(np.mean(np.square(errors))) < 0.03
-
-
-@pytest.mark.skipif(PLAIN_PYTHON, reason="NUMBA_DISABLE_JIT=1: a long line")
-@pytest.mark.parametrize("speed", [0.01, 0.3, 3.0])
-def test_kelvin_element_by_quadrature(speed):
-    line = line_of(16)
-    load = 0.1 * line.z.size
-    state, _ = steady_sliding(SCHEMES["exponential"](1.0 / (16 * speed)), line.z, load)
-    mu, _, contact = quadrature(line.z, line.slope, *state, speed, speed, load)
-    mu_by_loss, contact_by_loss = friction(KELVIN, line, speed)
-    assert mu_by_loss == pytest.approx(mu, rel=0.02)
-    assert contact_by_loss == pytest.approx(contact, abs=0.01)
 
 
 def test_friction_is_nan_where_nothing_touches():

@@ -59,15 +59,6 @@ def test_full_contact_jumps_by_the_share_of_the_dashpot(direction):
         assert jump == pytest.approx(expected, rel=1e-9)
 
 
-def test_both_forms_jump_alike():
-    line = line_of(32)
-    jumps = [
-        friction_jump(*sliding(MATERIALS["dashpot"], line, 3.0, scheme), 3.0, 2.0)
-        for scheme in FORMS_BY_SCHEME
-    ]
-    assert jumps[0] == pytest.approx(jumps[1], rel=0.02)
-
-
 def test_a_march_jumps_by_the_formula():
     """The change of mu in the first step converges to the formula under refinement."""
     material, speed, ratio = MATERIALS["dashpot"], 3.0, 2.0

@@ -1,7 +1,6 @@
 """Compilation of kernels: same results as Python, dispatch on types, linking into callers."""
 
 import sys
-from pathlib import Path
 from typing import NamedTuple
 
 import numba
@@ -15,7 +14,6 @@ from tests.cases import CASE, line_of
 from tests.sizes import PLAIN_PYTHON
 from tests.support.python import printed
 
-ROOT = Path(__file__).resolve().parents[3]
 compiled_only = pytest.mark.skipif(PLAIN_PYTHON, reason="NUMBA_DISABLE_JIT=1: nothing compiled")
 
 
@@ -107,38 +105,6 @@ def test_a_type_without_a_body_is_refused():
     refused = TypeError if PLAIN_PYTHON else numba.errors.TypingError
     with pytest.raises(refused, match="change"):
         changed_twice(Unknown(1.0), 5.0)
-
-
-@dispatch_on_type
-def note(law, number, flag):
-    """Return ``number`` or 0."""
-
-
-@note.register(Scaled)
-def _note(law, number, flag):
-    return number if flag else 0
-
-
-@kernel
-def chosen(law, number, flag):
-    """Return ``number`` or 0; compiled for one type, with constant arguments too."""
-    return note(law, number, flag)
-
-
-def begun_with_constants(law, count):
-    """Return a number after calls with constants and with a variable that starts as one."""
-    number, flag = 0, True
-    for _ in range(count):
-        number = chosen(law, number + 1, flag) + chosen(law, 2, True) + chosen(law, 0, False)
-        flag = number < 100
-    return number
-
-
-@compiled_only
-def test_a_constant_is_no_type_of_its_own():
-    assert numba.njit(begun_with_constants)(Scaled(1.0), 3) == 9  # not from the cache on disk
-    (signature,) = chosen.get_overload.__self__.nopython_signatures  # of the linked function
-    assert signature.args[1:] == (numba.int64, numba.boolean)
 
 
 @compiled_only

@@ -157,17 +157,6 @@ def displacement_of(spectrum: Spectrum, body, surface: Surface) -> np.ndarray:
     return at_samples(u, body.offset, surface.z.shape)
 
 
-def test_the_direct_solution_is_a_fixed_point_of_the_march() -> None:
-    """Branches with times over many decades need the direct solution."""
-    wide = Spectrum((3.0, 10.0, 2.0), (1e-2, 1.0, 1e3), 0.0)
-    curve = run_case(
-        rough(16, 4),
-        Case(0.3, 5.0, (1.0,), (np.array([1, 20]),), "exponential", wide),
-        Quantities(jump=False),
-    )
-    assert curve.curves[0] == pytest.approx(curve.mu_1, rel=1e-5)
-
-
 @pytest.mark.exhaustive
 @pytest.mark.parametrize(
     ("speed", "side", "mu", "within"),

@@ -26,7 +26,3 @@ def test_the_rings_of_the_surface_come_back_from_its_rows(hurst, rolloff):
     for first, last in ((10, 30), (30, 60), (60, 99)):
         band = 0.5 * np.sum(actual[first:last] ** 2)
         assert band == pytest.approx(rings[first:last].sum(), rel=0.02)
-
-
-def test_nothing_stays_nothing():
-    assert not equivalent_of_cut(np.zeros(50)).any()

@@ -123,14 +123,6 @@ def test_rms_slope_is_that_of_the_line(samples):
     assert rms_slope(amplitude, samples) == pytest.approx(np.sqrt(np.mean(slope**2)), rel=1e-12)
 
 
-def test_random_phases_keep_the_power_spectrum():
-    heights = np.array([some_line(65, seed) for seed in range(5)])
-    amplitude = measured_amplitudes(heights)
-    assert rms_height(amplitude) ** 2 == pytest.approx(np.mean(np.var(heights, axis=1)), rel=1e-12)
-    drawn, _ = sample_line(amplitude, draw_phases(np.random.default_rng(1), 65), 65, 1)
-    np.testing.assert_allclose(measured_amplitudes(drawn[None, :]), amplitude, rtol=1e-11)
-
-
 @pytest.mark.parametrize("bad", [np.nan, np.inf])
 def test_measured_samples_that_are_no_numbers_are_refused(bad):
     with pytest.raises(ValueError, match="not finite"):

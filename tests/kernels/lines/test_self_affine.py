@@ -159,14 +159,6 @@ def test_the_integral_is_the_mean_square_height_and_slope(length):
     assert np.sum(spectrum * q**2) * step == pytest.approx(slope**2, rel=1e-13)
 
 
-def test_one_cosine_has_one_line():
-    """A cosine of amplitude A has the power A^2 / 2 for any length of the line."""
-    for length in (1.0, 2.0):
-        q, spectrum = power_spectrum(np.array([0.0, 0.2, 0.0]), length)
-        assert spectrum[1] * q[0] == pytest.approx(0.02)
-        assert (spectrum[0], spectrum[2]) == (0.0, 0.0)
-
-
 N = 4096  # elements on a length of N, so that the spacing is 1
 STEP = 2.0 * np.pi / N
 
@@ -186,23 +178,6 @@ def test_height_gradient_and_curvature_are_those_of_the_surface():
     assert curvature == pytest.approx(4.0 * 2.0 * (4.0 / 81.0) ** 2, rel=1e-4)
 
 
-def test_moments_of_a_random_surface_itself():
-    """The rms gradient over height is that of a drawn surface; a cut has half its square."""
-    n, rng = 128, np.random.default_rng(5)
-    k = 2.0 * np.pi * np.fft.fftfreq(n)
-    q = np.hypot(*np.meshgrid(k, k))
-    filtered = np.sqrt(gaussian(q)) * np.fft.fft2(rng.normal(size=(n, n)))
-    height = np.sqrt(np.sum(np.abs(filtered) ** 2)) / n**2
-    gradient = np.sqrt(np.sum(np.abs(q * filtered) ** 2)) / n**2
-    amplitude = equivalent_amplitudes(gaussian, 16 * n, 16 * n)
-    ratio = rms_slope(amplitude, 16 * n) / rms_height(amplitude)
-    assert gradient / height == pytest.approx(ratio, rel=0.05)  # 200 correlation areas
-    # A cut contains only one of the two components of the gradient.
-    cut = np.fft.ifft2(filtered).real
-    slope = np.fft.ifft(1j * k * np.fft.fft(cut, axis=1), axis=1).real
-    assert np.sqrt(np.mean(slope**2)) == pytest.approx(gradient / np.sqrt(2.0), rel=0.1)
-
-
 @pytest.mark.parametrize("hurst", [0.0, 0.5, 1.0])
 def test_a_self_affine_surface_gives_the_self_affine_line(hurst):
     """C_2D ~ q^(-2H-2) corresponds to C_1D ~ q^(-2H-1) (paper, Results)."""
@@ -215,15 +190,3 @@ def test_a_self_affine_surface_gives_the_self_affine_line(hurst):
 def test_no_power_spectrum_is_refused(bad):
     with pytest.raises(ValueError, match="finite and not negative"):
         equivalent_amplitudes(lambda q: np.full_like(q, bad), 1.0, 8)
-
-
-def test_a_spectrum_normalised_by_q_dq_over_2_pi_is_divided_by_4_pi_squared():
-    """For contact.engineering, h^2 = integral of C q dq/(2 pi), as stated in docs/surfaces.md."""
-    length, count, hurst, h = 1e-3, 500, 0.8, 1e-6
-    q = 2.0 * np.pi / length * np.arange(1, count // 2 + 1)
-    step = q[0]
-    scale = 2.0 * np.pi * h**2 / np.sum(q ** (-1.0 - 2.0 * hurst) * step)
-    amplitude = equivalent_amplitudes(
-        lambda q: scale * q ** (-2.0 - 2.0 * hurst) / (4.0 * np.pi**2), length, count
-    )
-    assert np.sqrt(np.sum(amplitude**2) / 2.0) == pytest.approx(h, rel=1e-9)

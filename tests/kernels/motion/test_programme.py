@@ -115,11 +115,6 @@ def test_a_hold_is_geometric_from_a_quarter_of_the_time_of_a_sample(duration):
     assert dt.size < 200
 
 
-def test_a_hold_after_no_motion_begins_with_a_millionth_of_it():
-    dt = steps_of((Hold(50.0),), M).dt
-    assert 1e-7 < dt[0] / 50.0 <= 1e-6
-
-
 def test_no_time_no_steps_and_no_change_of_what_follows():
     with_it = steps_of((Slide(1.0, 1.0), Hold(0.0), Hold(3.0)), M)
     without = steps_of((Slide(1.0, 1.0), Hold(3.0)), M)

@@ -153,10 +153,3 @@ def test_fractions_are_shifted_and_stages_do_not_show(monkeypatch):
     monkeypatch.setattr(module, "MAX_SHIFTED_LINES", 3)
     assert len(list(tracks(z, slope, 2, steps, 0.4, 1.5))) > 10
     np.testing.assert_array_equal(lines(z, slope, 2, steps, 0.4), actual)
-
-
-def test_no_steps_still_show_where_the_line_is():
-    z, slope = random_line(20, 0.7, 2, seed=1)
-    (track,) = tracks(z, slope, 2, steps_of((), 2), 3.0, 1.5)
-    assert track.dt.size == 0
-    np.testing.assert_array_equal(track.z[track.line[0], track.begin[0] :][:40], np.roll(z, 3))

@@ -2,7 +2,6 @@
 
 import ast
 import shutil
-from pathlib import Path
 from typing import NamedTuple
 
 import numpy as np
@@ -22,8 +21,6 @@ from elastomer_friction.kernels.rheology.law import free_displacement
 from tests.sizes import PLAIN_PYTHON
 from tests.support.python import printed
 from tests.support.sweeps import sweep
-
-ROOT = Path(__file__).resolve().parents[3]
 
 
 class Squared(NamedTuple):

@@ -6,9 +6,8 @@ from hypothesis import example, given, settings
 from hypothesis import strategies as st
 from scipy.integrate import quad
 
-from elastomer_friction.kernels.rheology.retardation import merged_branches, retardation
+from elastomer_friction.kernels.rheology.retardation import retardation
 from elastomer_friction.kernels.rheology.spectrum import (
-    KELVIN,
     Spectrum,
     complex_modulus,
     relaxation_modulus,
@@ -28,12 +27,6 @@ def test_complex_modulus_is_the_transform_of_the_relaxation_modulus(omega):
     assert complex_modulus(PRONY3, omega) == pytest.approx(expected, rel=1e-6)
 
 
-def test_kelvin_element():
-    omega = np.array([0.0, 0.5, 7.0])
-    assert complex_modulus(KELVIN, omega) == pytest.approx(1.0 + 1j * omega, rel=1e-15)
-    assert np.all(relaxation_modulus(KELVIN, omega + 1.0) == 1.0)
-
-
 @pytest.mark.parametrize("name", MATERIALS)
 def test_a_material_is_relaxed_in_the_end_and_viscous_as_tau_says(name):
     """tau = (eta + sum g t) / G is the slope of G'' at omega = 0, which sets low-speed friction."""
@@ -41,11 +34,6 @@ def test_a_material_is_relaxed_in_the_end_and_viscous_as_tau_says(name):
     modulus = complex_modulus(MATERIALS[name], omega)
     assert modulus.real == pytest.approx(1.0, abs=1e-6)
     assert modulus.imag / omega == pytest.approx(1.0, rel=1e-6)
-
-
-def test_a_branch_needs_a_time():
-    with pytest.raises(ValueError, match="zip"):
-        complex_modulus(Spectrum((1.0, 2.0), (1.0,), 0.0), 1.0)
 
 
 OMEGA = np.geomspace(1e-9, 1e9, 181)
@@ -92,23 +80,6 @@ def test_retardation_times_lie_between_relaxation_times():
     assert np.all(units.times > times)
     assert np.all(units.times[1:] < times[:-1])
     assert exchanged(spectrum) < 1e-13
-
-
-def test_times_that_differ_in_their_last_bit():
-    close = Spectrum((1.0, 2.0), (1.0, np.nextafter(1.0, 2.0)), 0.0)
-    assert exchanged(close) < 1e-14
-    one = Spectrum((3.0,), (1.0,), 0.0)
-    assert np.allclose(compliance(close), compliance(one), rtol=1e-14)
-
-
-def test_kelvin_element_is_one_unit():
-    assert retardation(MATERIALS["Kelvin"]) == (0.0, np.ones(1), np.ones(1))
-
-
-def test_equal_times_are_added_up_slowest_first():
-    moduli, times = merged_branches(Spectrum((1.0, 2.0, 4.0), (0.5, 3.0, 0.5), 0.0))
-    assert times.tolist() == [3.0, 0.5]
-    assert moduli.tolist() == [2.0, 5.0]
 
 
 @pytest.mark.parametrize(

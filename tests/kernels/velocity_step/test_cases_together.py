@@ -1,7 +1,5 @@
 """Many cases, on one line or several: no outcome depends on the others, to the bit."""
 
-from itertools import count
-
 import numpy as np
 import pytest
 from hypothesis import given, settings
@@ -15,8 +13,6 @@ from elastomer_friction.kernels import (
     run_cases,
     run_prepared,
 )
-from elastomer_friction.kernels.velocity_step import case as clocks
-from elastomer_friction.kernels.velocity_step import cases as module
 from tests.cases import ALL, CASE, KEPT, bits, line_of
 
 LINE = line_of()
@@ -47,35 +43,9 @@ def test_other_cases_and_their_order_change_no_bit(order, count):
     assert [bits(outcome) for outcome in together] == [ALONE[i] for i in part]
 
 
-def test_other_cases_change_no_bit_of_a_relaxation():
-    cases = CASES[::6]
-    together = run_cases(LINE, cases, Quantities())
-    assert [bits(outcome) for outcome in together] == run_alone(cases, Quantities())
-
-
-def test_no_case_is_no_work():
-    assert run_cases(LINE, [], STEADY) == []
-
-
 def test_one_bad_case_is_refused():
     with pytest.raises(ValueError, match="load"):
         run_cases(LINE, [CASE, CASE._replace(load=-1.0)], STEADY)
-
-
-def test_time_is_assigned_to_the_cases_that_use_it(monkeypatch):
-    """The clock advances by one at each reading and by one at each element update of a march."""
-    readings, work, march = count(1.0), [0.0], module.relaxations_under_load
-
-    def counted(*arguments):
-        curves, updates = march(*arguments)
-        work[0] += float(updates.sum())
-        return curves, updates
-
-    monkeypatch.setattr(module, "relaxations_under_load", counted)
-    monkeypatch.setattr(clocks, "computing_seconds", lambda: next(readings) + work[0])
-    outcomes = run_cases(LINE, CASES[:20], Quantities())
-    assert outcomes[0].seconds.marching > outcomes[-1].seconds.marching
-    assert outcomes[-1].seconds.steady > 0.0  # a share of the common steady state
 
 
 MEMORY = CASE._replace(

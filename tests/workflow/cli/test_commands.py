@@ -8,9 +8,7 @@ import pytest
 
 from elastomer_friction.workflow.cli import command_line, main
 from elastomer_friction.workflow.cli import commands as cli
-from elastomer_friction.workflow.cli.commands import STUDY_ACTIONS
 from elastomer_friction.workflow.cli.run_options import resume_line
-from elastomer_friction.workflow.study.study import AnyStudy
 from tests.support.commands import facts, output, refusal
 from tests.support.python import printed, python
 from tests.support.small import line_text, write_study
@@ -264,9 +262,3 @@ def test_a_measured_study_is_planned_run_and_shown_by_the_same_commands(capsys, 
     assert drawn == ["results/powers.png", "results/powers.pdf"]
     output(capsys, "table", "powers")
     assert (results / "powers.csv").read_text() == "found\n1\n2\n4\n"
-
-
-def test_every_kind_of_study_can_be_told_every_command():
-    kinds = {kind.kind for kind in AnyStudy.__subclasses__()}
-    assert kinds == set(STUDY_ACTIONS)
-    assert all(callable(command) for kind in STUDY_ACTIONS.values() for command in kind.values())

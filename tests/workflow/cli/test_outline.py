@@ -3,15 +3,12 @@
 import json
 import re
 
-import numpy as np
 import pytest
 
 from elastomer_friction.workflow.cli import run_options
-from elastomer_friction.workflow.cli.outline import absent_effects, outline_grid, steps_line
-from elastomer_friction.workflow.plan.error_prediction import predicted_errors
+from elastomer_friction.workflow.cli.outline import absent_effects, outline_grid
 from elastomer_friction.workflow.study.effects.quantities import QUANTITIES
 from tests.support.commands import facts, output, refusal
-from tests.support.documents import without
 from tests.support.small import TEXT, small_plan, small_study
 
 STEADY = 'scene.quantities=["steady"]'
@@ -35,17 +32,6 @@ def test_plan_is_a_short_table_in_a_fixed_order(capsys, study):
     order += "material not"
     assert firsts == [*order.split(), "settings"]
     assert len(lines) <= 24
-
-
-def test_steps_of_programmes_and_of_marches():
-    programme = "[{slide={ratio=1, distance=1e-3}}, {hold={duration=1}}]"
-    settings = [f"scene.programme={programme}", 'scene.quantities=["steady", "trace"]']
-    text = without("grid.velocity_step", "compare.coarse")
-    (variant,) = small_plan(*settings, text=text).variants
-    (steps,) = {int(count) for count in variant.leg_counts()[:, 0]}
-    assert steps == 80  # 10 spacings of 8 steps
-    pattern = r"steps       study: 8 per spacing, marches of (\d+)( \.\.\. \d+)? steps"
-    assert int(re.fullmatch(pattern, steps_line(variant)).group(1)) > steps
 
 
 @pytest.mark.parametrize(
@@ -92,17 +78,6 @@ def test_a_sample_takes_a_positive_time(capsys, study, seconds):
 def test_a_measured_study_has_no_batches_to_sample(capsys, powers):
     assert powers.is_dir()
     assert "--sample" in refusal(capsys, "plan", "powers", "--sample", "1")
-
-
-def test_errors_fall_with_the_lines_and_with_the_steps():
-    few, many = (predicted_errors(small_plan(f"study.realizations={n}")) for n in (16, 64))
-    coarse, fine = (
-        predicted_errors(small_plan(f"numerics.steps_per_spacing={m}")) for m in (64, 256)
-    )
-    assert few.keys() == {"mu_1", "jump", "relaxation_rate"}
-    for name in few:
-        np.testing.assert_allclose(few[name].chance, 2.0 * many[name].chance)
-        assert np.all(fine[name].discretisation < coarse[name].discretisation)
 
 
 def test_a_plan_of_many_points_is_announced(capsys, monkeypatch):

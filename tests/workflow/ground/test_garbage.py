@@ -5,7 +5,6 @@ import gc
 import pytest
 
 from elastomer_friction.workflow.ground import garbage_collection_paused
-from tests.support.python import printed
 
 
 def fail():
@@ -25,25 +24,3 @@ def test_the_collector_is_as_it_was_after_an_error_too(enabled):
         assert gc.isenabled() == enabled
     finally:
         (gc.enable if usual else gc.disable)()
-
-
-ENDING = """
-import gc
-{first}
-gc.disable()
-
-class Garbage:
-    def __del__(self):
-        print("found")
-
-garbage = Garbage()
-garbage.own = garbage
-del garbage
-"""
-
-
-@pytest.mark.parametrize(
-    ("first", "found"), [("", "found\n"), ("import elastomer_friction.workflow.ground.garbage", "")]
-)
-def test_at_its_end_a_process_looks_for_no_garbage(first, found):
-    assert printed("-c", ENDING.format(first=first)) == found

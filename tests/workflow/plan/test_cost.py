@@ -6,19 +6,11 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from elastomer_friction.kernels import (
-    Line,
     Quantities,
     Slide,
     Spectrum,
-    amplitudes,
-    draw_phases,
-    rms_slope,
 )
-from elastomer_friction.kernels.model.steady import steady_sliding
-from elastomer_friction.kernels.motion.slide import touchable
-from elastomer_friction.kernels.rheology.kelvin import SCHEMES
-from elastomer_friction.workflow.plan.cost import COST_FACTOR, drawing_seconds, realization_seconds
-from elastomer_friction.workflow.plan.error_laws import touchable_share
+from elastomer_friction.workflow.plan.cost import COST_FACTOR, realization_seconds
 from elastomer_friction.workflow.plan.problems import stack_problems
 from elastomer_friction.workflow.simulate.realizations import block_means
 from elastomer_friction.workflow.simulate.tasks import LineShape, Problem, Recording
@@ -86,10 +78,6 @@ def test_many_problems_at_once_cost_what_each_costs_alone(problem, steps, march_
     assert (found > 0.0).all()
 
 
-def test_lines_of_more_samples_take_longer_to_draw():
-    assert (np.diff(drawing_seconds(np.geomspace(1.0, 1e7, 50))) > 0.0).all()
-
-
 @pytest.mark.exhaustive  # measures time, which a busy machine may stretch
 @pytest.mark.parametrize(
     "plan",
@@ -104,23 +92,3 @@ def test_small_studies_of_each_kind_take_about_as_long_as_predicted(plan):
     batches = list(cut_batches(plan, set(), 1e9))
     used = min(sum(block_means(batch).seconds for batch in batches) for _ in range(2))
     assert 0.3 / COST_FACTOR < used / plan.predicted_seconds() < 3.0 * COST_FACTOR
-
-
-def states(count=40, elements=1000, steps=4):
-    """Yield (H, Fbar, viscous pressure, touchable share) of random problems."""
-    rng = np.random.default_rng(8)
-    for _ in range(count):
-        hurst, load, speed = rng.uniform(0, 1), 10 ** rng.uniform(-3, 0.5), 10 ** rng.uniform(0, 2)
-        amplitude = amplitudes(hurst, elements)
-        line = Line.self_affine(amplitude, draw_phases(rng, elements), elements, steps)
-        law = SCHEMES["exponential"](1.0 / (steps * speed))
-        (_, d), _ = steady_sliding(law, line.z, load * line.z.size)
-        start, stop = touchable(line.z, 1.02 * d)
-        share = np.sum(stop - start) / line.z.size
-        yield hurst, load, speed * rms_slope(amplitude, elements), share
-
-
-def test_touchable_shares_are_those_of_the_kernels():
-    share = [np.log(row[3] / touchable_share(*row[:3])) for row in states()]
-    assert np.median(np.abs(share)) < np.log(1.5)
-    assert abs(np.mean(share)) < np.log(1.3)

@@ -167,13 +167,6 @@ def test_a_rung_is_at_most_half_as_much_again_as_is_needed(need):
     assert need * (1 - 1e-9) <= rung(need) <= max(1.0, 1.5 * need, need + 1.0)
 
 
-def test_contacts_alone_refuse_no_study():
-    """Beyond what a line may hold contacts stay coarse, and are marked so."""
-    one = Problem(0.0, 200_000, 1e-3, 1000.0, 1.2)
-    assert LAWS["relaxation_rate"].error(one, steps_per_spacing(one, ALL, Numerics())) > BIAS
-    assert steps_per_spacing(one, ALL, Numerics()) * one.elements <= MAX_SAMPLES_PER_LINE
-
-
 @given(HURST, SPEED)
 def test_a_first_order_scheme_takes_more_steps(hurst, speed):
     one = problem(hurst, 100, speed)
@@ -198,27 +191,3 @@ def test_march_covers_the_horizon_and_no_more(hurst, speed, ratio, horizon, step
     assert march >= 8
     assert march >= needed
     assert march == 8 or march < needed * (1 + 1e-9) + 1
-
-
-LIST = st.lists(
-    st.builds(
-        lambda *five: Problem(*five),
-        HURST,
-        st.integers(100, 3000),  # on more, implicit Euler may need more samples than a line has
-        LOAD,
-        st.floats(0.1, 1e3),
-        RATIO,
-    ),
-    min_size=2,
-    max_size=6,
-)
-
-
-@given(LIST, st.sampled_from(["exponential", "implicit-euler"]))
-def test_many_problems_take_the_steps_of_each(problems, scheme):
-    numerics = Numerics(scheme)
-    ((_, many),) = stack_problems(problems)
-    steps = steps_per_spacing(many, ALL, numerics)
-    assert steps.tolist() == [steps_per_spacing(one, ALL, numerics) for one in problems]
-    marches = [horizon_steps(*each) for each in zip(problems, [numerics] * 9, steps, strict=False)]
-    assert horizon_steps(many, numerics, steps).tolist() == marches

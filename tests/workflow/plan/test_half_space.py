@@ -147,16 +147,6 @@ def test_a_map_that_does_not_fit_is_refused_before_anything_is_computed():
     )
 
 
-def test_memory_of_a_map_goes_with_its_samples():
-    own = ("scene.body=half-space", "numerics.steps_per_spacing=4")
-    few, many = (
-        small_plan(*own, f"grid.spacing={spacing}").predicted_worker_bytes()
-        for spacing in (2e-4, 1e-4)
-    )
-    samples = [(0.01 / spacing * 4) ** 2 for spacing in (2e-4, 1e-4)]
-    assert many - few == pytest.approx(260.0 * (samples[1] - samples[0]))
-
-
 @pytest.mark.parametrize(("load", "x"), [(0.02, 0.3), (0.2, 1.0)])
 def test_maps_scatter_and_touch_as_the_laws_of_an_accuracy_say(load, x):
     """Of 16 maps: a standard deviation is known to a sixth, the law to 1.6 for two in three."""

@@ -1,7 +1,6 @@
 """Exact similarity: copies of one dimensionless problem are found, and nothing else is merged."""
 
 import itertools
-import math
 
 import numpy as np
 import pytest
@@ -17,7 +16,6 @@ from elastomer_friction.workflow.plan.problems import (
     stack_problems,
     viscous_pressure,
 )
-from elastomer_friction.workflow.simulate.tasks import Problem
 from elastomer_friction.workflow.study.axes import COMMON_AXES, axes_of
 from tests.support.documents import without
 from tests.support.small import (
@@ -90,12 +88,6 @@ def test_a_velocity_step_that_rounding_would_change_is_refused(size, sign):
 def test_minus_zero_is_zero(axis):
     minus, plus = (small_plan(*ONE_POINT, f"grid.{axis}={zero}") for zero in ("-0.0", "0.0"))
     assert keys(minus) == keys(plus)
-
-
-def test_speed_ratio_is_the_abscissa_of_figure_7():
-    velocity, tau, spacing = 0.05, 1e-3, 1e-5
-    problem = Problem(0.7, 100, 0.1, velocity * tau / spacing, 1.2)
-    assert speed_ratio(problem) == pytest.approx(velocity * tau * math.pi / spacing)
 
 
 @pytest.mark.parametrize("surface", ["surface.normalisation=modal", "surface.cutoff=1e-3"])

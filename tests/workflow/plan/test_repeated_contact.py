@@ -67,11 +67,6 @@ def test_nothing_is_repeated(changes):
     assert trace(**changes).trace_remembered == 0.0
 
 
-def test_branches_faster_than_a_period_forget():
-    branches = {"shear_modulus": 1e6, "branches": [[1e7, 1e-5]]}
-    assert trace(3.0, material=branches).trace_remembered < 1e-20
-
-
 @pytest.mark.parametrize(
     ("programme", "covered", "fastest"),
     [

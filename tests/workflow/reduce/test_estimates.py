@@ -4,7 +4,6 @@ import numpy as np
 import pytest
 
 from elastomer_friction.workflow.plan.error_laws import LAWS
-from elastomer_friction.workflow.plan.goal import JACKKNIFE_GROUPS
 from elastomer_friction.workflow.reduce.blocks import blocks_of, enter, reduction_of
 from elastomer_friction.workflow.reduce.complete import completed
 from elastomer_friction.workflow.reduce.estimates import reduce_blocks
@@ -67,10 +66,6 @@ def test_estimate_is_the_mean_and_its_error_the_classical_one(name):
     np.testing.assert_allclose(FOUND[f"{name}_error"], classical, rtol=1e-6, atol=1e-14)
 
 
-def test_degrees_of_freedom_are_one_less_than_the_blocks():
-    assert FOUND["degrees_of_freedom"].tolist() == [COUNT - 1] * 3
-
-
 def test_curve_starts_just_after_the_jump():
     assert FOUND["time"][:, 0].tolist() == [0.0] * 3
     assert np.array_equal(FOUND["time"][:, 1:], BLOCKS.time, equal_nan=True)
@@ -88,11 +83,6 @@ def test_amplitude_varies_as_the_curves_do():
     assert FOUND["amplitude"][0] == pytest.approx(shares.mean(), rel=1e-6)
     error = shares.std(ddof=1) / np.sqrt(COUNT)
     assert FOUND["amplitude_error"][0] == pytest.approx(error, rel=1e-4)
-
-
-def test_replicates_of_the_rate_are_handed_on():
-    assert FOUND["rate_replicates"].shape == (3, JACKKNIFE_GROUPS + 1)
-    assert np.array_equal(FOUND["rate_replicates"][:, 0], FOUND["relaxation_rate"])
 
 
 def test_reduction_does_not_depend_on_the_company_of_a_task():
@@ -171,12 +161,6 @@ def test_rate_is_judged_by_the_contacts_that_were_found():
     )
 
 
-@pytest.mark.parametrize("name", JUDGED)
-def test_first_order_has_a_larger_bias(name):
-    first_order = resolved(numerics=Numerics("implicit-euler"))
-    assert first_order[f"{name}_bias"] > resolved()[f"{name}_bias"]
-
-
 def test_steps_that_are_given_have_the_bias_of_their_own_samples():
     light = PROBLEM._replace(load=1e-3, speed=100.0)
     given, chosen = (
@@ -195,10 +179,6 @@ def test_no_bias_is_beyond_the_value_itself():
 def test_no_law_is_known_for_lines_that_were_measured():
     measured = PROBLEM._replace(surface=PROBLEM.surface._replace(measured="lines"))
     assert np.isnan(resolved(problem=measured)["mu_1_bias"]).all()
-
-
-def test_nothing_is_said_where_nothing_steady_is_asked_for():
-    assert resolved(names=()) == {}
 
 
 def test_when_a_trace_is_kept_has_an_error_only_where_it_differs_from_line_to_line():

@@ -91,17 +91,6 @@ def test_groups_of_unequal_size_have_the_mean_and_the_error_of_all_blocks(groups
         assert np.mean(error**2) * count == pytest.approx(1.0, abs=5.0 * expected + 0.03)
 
 
-@pytest.mark.parametrize("count", [33, 40, 48, 63, 65, 100])
-def test_from_32_groups_on_unequal_ones_make_no_difference(count):
-    """As planned: up to 32 blocks are groups of their own, more of them share 32."""
-    sizes = np.bincount(np.arange(count) % 32)
-    variance = 32 / 31 * (1.0 - np.sum(sizes**2) / count**2)  # times 1/count, exactly
-    assert variance == pytest.approx(1.0, abs=0.01)
-    blocks = np.random.default_rng(count).standard_normal((count, 20_000))
-    actual = np.mean(standard_error(replicates(grouped_means(blocks, 32), 0), 0) ** 2)
-    assert actual * count == pytest.approx(variance, abs=0.01)
-
-
 @given(st.integers(2, 20), st.integers(0, 20))
 def test_padded_replicates_have_the_same_estimate_and_error(own, more):
     values = replicates(np.random.default_rng(own).standard_normal((3, own)), 1)

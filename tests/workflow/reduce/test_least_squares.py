@@ -85,14 +85,6 @@ def test_noisy_decays_are_fitted_as_by_an_independent_solver(offset, late):
         assert (a, b) == pytest.approx(tuple(expected[:2]), rel=1e-6)
 
 
-def test_the_general_fit_of_curves_finds_the_same():
-    curves = decaying(40, size=0.1)
-    actual = fit_decays(TIME, curves, EVEN, np.ones(40))
-    general = fit_curves(one_exponential, TIME, curves, np.array([1.0, 0.0]))
-    np.testing.assert_allclose(actual[:, 0], general[:, 0], rtol=1e-5)
-    np.testing.assert_allclose(actual[:, 1], np.exp(general[:, 1]), rtol=1e-5)
-
-
 @pytest.mark.parametrize("offset", [False, True])
 def test_a_row_does_not_depend_on_its_company_nor_on_its_unit(offset):
     """To the bit, for units that are powers of two."""
@@ -103,13 +95,6 @@ def test_a_row_does_not_depend_on_its_company_nor_on_its_unit(offset):
         np.testing.assert_array_equal(alone[0], actual[row])
     larger = fit_decays(TIME, 2.0**30 * curves, EVEN, np.ones(8), offset)
     np.testing.assert_array_equal(larger, actual * [2.0**30, 1.0])
-
-
-@pytest.mark.parametrize("start", [0.02, 1.0, 100.0])
-def test_where_a_search_begins_does_not_matter_to_a_clear_decay(start):
-    curves = decaying(8)
-    actual = fit_decays(TIME, curves, EVEN, np.full(8, start))
-    np.testing.assert_allclose(actual, fit_decays(TIME, curves, EVEN, np.ones(8)), rtol=1e-6)
 
 
 def test_what_no_decay_describes_ends_without_a_word():

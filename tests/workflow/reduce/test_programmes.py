@@ -7,8 +7,7 @@ import pytest
 from hypothesis import example, given
 from hypothesis import strategies as st
 
-from elastomer_friction.kernels import Hold, Oscillation, Ramp, Sampled, Slide
-from elastomer_friction.kernels.motion.legs import leg_duration
+from elastomer_friction.kernels import Hold, Oscillation, Slide
 from elastomer_friction.workflow.reduce.blocks import Blocks
 from elastomer_friction.workflow.reduce.traces import (
     extremum,
@@ -100,12 +99,6 @@ def test_without_an_oscillation_or_samples_there_is_nothing():
     time, phase = cycles(16)
     assert np.isnan(loop(SWINGING[:2], time[None], phase[None], phase[None])).all()
     assert np.isnan(loop(SWINGING, time[None, :5], phase[None, :5], phase[None, :5])).all()
-
-
-def test_every_leg_takes_its_time():
-    legs = (Slide(-2.0, 3.0), Hold(4.0), Ramp(0.0, 1.0, 5.0), Oscillation(0, 1, 0.5, 3))
-    assert [leg_duration(leg) for leg in legs] == [1.5, 4.0, 5.0, 6.0]
-    assert leg_duration(Sampled((0.0, 2.0, 7.0), (1.0, 1.0, 0.0))) == 7.0
 
 
 EVENTS = 5

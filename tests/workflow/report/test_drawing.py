@@ -1,7 +1,5 @@
 """How figures look and how they are drawn: the same result gives the same files."""
 
-import json
-
 import matplotlib as mpl
 import numpy as np
 import pytest
@@ -14,14 +12,11 @@ from elastomer_friction.workflow.report.figure import write_figure
 from elastomer_friction.workflow.report.in_words import unit_in_words, with_unit
 from elastomer_friction.workflow.report.panels import (
     STYLE,
-    error_band,
     error_bars,
     foot_line,
     hover_points,
     log_bars,
-    plain_ticks,
 )
-from elastomer_friction.workflow.report.unresolved import why_hollow
 from elastomer_friction.workflow.report.usual_figure import MAX_ROWS, draw
 from elastomer_friction.workflow.study.axes import COMMON_AXES
 from tests.support.commands import besides_notes
@@ -102,17 +97,6 @@ def test_a_legend_says_what_hollow_markers_are_and_how_many(points):
     assert not plain.legends
 
 
-def test_a_caption_does_not_call_wide_contacts_narrow(points):
-    samples = xr.full_like(points.rms_slope, 400.0)
-    assert why_hollow(points.assign(samples_per_contact=samples)) == (
-        "a discretisation error above 2 % (5 % on a half-space)"
-    )
-    samples.values.flat[0] = 2.0
-    both = why_hollow(points.assign(samples_per_contact=samples))
-    large = "a discretisation error above 2 % (5 % on a half-space)"
-    assert both == f"contacts of fewer than 4 samples or {large}"
-
-
 def test_a_bias_is_added_to_the_bars(points):
     _, ax = plt.subplots()
     error_bars(ax, points, "rms_slope", "velocity", bias=points.rms_slope, fmt="o")
@@ -143,25 +127,6 @@ def test_points_are_where_they_are_drawn_and_say_what_they_are(ax, over_velocity
     value, place = points[1].text.split("\n")
     assert value == "share = 0.5 ± 0.15"
     assert place.startswith("v₁ = 0.4 m/s, H = 0.7, F_N = 0.1 N, Δx = 2 µm, h = 10 µm")
-
-
-def test_a_number_that_is_not_known_is_no_point(ax, over_velocity):
-    over_velocity["rms_slope"][2] = np.nan
-    error_bars(ax, over_velocity, "rms_slope", "velocity", fmt="o")
-    ax.set(xlim=(0.0, 1.0), ylim=(0.0, 1.0))
-    assert len(hover_points(ax.figure)) == over_velocity.velocity.size - 1
-
-
-def test_of_a_curve_some_points_are_said(ax, over_velocity):
-    time = np.linspace(0.01, 0.99, 300)
-    curve = over_velocity.isel(velocity=0).assign(
-        mu=("sample", 0.5 * time), spread=("sample", 0.1 * time)
-    )
-    error_band(ax, curve.assign_coords(time=("sample", time)), "mu", "spread", color="C0")
-    ax.set(xlim=(0.0, 1.0), ylim=(0.0, 1.0))
-    points = hover_points(ax.figure)
-    assert 30 <= len(points) <= 40
-    assert points[0].text.startswith("µ = 0.005 ± 0.001\ntime = 0.01, H = 0.7")
 
 
 def estimates():
@@ -205,40 +170,11 @@ def test_of_more_places_than_rows_the_caption_says_how_many_are_drawn():
     assert any("60" in title for title in titles)
 
 
-def test_curves_of_six_points_that_have_one_with_their_bands():
-    ax = draw({"": with_curves(estimates())}).axes[0]
-    assert len(ax.lines) == len(ax.collections) == 6
-    assert all(np.isfinite(line.get_ydata()).all() for line in ax.lines)
-
-
-def test_of_branches_curves_are_over_seconds_on_a_logarithmic_axis():
-    data = with_curves(estimates()).isel(normal_force=[0]).assign(time_s=lambda d: d.time * d.tau)
-    study = json.loads(data.attrs["study"])
-    study["material"]["branches"] = [[1e6, 1e-3], [1e6, 1.0]]
-    ax, *_, rate = draw({"": data.assign_attrs(study=json.dumps(study))}).axes[:4]
-    assert (ax.get_xlabel(), ax.get_xscale()) == ("time after the step (s)", "log")
-    assert "(1/s)" in rate.get_ylabel()
-
-
-def test_the_caption_names_the_panels_that_are_drawn():
-    label = draw({"": estimates()}).get_label()
-    assert label.startswith("µ₁, Δµ₀, b over sliding velocity")
-    assert "; rows: normal force" in label
-    one = draw({"": with_curves(estimates()).isel(velocity=[3], hurst=[0], normal_force=[0])})
-    assert one.get_label().startswith("Friction over time. Bars")
-
-
 def test_a_comparison_is_drawn_beside_the_study():
     data = estimates()
     figure = draw({"": data, "coarse": data})
     assert len(figure.axes[0].containers) == 6
     assert "coarse" in [text.get_text() for text in figure.axes[0].get_legend().get_texts()]
-
-
-def test_a_single_point_and_other_quantities_have_a_figure_too():
-    one = result("fig7", hurst=[0.7], normal_force=[0.1], velocity=[0.1])
-    figure = draw({"": add(one, peak=0.1, healing=0.2)})
-    assert {"rms_slope", "peak", "healing"} & {ax.get_ylabel() for ax in figure.axes}
 
 
 def test_a_single_point_has_its_curve_alone_and_its_numbers_in_the_caption():
@@ -293,17 +229,6 @@ def test_units_are_written_as_people_do():
     units = {"m s-1": "m/s", "s-1": "1/s", "N m-1": "N/m", "degree_Celsius": "°C", "1": ""}
     for unit, words in units.items():
         assert unit_in_words(xr.DataArray(0.0, attrs={"units": unit})) == words
-
-
-def test_narrow_logarithmic_axes_have_plain_numbers():
-    figure, (narrow, wide) = plt.subplots(1, 2)
-    for ax, end in ((narrow, 8.0), (wide, 1e5)):
-        ax.set(xscale="log", xlim=(1.0, end))
-    plain_ticks(figure)
-    figure.canvas.draw()
-    texts = [[t.get_text() for t in ax.get_xticklabels(which="both")] for ax in (narrow, wide)]
-    assert {"1", "2", "5"} <= {*texts[0]}
-    assert any("10^{" in text for text in texts[1])
 
 
 BROKEN = """

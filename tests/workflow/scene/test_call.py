@@ -3,10 +3,8 @@
 import numpy as np
 import pytest
 import xarray as xr
-from numba.core import event
 
 from elastomer_friction.workflow.ground import UserError
-from elastomer_friction.workflow.scene import call
 from tests.workflow.scene.scenes import KELVIN, LENGTH, MATERIAL, PULL, N, heights, run, slide
 
 EVERYTHING = ["steady", "trace", "peak", "relaxation", "rate_state", "energy", "contact_lengths"]
@@ -66,10 +64,6 @@ def test_a_function_of_time_moves_the_drive_if_there_is_one():
     assert "trace_drive_force" in actual
 
 
-def test_a_single_segment_is_a_programme_of_one():
-    assert run(programme=slide()).equals(run(programme=[slide()]))
-
-
 def test_everything_is_in_si(stepped):
     velocity = stepped.trace_velocity.values[1:]
     assert sorted(set(velocity.round(12))) == [0.1, 0.2]
@@ -117,13 +111,6 @@ def test_a_dashpot_jumps_and_holds_make_a_dimension():
     assert (actual.static_peak > actual.mu_end_of_hold).all()
     jump = run(slide(0.1), slide(0.2), material=KELVIN, quantities=["jump"])
     assert float(jump["jump"]) > 0.0
-
-
-def test_sliding_back_over_the_mirrored_line_is_the_mirror_image():
-    there = run(slide(0.1), quantities=["steady", "trace"])
-    back = run(slide(-0.1), quantities=["steady", "trace"], profile=heights()[::-1].copy())
-    assert back.mu_1.item() == pytest.approx(-there.mu_1.item(), rel=1e-9)
-    assert back.trace_mu.values == pytest.approx(-there.trace_mu.values, rel=1e-8)
 
 
 def test_an_oscillation_at_an_indentation_makes_loops():
@@ -266,18 +253,3 @@ def test_two_halves_are_the_whole_to_the_bit(first):
 def test_a_state_of_another_scene_or_none_is_refused(first, changed, words):
     with pytest.raises(UserError, match=words):
         run(slide(), **(ASKED | {"state": first} | changed))
-
-
-def test_it_is_said_that_kernels_are_compiled(monkeypatch, tmp_path, capsys):
-    run()  # where nothing was compiled yet, it is now
-    capsys.readouterr()
-    own = call._estimates
-
-    def compiling(*given):
-        with event.trigger_event("numba:compile"):
-            return own(*given)
-
-    monkeypatch.setattr(call, "_estimates", compiling)
-    run()
-    message = "Compiling the kernels of this scene, 5 to 60 s and about 300 MiB, once.\n"
-    assert capsys.readouterr().err == message

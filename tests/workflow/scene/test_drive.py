@@ -6,7 +6,7 @@ import pytest
 from elastomer_friction.workflow.plan import make_plan
 from tests.support.documents import without
 from tests.support.small import small_study
-from tests.workflow.scene.scenes import KELVIN, LENGTH, PULL, N, run, slide
+from tests.workflow.scene.scenes import KELVIN, LENGTH, PULL, N, run
 
 VELOCITY = 0.1
 
@@ -25,17 +25,6 @@ def test_from_rest_the_spring_is_stretched_at_the_drives_velocity():
     force = actual.trace_drive_force.where(early, drop=True)
     np.testing.assert_allclose(force, stiffness * stretch.where(early, drop=True), rtol=0.05)
     assert float(actual.trace_drive_force[0]) == 0.0
-
-
-def test_a_stiff_drive_gives_the_friction_of_the_line_that_is_moved():
-    moved = run(slide(VELOCITY, 32), slide(2 * VELOCITY, 32))
-    stiff = pulled(
-        1e9,
-        {"pull": {"velocity": VELOCITY, "distance": 32 * LENGTH / N}},
-        {"pull": {"velocity": 2 * VELOCITY, "duration": 32 * LENGTH / N / (2 * VELOCITY)}},
-    )
-    mu = np.interp(moved.trace_time, stiff.trace_time, stiff.trace_mu)
-    assert np.sqrt(np.mean((mu - moved.trace_mu) ** 2)) < 0.03 * float(moved.trace_mu.max())
 
 
 def test_a_heavy_slider_gathers_way_as_newton_says():
@@ -100,14 +89,3 @@ def test_when_a_slider_turns_is_a_list_in_seconds():
     assert actual.slip_event_kind.values.tolist() == [2]
     assert actual.slip_event_kind.attrs["flag_meanings"].split()[3] == "reversal"
     assert float(actual.slip_event_time[0]) == pytest.approx(there, rel=0.02)
-
-
-def test_a_drive_that_is_held_keeps_friction_the_longer_the_softer_it_is():
-    """The slider creeps on as the spring slackens: a line that is held has nothing to wait for."""
-    wait = {"duration": 3e-4}
-    legs = [{"pull": {"velocity": VELOCITY, "distance": 32 * LENGTH / N}}]
-    legs.append({"pull": {"velocity": 0.0, **wait}})
-    held = abs(float(run(slide(VELOCITY, 32), {"hold": wait}).trace_friction_force[-1]))
-    stiff, soft = (float(pulled(k, *legs).trace_drive_force[-1]) for k in (1e5, 1e2))
-    assert stiff == pytest.approx(held, rel=0.1)
-    assert soft > 1.3 * stiff

@@ -7,14 +7,12 @@ from elastomer_friction.kernels import (
     Case,
     Line,
     Quantities,
-    Seconds,
     amplitudes,
     draw_phases,
     run_case,
     sample_line,
 )
 from elastomer_friction.workflow import scene
-from elastomer_friction.workflow.simulate.bodies import BODIES
 from elastomer_friction.workflow.simulate.layout import row_layout, unpack
 from elastomer_friction.workflow.simulate.realizations import block_means
 from elastomer_friction.workflow.simulate.recorded_steps import curve_times, record_steps
@@ -44,21 +42,6 @@ def outcome(batch, line, times):
     kept = times * record_steps(task.march_steps, batch.recording.samples, problem.spectrum)
     case = Case(problem.load, problem.speed, (problem.ratio,), (kept,), batch.scheme)
     return run_case(Line.measured(batch.heights[line], steps), case, QUANTITIES)
-
-
-def test_the_time_of_halved_steps_is_added_to_its_phase(batch, monkeypatch):
-    run = BODIES["foundation"].run
-
-    def slow(lines, prepared):
-        one = Seconds(*[1.0 for _ in Seconds._fields])
-        return [
-            [outcome._replace(seconds=one) for outcome in outcomes]
-            for outcomes in run(lines, prepared)
-        ]
-
-    monkeypatch.setitem(BODIES, "foundation", BODIES["foundation"]._replace(run=slow))
-    spent = block_means(batch).spent[:, 1:]
-    assert np.all(spent == 2.0 + 2.0 * 2.0)  # two lines, and each again with both steps
 
 
 def test_records_of_measured_lines_hold_the_changes_due_to_halved_steps(batch):

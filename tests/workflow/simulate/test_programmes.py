@@ -23,11 +23,8 @@ from elastomer_friction.kernels import (
     run_case,
     run_scene,
 )
-from elastomer_friction.workflow.simulate import realizations
 from elastomer_friction.workflow.simulate.drawing import line_generator
 from elastomer_friction.workflow.simulate.layout import (
-    CONTACT_LENGTH_BINS,
-    CONTACT_LENGTH_EDGES,
     row_layout,
     row_width,
     unpack,
@@ -40,7 +37,7 @@ from elastomer_friction.workflow.simulate.recorded_steps import (
     record_steps,
     trace_steps,
 )
-from elastomer_friction.workflow.simulate.tasks import PHASES, SCALARS, Problem, Recording, Task
+from elastomer_friction.workflow.simulate.tasks import SCALARS, Problem, Recording, Task
 from tests.support.small import HOLDING, PROGRAMME, cut_batches, small_plan
 
 
@@ -51,10 +48,6 @@ def test_recorded_steps_run_from_the_first_to_the_last(march, samples):
     assert np.all(np.diff(recorded) >= 1)
     assert recorded.size <= samples - 1
     assert recorded.size == samples - 1 or march < 2 * samples
-
-
-def test_every_step_of_a_short_march_is_recorded():
-    assert record_steps(10, 64).tolist() == list(range(1, 11))
 
 
 def deviation(moments, steps, lag=None):
@@ -208,18 +201,6 @@ def test_the_layout_has_no_gaps_and_unpacks_to_its_shapes(count):
     assert parts["initial_rate"].shape == (3,)
 
 
-def test_without_a_march_a_row_is_empty():
-    without = Quantities(relaxation=False)
-    assert row_width(row_layout(TASK, without, "exponential", Recording(64))) == 0
-
-
-def test_contact_lengths_are_counted_from_a_sixteenth_of_a_spacing_on():
-    assert CONTACT_LENGTH_EDGES.size == CONTACT_LENGTH_BINS + 1
-    assert CONTACT_LENGTH_EDGES[:5].tolist()[::2] == [0.0625, 0.125, 0.25]
-    ratios = CONTACT_LENGTH_EDGES[1:] / CONTACT_LENGTH_EDGES[:-1]
-    np.testing.assert_allclose(ratios, np.sqrt(2.0), rtol=1e-15)
-
-
 def batch_of(programme):
     """Return the first batch of a small study with a programme."""
     small = "material.temperature=20.0", "grid.velocity=0.03", "numerics.samples=16"
@@ -268,15 +249,6 @@ def test_times_and_positions_of_a_trace_are_those_of_each_line_to_the_bit():
     for name in MOTION_TRACES:
         for block in means[name]:
             np.testing.assert_array_equal(block, expected[name])
-
-
-def test_the_time_of_a_programme_is_added_to_marching(monkeypatch):
-    """Here it is a million seconds for each line, and far less for everything else."""
-    monkeypatch.setattr(realizations, "add_programme", lambda *_: 1e6)
-    megaseconds = block_means(BATCH).spent // 1e6
-    lines = BATCH.blocks * BATCH.realizations_per_block
-    assert (megaseconds[:, PHASES.index("marching")] == lines).all()
-    assert megaseconds.sum() == lines * len(BATCH.tasks)
 
 
 def test_snapshots_are_taken_on_request():

@@ -137,13 +137,6 @@ def test_time_is_added_to_the_requested_phases():
     assert sum(seconds.values()) <= done.seconds
 
 
-def test_every_task_has_its_share_of_the_time():
-    done = block_means(WHOLE)
-    assert (done.spent > 0.0).all()
-    assert done.spent.sum() <= done.seconds
-    assert len(np.unique(done.spent[:, 0])) == 1  # of drawing, in equal parts
-
-
 BATCH = next(cut_batches(small_plan("study.realizations=2"), set(), 1e9))
 
 

@@ -12,8 +12,7 @@ from elastomer_friction.workflow.study.read import known_studies
 from elastomer_friction.workflow.study.schema import study_schema
 from elastomer_friction.workflow.study.scripts import BUILT_IN_STUDIES, load_script
 from elastomer_friction.workflow.study.settings import default_of, values_of
-from elastomer_friction.workflow.study.tables import ALL_TABLES, HEAD, TABLES
-from elastomer_friction.workflow.study.variants import COMPARE
+from elastomer_friction.workflow.study.tables import ALL_TABLES, TABLES
 from tests.support.small import TEXT
 
 KEYS = [
@@ -22,10 +21,6 @@ KEYS = [
     for name, key in keys.items()
 ]
 NUMBERS = ("a number", "a whole number", "two numbers", "a list of numbers")
-
-
-def test_every_key_of_a_comparison_is_among_those_of_the_tables():
-    assert {*HEAD, *COMPARE} <= {key for keys in ALL_TABLES.values() for key in keys}
 
 
 PAGE = Path(__file__).parents[3].joinpath("docs/reference/measures.md").read_text(encoding="utf-8")
@@ -134,10 +129,3 @@ REFUSED = [
 @pytest.mark.parametrize(("table", "key", "value"), REFUSED)
 def test_what_the_reader_refuses_is_refused(table, key, value):
     assert not CHECK.is_valid(with_value(table, key, value))
-
-
-def test_every_key_of_a_comparison_is_there():
-    compared = study_schema()["properties"]["compare"]["patternProperties"]
-    (table,) = compared.values()
-    assert table["properties"].keys() == COMPARE.keys()
-    assert all("description" in each for each in table["properties"].values())

@@ -187,10 +187,6 @@ def test_comparison_inherits_the_numerics_it_does_not_name():
     assert coarse == Numerics("implicit-euler", 1, 16, 7.0)
 
 
-def test_automatic_steps_are_kept_as_a_question():
-    assert small_study("numerics.steps_per_spacing=auto").variants[""].steps_per_spacing is None
-
-
 BRANCHED = "compare.glassy={branches=[[5e6, 1e-2]], relaxation_time=0}"
 
 

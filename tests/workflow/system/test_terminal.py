@@ -16,7 +16,6 @@ from elastomer_friction.workflow.system.packages import (
     PACKAGES,
     processor,
     this_maker,
-    version_of,
 )
 from elastomer_friction.workflow.system.process import Interrupt
 from tests.support.python import PATIENCE, ROOT, printed
@@ -161,10 +160,6 @@ def test_the_maker_lists_everything_that_numbers_depend_on():
         assert f"{name} {version(name)}" in versions.split(", ")
     assert this_maker().processor == processor()
     assert {"numpy", "numba", "scipy", "dask", "distributed", "xarray", "netCDF4"} == set(PACKAGES)
-
-
-def test_a_missing_package_is_not_installed():
-    assert version_of("no-such-package-as-this") == "not installed"
 
 
 def test_the_processor_has_a_name_without_proc_too(monkeypatch):

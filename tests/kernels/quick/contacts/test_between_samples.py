@@ -218,14 +218,6 @@ def test_partial_contacts_are_followed_between_the_samples(speed, load, least, m
     assert least < actual.contact < most
 
 
-@pytest.mark.parametrize(("speed", "load"), [(0.1, 3.0), (100.0, 1e-3)])
-def test_jump_has_the_sign_of_the_step_and_vanishes_with_it(speed, load):
-    _, actual = slide_with_jumps(speed, load)
-    faster, slower, same = actual.jumps
-    assert faster > 0.0 > slower
-    assert same == pytest.approx(0.0, abs=1e-12)
-
-
 def test_lines_that_are_not_band_limited_are_never_followed():
     z = np.abs(np.linspace(-1.0, 1.0, 64, endpoint=False))
     slope = np.sign(np.linspace(-1.0, 1.0, 64, endpoint=False)) / 32.0

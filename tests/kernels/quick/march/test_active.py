@@ -1,7 +1,6 @@
 """The active-set march, with and without shortened lists: agreement with the plain march, work."""
 
 import itertools
-from functools import partial
 
 import numpy as np
 import pytest
@@ -29,7 +28,6 @@ from tests.kernels.quick.march.given import (
     rounding_of_mu,
     setting_of,
     size_of_jump,
-    states_of,
 )
 from tests.sizes import size
 
@@ -135,21 +133,6 @@ def test_shorter_lists_save_work():
     assert short[3] < size(0.6, 0.95) * long[3]
 
 
-def test_a_restarted_march_shortens_its_lists_too():
-    """At H = 1 and large x, d becomes constant and changes again when a higher asperity lands."""
-    setting, load = setting_of(Jump(1.0, 4, 0.025, size(3e3, 150.0), 0.8), size(2000, 100))
-    steps = size(10_000, 500)
-    march_with = partial(active_march, setting, ConstantForce(load), np.array([steps]))
-    *_, inside_first = march_with(BOUND_MARGINS[:1])
-    _, d, _, work, inside = march_with(BOUND_MARGINS)
-    _, d_wide, inside_wide, work_wide = marched(setting, ConstantForce(load), steps, False, 2.0)
-    assert not inside_first
-    assert inside
-    assert inside_wide
-    np.testing.assert_allclose(d, d_wide[-1:], rtol=1e-11)
-    assert work < size(0.2, 0.9) * work_wide
-
-
 LONG = [Jump(0.7, 4, 1.0, 78.0, 1.2), Jump(0.7, 4, 0.025, 78.0, 0.8), Jump(1.0, 4, 1.0, 31.0, 1.2)]
 
 
@@ -158,17 +141,6 @@ def test_long_lines_over_all_steps(jump):
     steps = int(size(4 * jump.m * jump.ratio * jump.x / np.pi, 80))
     setting, load = setting_of(jump, size(3000, 500))
     assert_same(setting, load, jump, np.arange(1, steps + 1))
-
-
-def test_full_contact_lists_nothing():
-    jump = Jump(1.0, 4, 60.0, 3.0, 1.2)
-    setting, load = setting_of(jump, size(200, 40))
-    w, d = states_of(setting)[0]
-    assert (setting.z - w < d).all()
-    assert_same(setting, load, jump, EVERY)
-    *_, work, inside = active_march(setting, ConstantForce(load), EVERY)
-    assert inside
-    assert work == setting.z.size
 
 
 @pytest.mark.parametrize("x", [1e-5, 1e-3, 1e5])

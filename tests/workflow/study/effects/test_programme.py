@@ -78,18 +78,6 @@ SWING = Oscillate(Velocity(0.0), 1e-4, 10.0, 3)
 FILE = FromFile((0.0, 1.0, 2.0), (0.0, -0.2, 0.4))
 
 
-def test_a_velocity_is_one_or_a_share_of_that_of_the_grid():
-    assert Velocity(0.1).at(7.0) == 0.1
-    assert Velocity(1.5, relative=True).at(2.0) == 3.0
-
-
-def test_how_long_a_slide_takes():
-    assert SLOW.seconds(9.0) == pytest.approx(1e-2)
-    assert FAST.seconds(9.0) == 2.0
-    assert BACK.seconds(9.0) == pytest.approx(1e-3 / 0.3)
-    assert OWN.seconds(0.5) == pytest.approx(1e-3 / 0.6)
-
-
 def scene(*programme):
     return Scene(programme=programme, start="relaxed")
 
@@ -148,8 +136,3 @@ def test_lists_of_an_oscillation_make_one_programme_each(tmp_path):
 def test_where_a_programme_begins_and_its_first_speed_that_is_not_zero(programme, velocity, speed):
     assert scene(*programme).start_velocity(7.0) == velocity
     assert scene(*programme).typical_speed == speed
-
-
-def test_whether_it_depends_on_the_grid():
-    assert scene(SLOW, OWN).uses_velocity
-    assert not scene(SLOW, REST, SWING, FILE).uses_velocity

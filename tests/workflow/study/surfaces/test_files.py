@@ -1,7 +1,5 @@
 """Files of measured lines: the readers by suffix, and what cannot be read."""
 
-from pathlib import Path
-
 import netCDF4
 import numpy as np
 import pytest
@@ -11,7 +9,6 @@ from elastomer_friction.workflow.study.surfaces.files import read_lines
 from elastomer_friction.workflow.study.surfaces.raw_lines import LineFile
 from tests.support.faults import endless
 
-ROOT = Path(__file__).resolve().parents[4]
 X = np.arange(16) * 0.5
 Z = np.random.default_rng(6).normal(size=(3, 16))
 
