@@ -212,4 +212,10 @@ def accept_step(pulled, leg, progress, moved, step):
     end, place = motion.time + dt, motion.place + moved
     known = balance.acceleration, balance.acceleration_time, balance.friction_time
     motion = SliderState(end, place, dt, moved / dt, *known, acting.friction)
-    return SliderProgress(state, motion, moment, dt)
+    # The duration of a step that ends at a sample is no pace: from sample to sample, it would
+    # amplify rounding.
+    pace = max(dt, pulled.hold_growth * progress.pace)
+    samples_moved = pulled.steps_per_spacing * abs(moved)
+    if dt < pace * samples_moved:
+        pace = dt / samples_moved
+    return SliderProgress(state, motion, moment, pace)
