@@ -7,6 +7,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from elastomer_friction.studies.style import CONVERGED, SCHEMES, VARIANTS, fitted
+from elastomer_friction.workflow.ground import with_error
 from elastomer_friction.workflow.report import COLOURS, error_bars, foot_line
 from elastomer_friction.workflow.result import Groups
 
@@ -55,7 +56,7 @@ def _fit(ax: Axes, point: xr.Dataset) -> None:
     inside = np.linspace(0.0, float(point.fit_window), 100)
     rate, error = float(point.relaxation_rate), float(point.relaxation_rate_error)
     exponential = UNIT * float(point.amplitude) * np.exp(-rate * inside)
-    label = f"eq. 6, $b = {rate:.2f} \\pm {error:.2f}$, window shown"
+    label = f"eq. 6, b = {with_error(rate, error)}, window shown"
     ax.plot(inside, exponential, color=COLOURS[0], zorder=3, label=label)
     ax.axhline(0.0, color="0.6", lw=0.5)
     ax.set(xlabel="time after the jump $(t - t_0)/\\tau$", ylabel="$\\mu - \\mu_2$ ($10^{-4}$)")

@@ -1,6 +1,6 @@
 """The notebooks in studies/ run from top to bottom, and give what they are stored with.
 
-Where one is stored with something else: jupyter nbconvert --execute --inplace studies/NAME.ipynb.
+Where one is stored with something else: jupyter execute --inplace studies/NAME.ipynb.
 """
 
 import re

@@ -14,12 +14,13 @@ from ..plan import (
     MapChoice,
     Plan,
     Variant,
+    line_slope,
     map_choices,
     predicted_errors,
     remembered_share,
 )
 from ..reduce import MAX_THEORY_TASKS, persson_values
-from ..result import contact_warning, model_source
+from ..result import contact_warning, model_source, slope_warning
 from ..study import HALF_SPACE, QUANTITIES, Measured, Study, unavailable_reason
 from ..system import COMPILING_MIB, core_time
 from .run_options import announced_plan
@@ -74,6 +75,7 @@ def outline_grid(study: Study, result: Path, sample_seconds: float | None = None
         *_errors(plan),
         *_model_error(plan),
         *_repeated_contact(plan),
+        *_steep_slopes(plan),
         *_shear(plan),
         f"material    {study.material.rheology()}",
         *(f"read        {kind}: {description}" for kind, description in study.descriptions),
@@ -112,7 +114,7 @@ def _choice(choice: MapChoice) -> str:
     steps, seconds, worker_bytes, bias, chosen = choice
     return (
         f"{'choice' if chosen else 'or':12s}m = {steps}: {seconds / 60.0:.2g} core-minutes, "
-        f"{worker_bytes / 2**20:.0f} MiB per worker, bias below {100.0 * bias:.2g} %"
+        f"{worker_bytes / 2**20:.0f} MiB per worker, bias below {_two_digits(100.0 * bias)} %"
     )
 
 
@@ -188,7 +190,12 @@ def _errors(plan: Plan) -> Iterator[str]:
 
 def _percent(errors: np.ndarray) -> str:
     median, largest = (min(100.0 * float(e), 100.0) for e in (np.median(errors), errors.max()))
-    return f"{median:.2g} % (largest {largest:.2g} %)"
+    return f"{_two_digits(median)} % (largest {_two_digits(largest)} %)"
+
+
+def _two_digits(number: float) -> str:
+    """Return a number rounded to two digits, without an exponent from 0.0001 to 10 000."""
+    return f"{float(f'{number:.2g}'):g}"
 
 
 def _model_error(plan: Plan) -> list[str]:
@@ -210,6 +217,16 @@ def _repeated_contact(plan: Plan) -> list[str]:
         f"periodic    a slow branch holds {max(shares):.0%} of the first contact after one period; "
         f'take a surface.length of {length:.3g} m, or scene.start = "steady"'
     ]
+
+
+def _steep_slopes(plan: Plan) -> Iterator[str]:
+    """Yield a warning for each variant with an rms slope above one."""
+    for variant in plan.variants:
+        lines, roughness = variant.lines, max(variant.study.grid["roughness"])
+        problems = [task.problem for task in variant.tasks]
+        slopes = [line_slope(p, lines.normalisation) * p.elements for p in problems]
+        if warning := slope_warning(float(max(slopes)) * roughness / lines.length):
+            yield f"warning     {variant.label or 'study'}: {warning}"
 
 
 def _shear(plan: Plan) -> Iterator[str]:

@@ -123,7 +123,10 @@ def _law_texts(at: str, fit: ShiftFit) -> tuple[str, str]:
     else:
         assert isinstance(law, ShiftTable)
         rows = [f"[{t:g}, {decades:.5g}]" for t, decades in law.rows]
-        text = "shifts: the table itself, linear in between; no law is close to all of them"
+        text = (
+            "shifts: the table itself, linear in between; no law is close to all of them. A study "
+            "reads the same table from a text file by the key shifts_file"
+        )
         return text, f"shifts = [{', '.join(rows)}]"
     beware = "" if fit.holds else ", more than its error: take --law shifts"
     return f"{text}; it misses the shifts by {fit.worst:.2g} decades at most{beware}", key

@@ -6,6 +6,7 @@ import numpy as np
 from matplotlib import pyplot as plt
 from matplotlib.figure import Figure
 
+from ..ground import with_error
 from ..report import COLOURS, Picture, legend_in_room, write_below, write_figure
 from .measured_spectrum import MeasuredSpectrum
 from .rolloff_fit import RolloffFit
@@ -22,7 +23,7 @@ def _figure_of(spectrum: MeasuredSpectrum, fit: RolloffFit) -> Figure:
     error = bins.density * np.sqrt(fit.mode_variance / bins.modes)
     left.plot(spectrum.q, spectrum.density, ".", ms=0.6, color="0.6", label="modes or rings")
     left.errorbar(q, bins.density, np.minimum(error, 0.99 * bins.density), fmt="o", color="k", ms=2)
-    label = f"$H = {fit.hurst.value:.3f} \\pm {fit.hurst.error:.3f}$"
+    label = f"H = {with_error(*fit.hurst)}"
     left.plot(q[: fit.model.size], fit.model, "-", color=COLOURS[4], label=label)
     for ax, places in ((left, lambda wave: 2.0 * np.pi / wave), (right, lambda wave: wave)):
         if fit.rolloff is not None:

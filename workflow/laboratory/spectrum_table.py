@@ -5,7 +5,8 @@ import math
 import numpy as np
 from scipy.fft import next_fast_len
 
-from ..ground import UserError
+from ..ground import UserError, with_error
+from ..report import plus_minus
 from ..study import Profile
 from .measured_spectrum import MeasuredSpectrum, skewness_of
 from .rolloff_fit import RolloffFit
@@ -18,7 +19,6 @@ SLOPE_CUTS = 2, 4, 8, 16  # cut-offs, in measured ones, for which the rms slope 
 def describe_spectrum(profile: Profile, spectrum: MeasuredSpectrum, fit: RolloffFit) -> list[str]:
     """Return the parameters as comments of TOML, and the keys of random surfaces like it."""
     keys, slope = _keys(profile, spectrum, fit)
-    skewness, error = skewness_of(profile)
     shortest = 2.0 * math.pi / fit.last_q
     waves, slopes = 2.0 * math.pi / spectrum.q, spectrum.slopes()
     rolloff = f"not within the length: shorter than {fit.least_rolloff:.3g} m is excluded"
@@ -30,9 +30,9 @@ def describe_spectrum(profile: Profile, spectrum: MeasuredSpectrum, fit: Rolloff
     kind = "lines" if spectrum.falling == 1 else "a map: rms slope of the full gradient"
     rows = {
         "read as": kind,
-        "h": f"{profile.roughness:.4g} m ± {percent:.0f} %",
-        "skewness": f"{skewness:.2f} ± {error:.2f}",
-        "H": f"{fit.hurst.value:.3f} ± {fit.hurst.error:.3f}, from waves of "
+        "h": f"{profile.roughness:.4g} m{plus_minus(percent, f'{percent:.0f} %')}",
+        "skewness": f"{with_error(*skewness_of(profile))}",
+        "H": f"{with_error(*fit.hurst)}, from waves of "
         f"{2.0 * math.pi / fit.first_q:.3g} to {shortest:.3g} m",
         "roll-off": rolloff,
         "cut-off": f"{shortest:.4g} m: {fit.end_reason}",

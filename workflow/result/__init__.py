@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 from ..ground import public_names
 
 if TYPE_CHECKING:
-    from .body_text import body_in_words, contact_warning, model_in_words
+    from .body_text import body_in_words, contact_warning, model_in_words, slope_warning
     from .dataset import Groups, build_dataset, in_si, model_source, units_of
     from .estimate_table import short_table
     from .netcdf import (

@@ -22,12 +22,21 @@ def contact_warning(surface: Surface, area: float) -> str:
     )
 
 
+def slope_warning(slope: float) -> str:
+    """Return a warning if the largest rms slope exceeds one, or "": small slopes are assumed."""
+    if not slope > 1.0:
+        return ""
+    return f"the rms slope is {slope:.3g}, but slopes are assumed to be small"
+
+
 def body_in_words(data: xr.Dataset) -> str:
-    """Return sentences on the body of a result, its reason and its effects; "" if unknown."""
+    """Return sentences on the body of a result, its effects and its slope; "" if unknown."""
     facts = [data.attrs[name] for name in ("body", "body_reason") if name in data.attrs]
     body = f"Body: {', '.join(facts)}." if facts else ""
     heat = f"Heating: {data.attrs['heat']}." if "heat" in data.attrs else ""
-    return " ".join(filter(None, (body, _shear_in_words(data), heat)))
+    warning = slope_warning(float(data.rms_slope.max())) if "rms_slope" in data else ""
+    steep = f"Warning: {warning}." if warning else ""
+    return " ".join(filter(None, (body, _shear_in_words(data), heat, steep)))
 
 
 def _shear_in_words(data: xr.Dataset) -> str:

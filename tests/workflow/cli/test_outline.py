@@ -40,6 +40,7 @@ def test_plan_is_a_short_table_in_a_fixed_order(capsys, study):
         ([], "steps", r".*marches of .* steps"),
         ([STEADY], "steps", r".*no march"),
         (["study.realizations=100000"], "predicted", r".* about \d\S* to \d\S* core-.*"),
+        (["grid.roughness=0.01"], "warning", r"warning .* slope is \d.*, .* small"),
         ([], "memory", r"memory +\d{3,} MiB per worker, .* samples"),
         (RUBBER, "errors", r".*unknown before the run.*"),  # a rubber of several times
         (

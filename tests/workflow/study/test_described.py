@@ -24,9 +24,7 @@ NUMBERS = ("a number", "a whole number", "two numbers", "a list of numbers")
 
 
 PAGE = Path(__file__).parents[3].joinpath("docs/reference/measures.md").read_text(encoding="utf-8")
-ENTRY = re.compile(
-    r"^### (\w+): measure\.(\w+)\n\n\*(.*)\. Required; (.*)\.\*\n\n(.*)$", re.MULTILINE
-)
+ENTRY = re.compile(r"^### (\w+): measure\.(\w+)\n\n\*(.*): (.*)\.\*\n\n(.*)$", re.MULTILINE)
 TABLES_OF = {
     path.parent.name: tomllib.loads(path.read_text(encoding="utf-8"))
     for path in BUILT_IN_STUDIES.glob("*/study.toml")
@@ -56,7 +54,6 @@ def test_a_key_of_a_measured_study_is_described_with_its_values_at_every_scale(n
     assert entry[2].lower() == values
     assert re.findall(r"at scale (\w+)", entry[3]) == list(scales)
     assert [float(n) for n in re.findall(r"`(.+?)`", entry[3])] == [value, *scales.values()]
-    assert "oubled" in entry[4]  # what changes then
     assert entry[4].endswith(".")
 
 
