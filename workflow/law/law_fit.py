@@ -10,11 +10,12 @@ import numpy as np
 
 from ..given_motion import distances_between_turns, finely
 from ..ground import UserError
+from .fitted_law import Validity
 from .load_law import MIN_LOADS, LoadLaw
 from .memory_law import MemoryLaw
 from .memory_names import numbered, origins
 from .memory_search import MemorySearch
-from .reduced_law import Law, Validity
+from .reduced_law import Law
 from .residuals import (
     Masks,
     known_friction,

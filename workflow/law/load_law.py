@@ -11,9 +11,10 @@ from typing import ClassVar, Self
 import numpy as np
 
 from ..given_motion import LawError
+from .fitted_law import FittedLaw
 from .memory_law import MemoryLaw
 from .memory_names import checked_names, memory_texts
-from .reduced_law import BeyondLawWarning, FittedLaw, finite_number
+from .reduced_law import BeyondLawWarning, finite_number
 
 LOAD_TABLES = ("direct", "target", "rate_per_length", "rate", "age")  # fields with a load axis
 MIN_LOADS = 3  # so that two laws can predict one between them

@@ -25,9 +25,10 @@ from numpy.typing import ArrayLike
 
 from ..given_motion import LawError, finite_numbers
 from ..system import read_whole
+from .fitted_law import FORMAT, OPTIONAL_FIELDS, TEXT_FIELDS, Validity
 from .load_law import LoadLaw
 from .memory_law import MemoryLaw
-from .reduced_law import FORMAT, OPTIONAL_FIELDS, TEXT_FIELDS, Law, Validity, mean_speed
+from .reduced_law import Law, mean_speed
 
 MIN_LOG_SPEED = 1e-300  # m/s, lower bound of a speed before its logarithm is taken
 MAX_EXPONENT = 700.0  # exp of larger numbers overflows

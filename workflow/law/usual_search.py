@@ -8,7 +8,8 @@ from typing import NamedTuple
 import numpy as np
 from scipy.optimize import least_squares
 
-from .reduced_law import Law, Validity
+from .fitted_law import Validity
+from .reduced_law import Law
 from .residuals import (
     Masks,
     extent_of,

@@ -15,7 +15,7 @@ import pytest
 
 from elastomer_friction.workflow.ground import UserError
 from elastomer_friction.workflow.law import LuGreLaw, export, read
-from elastomer_friction.workflow.law.reduced_law import Validity
+from elastomer_friction.workflow.law.fitted_law import Validity
 from tests.workflow.law.given import load_law, memory_law
 
 LAW = memory_law().with_validity(

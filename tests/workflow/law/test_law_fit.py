@@ -10,9 +10,10 @@ from scipy.integrate import solve_ivp
 
 import elastomer_friction as ef
 from elastomer_friction.workflow.law import LoadLaw, LuGreLaw, RateStateLaw, read, transients_of
+from elastomer_friction.workflow.law.fitted_law import Validity
 from elastomer_friction.workflow.law.memory_names import origins
 from elastomer_friction.workflow.law.memory_search import MemorySearch
-from elastomer_friction.workflow.law.reduced_law import BeyondLawWarning, Validity
+from elastomer_friction.workflow.law.reduced_law import BeyondLawWarning
 from tests.workflow.law.given import SEGMENTS, dataset, memory_law, result
 
 TIME = np.linspace(0.0, 0.3, 1501)

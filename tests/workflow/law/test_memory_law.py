@@ -10,7 +10,8 @@ from scipy.integrate import solve_ivp
 from elastomer_friction.workflow.given_motion import distances_between_turns
 from elastomer_friction.workflow.ground import UserError
 from elastomer_friction.workflow.law import MemoryLaw, read
-from elastomer_friction.workflow.law.reduced_law import BeyondLawWarning, Validity
+from elastomer_friction.workflow.law.fitted_law import Validity
+from elastomer_friction.workflow.law.reduced_law import BeyondLawWarning
 from tests.workflow.law.given import SPEEDS, memory_law
 
 LAW = memory_law()

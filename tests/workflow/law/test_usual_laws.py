@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from elastomer_friction.workflow.law import LuGreLaw, RateStateLaw, read
-from elastomer_friction.workflow.law.reduced_law import Validity
+from elastomer_friction.workflow.law.fitted_law import Validity
 from elastomer_friction.workflow.reduce import step_law
 from tests.workflow.law.given import memory_law
 
