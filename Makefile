@@ -69,7 +69,8 @@ test-cluster: $(TOOLS) ## Run the tests that start clusters on this machine (SLU
 	$(PYTEST) -m cluster tests/cluster
 
 test-nojit: $(TOOLS) ## Run the tests of the kernels as plain Python
-	NUMBA_DISABLE_JIT=1 $(PYTEST) -m "$(USUAL)" tests/kernels $(addprefix tests/hard/test_,corners.py shapes.py domain.py scenes.py)
+	NUMBA_DISABLE_JIT=1 $(PYTEST) -m "$(USUAL)" tests/kernels --ignore=tests/kernels/half_space/test_friction_heat.py \
+	  $(addprefix tests/hard/test_,corners.py shapes.py domain.py scenes.py)
 
 test-processors: test-generic test-rounding ## Run the numerical tests as on other processors
 

@@ -24,7 +24,7 @@ def standing(tmp_path_factory) -> Iterator[Standing]:
 @pytest.fixture(scope="session")
 def undisturbed(tmp_path_factory) -> bytes:
     """Return the bytes of the result of a trial of which nothing is disturbed."""
-    return Trial(tmp_path_factory.mktemp("peace"), "--workers", "2").whole()
+    return Trial(tmp_path_factory.mktemp("peace")).whole()
 
 
 @pytest.fixture

@@ -23,6 +23,7 @@ PATIENCE = 300.0  # seconds to wait for a process at most
 # Kills a process when its parent ends in any way: pytest may end without running its fixtures.
 ENDS_WITH_PARENT = ("setpriv", "--pdeathsig", "KILL") if shutil.which("setpriv") else ()
 STUDY = ("workflow", "run", "fig7", "--scale", "smoke")
+TRIAL_SIZE = ("--set", "study.realizations=40")  # 160 batches, so that much can happen
 
 
 def free_port() -> int:
@@ -65,14 +66,6 @@ def start_worker(log: Path, address: str, *options: str, **how) -> subprocess.Po
     """Start a worker of one thread, its files beside its log."""
     own = ("--nthreads", "1", "--no-dashboard", "--local-directory", str(log.with_suffix("")))
     return start(log, "distributed.cli.dask_worker", address, *own, *options, **how)
-
-
-def result_of(folder: Path, *options: str, **environment: str) -> tuple[bytes, str]:
-    """Run the smoke study of figure 7; return the bytes of its result, and what it said."""
-    log = folder / "log"
-    process = start(log, *STUDY, "--out", str(folder), *options, **environment)
-    assert process.wait(timeout=4.0 * PATIENCE) == 0, log.read_text()
-    return (folder / "fig7-smoke.nc").read_bytes(), log.read_text()
 
 
 def end(process: subprocess.Popen) -> None:
@@ -132,7 +125,7 @@ class Trial:
         """``stopping`` : whether it stops itself once it has stored something, see stopping.py."""
         folder.mkdir(exist_ok=True)
         self.folder, self.log = folder, folder / "log"
-        many = ("--set", "study.realizations=240", "--batch-seconds", "1e-9")
+        many = (*TRIAL_SIZE, "--batch-seconds", "1e-9")
         self.words = (write_study(folder), "--out", str(folder), *many, *options)
         self.again(module="tests.cluster.stopping" if stopping else "workflow", **environment)
 

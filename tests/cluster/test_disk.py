@@ -26,8 +26,8 @@ def disk(tmp_path_factory):
 
 @pytest.fixture
 def begun(tried, tmp_path):
-    """Return what starts a run by one worker of this machine."""
-    return partial(tried, tmp_path, "--workers", "1")
+    """Return what starts a run in one process."""
+    return partial(tried, tmp_path)
 
 
 def assert_whole(run, expected):
@@ -37,16 +37,18 @@ def assert_whole(run, expected):
     assert not list(run.folder.glob("**/.*.tmp"))
 
 
-@pytest.mark.parametrize("fault", ["write ENOSPC", "fsync EIO", "open EMFILE", "write ESTALE"])
+@pytest.mark.parametrize(  # other faults: tests/hard/test_disk_errors.py
+    ("fault", "workers"), [("fsync EIO", ("--workers", "1")), ("open EMFILE", ())]
+)
 def test_a_run_waits_for_the_disk_and_ends_with_the_same_bytes(
-    disk, begun, tmp_path, undisturbed, fault
+    disk, begun, tmp_path, undisturbed, fault, workers
 ):
-    run = begun(stopping=True, **disk.environment(f"{fault} {tmp_path / 'store'}/"))
+    run = begun(*workers, stopping=True, **disk.environment(f"{fault} {tmp_path / 'store'}/"))
     run.wait_for_its_stop()
     with disk.failing():
         run.go_on()
         run.wait_for(r".*cannot be (written|read): .*; tried again for 10\.0 min at most")
-        time.sleep(3.0)
+        time.sleep(1.0)
     assert_whole(run, undisturbed)
 
 
@@ -76,38 +78,35 @@ def test_without_locks_a_run_is_refused_and_with_no_lock_goes_to_its_end(
     assert_whole(run, undisturbed)
 
 
-def test_a_file_system_that_flushes_no_folder_is_said_and_serves(
-    disk, begun, tmp_path, undisturbed
-):
-    run = begun(**disk.environment(f"fsyncdir EINVAL {tmp_path} always"))
-    assert_whole(run, undisturbed)
-    assert said(".*cannot flush a folder.*", run.lines()) == 1
-
-
 def test_a_result_waits_for_the_disk_too(disk, begun, tmp_path, undisturbed):
     with disk.failing():
         run = begun(**disk.environment(f"write ENOSPC {tmp_path}/.small.nc"))
         run.wait_for(r".*small\.nc: cannot be written: .*; tried again.*")
-        time.sleep(3.0)
+        time.sleep(1.0)
     assert_whole(run, undisturbed)
 
 
-def test_a_status_that_cannot_be_written_ends_nothing(disk, begun, tmp_path, undisturbed):
-    run = begun(**disk.environment(f"open EIO {tmp_path}/.small.status always"))
+def test_a_folder_that_is_not_flushed_and_a_status_that_is_not_written_are_reported(
+    disk, begun, tmp_path, undisturbed
+):
+    rules = f"fsyncdir EINVAL {tmp_path} always", f"open EIO {tmp_path}/.small.status always"
+    run = begun(**disk.environment(*rules))
     assert_whole(run, undisturbed)
+    assert said(".*cannot flush a folder.*", run.lines()) == 1
     assert said(".*the run continues.*", run.lines()) == 1
 
 
-@pytest.mark.parametrize("number", [signal.SIGTERM, signal.SIGHUP], ids=str)
-def test_signals_of_batch_systems_and_terminals_keep_what_is_finished(begun, undisturbed, number):
+def test_signals_of_batch_systems_and_terminals_keep_what_is_finished(begun, undisturbed):
     run = begun(stopping=True)
-    run.wait_for_its_stop()
-    os.kill(run.driver.pid, number)
-    run.go_on()
-    status, lines = run.ended()
-    assert status == 130
-    assert said(".*to resume run again.*", lines)
-    assert_whole(begun(), undisturbed)
+    for number, module in (signal.SIGTERM, "tests.cluster.stopping"), (signal.SIGHUP, "workflow"):
+        run.wait_for_its_stop()
+        os.kill(run.driver.pid, number)
+        run.go_on()
+        status, lines = run.ended()
+        assert status == 130
+        assert said(".*to resume run again.*", lines[-1:])
+        run.again(module=module)
+    assert_whole(run, undisturbed)
 
 
 LOOK = """

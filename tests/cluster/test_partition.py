@@ -6,8 +6,9 @@ import subprocess
 import time
 
 import pytest
+from distributed import Client
 
-from tests.cluster.processes import end, free_port, start_scheduler, start_worker
+from tests.cluster.processes import PATIENCE, end, free_port, start_scheduler, start_worker
 
 pytestmark = pytest.mark.cluster
 
@@ -48,25 +49,30 @@ def host():
     ip("netns", "delete", OtherHost.name)
 
 
-@pytest.mark.parametrize("seconds", [8.0, None], ids=["for a while", "for good"])
-def test_a_worker_is_cut_off_during_a_run(host, tried, tmp_path, undisturbed, seconds):
-    """For good: the scheduler gives it up by its worker-ttl; another one computes its batches."""
-    port = free_port()
-    there = ("ip", "netns", "exec", host.name)
+@pytest.fixture(scope="module")
+def address(host, tmp_path_factory):
+    """Return the address of a scheduler with a worker here and one on the other host."""
+    logs, port = tmp_path_factory.mktemp("logs"), free_port()
     address = f"tcp://{HERE}:{port}"
-    processes = [start_scheduler(tmp_path / "scheduler.log", port, HERE)]
-    processes.append(start_worker(tmp_path / "here.log", address))
-    processes.append(start_worker(tmp_path / "there.log", address, before=there))
-    try:
-        trial = tried(tmp_path / "trial", "--scheduler", address, stopping=True)
-        trial.wait_for_its_stop()
-        host.cable("down")
-        trial.go_on()
-        if seconds is not None:
-            time.sleep(seconds)
-            host.cable("up")
-        assert trial.whole() == undisturbed
-    finally:
+    there = ("ip", "netns", "exec", host.name)
+    processes = [start_scheduler(logs / "scheduler.log", port, HERE)]
+    processes.append(start_worker(logs / "here.log", address))
+    processes.append(start_worker(logs / "there.log", address, before=there))
+    yield address
+    for process in processes:
+        end(process)
+
+
+@pytest.mark.parametrize("seconds", [8.0, None], ids=["for a while", "for good"])
+def test_a_worker_is_cut_off_during_a_run(host, address, tried, tmp_path, undisturbed, seconds):
+    """For good: the scheduler gives it up by its worker-ttl; another one computes its batches."""
+    with Client(address, timeout=PATIENCE, set_as_default=False) as client:
+        client.wait_for_workers(2, timeout=PATIENCE)
+    trial = tried(tmp_path, "--scheduler", address, stopping=True)
+    trial.wait_for_its_stop()
+    host.cable("down")
+    trial.go_on()
+    if seconds is not None:
+        time.sleep(seconds)
         host.cable("up")
-        for process in processes:
-            end(process)
+    assert trial.whole() == undisturbed

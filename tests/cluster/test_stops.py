@@ -10,6 +10,7 @@ import pytest
 
 from tests.cluster.processes import (
     PATIENCE,
+    TRIAL_SIZE,
     end,
     said,
     shards,
@@ -18,6 +19,8 @@ from tests.cluster.processes import (
 )
 
 pytestmark = pytest.mark.cluster
+
+SILENT = r"no answer of the scheduler for \d+ s: waiting, at most 10.0 min"
 
 
 @pytest.fixture
@@ -57,13 +60,20 @@ def test_what_a_stopped_worker_has_is_computed_elsewhere(trial, cluster, undistu
     assert trial.whole() == undisturbed
 
 
-def test_a_scheduler_that_is_stopped_during_a_run_is_said_to_be_and_waited_for(
+def test_a_stopped_scheduler_is_reported_and_waited_for_but_not_after_ctrl_c(
     trial, cluster, undisturbed
 ):
     scheduler = cluster.processes["scheduler"]
     scheduler.send_signal(signal.SIGSTOP)
     trial.go_on()
-    trial.wait_for(r"no answer of the scheduler for \d+ s: waiting, at most 10.0 min")
+    trial.wait_for(SILENT)
+    assert interrupted(trial)[0] <= 1  # none if nothing was under way
+    scheduler.send_signal(signal.SIGCONT)
+    trial.again(module="tests.cluster.stopping")
+    trial.wait_for_its_stop()
+    scheduler.send_signal(signal.SIGSTOP)
+    trial.go_on()
+    wait_while(lambda: said(SILENT, trial.lines()) < 2, trial.driver, trial.log)
     scheduler.send_signal(signal.SIGCONT)
     assert trial.whole() == undisturbed
 
@@ -86,7 +96,7 @@ def test_a_scheduler_that_is_started_anew_during_a_run_ends_it_and_the_next_resu
     assert (status, lines[-1]) == (2, "error: the scheduler was lost; run again to resume")
     assert "Traceback" not in "".join(lines)
     kept = shards(trial.folder)
-    trial.again("--set", "study.realizations=240")
+    trial.again(*TRIAL_SIZE)
     while trial.driver.poll() is None:
         cluster.heal()  # workers end with the scheduler that they had
         time.sleep(0.1)
@@ -104,12 +114,6 @@ def test_where_all_workers_are_stopped_others_take_their_place(trial, cluster, u
         assert time.monotonic() - began < 60.0 + PATIENCE
         time.sleep(0.5)
     assert trial.whole() == undisturbed
-
-
-def test_ctrl_c_does_not_wait_for_a_scheduler_that_is_stopped(trial, cluster):
-    os.killpg(cluster.processes["scheduler"].pid, signal.SIGSTOP)
-    left, _ = interrupted(trial)
-    assert left <= 1  # none if nothing was under way
 
 
 def test_ctrl_c_does_not_wait_for_a_worker_of_our_own_that_is_stopped(tried, tmp_path):

@@ -31,7 +31,7 @@ pytestmark = pytest.mark.cluster
 
 
 def test_kills_change_no_bit_and_lose_no_finished_work(tmp_path):
-    report = run_chaos(tmp_path, Count(8), seed=7, core_seconds=40.0)  # make chaos: many more
+    report = run_chaos(tmp_path, Count(8), seed=7, core_seconds=25.0)  # make chaos: many more
     assert report[0].startswith("8 kills and stops")
 
 

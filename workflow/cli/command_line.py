@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import Any, NoReturn
 
 from ..ground import UserError, did_you_mean
-from ..system import program, version_of
+from ..system import TEMPORARY_ERRORS, program, version_of
 from .exit_status import RESUMABLE, WRONG
 
 LAW_FORMATS = ("c", "fortran", "fmu", "json")  # written by `law`
@@ -41,6 +41,12 @@ def main(arguments: list[str] | None = None) -> int:
     except MemoryError:
         remedy = "free some of it, or reduce the grid; what is stored is kept"
         print(f"error: the memory of this machine is full: {remedy}", file=sys.stderr)
+        return WRONG
+    except OSError as error:
+        if error.errno not in TEMPORARY_ERRORS:
+            raise
+        place = error.filename or "a file"
+        print(f"error: {place}: {error.strerror}; what is stored is kept", file=sys.stderr)
         return WRONG
     except KeyboardInterrupt:
         print(interruption, file=sys.stderr)

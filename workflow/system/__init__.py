@@ -10,7 +10,7 @@ from ..ground import public_names
 if TYPE_CHECKING:
     from .certificate import write_certificate
     from .compiling import COMPILING_MIB, report_compilation
-    from .disk_retry import DiskRetry
+    from .disk_retry import TEMPORARY_ERRORS, DiskRetry
     from .durable_files import (
         append_durably,
         check_place,

@@ -32,12 +32,20 @@ def test_second_ctrl_c_ends_with_the_status_of_an_interruption(capsys, study, mo
         assert ("kept" in err) == bool(said)
 
 
-def test_full_memory_is_one_line(capsys, monkeypatch):
-    def full(_):
-        raise MemoryError
+@pytest.mark.parametrize(
+    ("error", "line"),
+    [
+        (MemoryError(), "memory of this machine is full: free some"),
+        (OSError(errno.EIO, "Input/output error", "a.nc"), "a.nc: Input/output error; what is st"),
+        (OSError(errno.ENFILE, "Too many open files"), "a file: Too many open files; what is st"),
+    ],
+)
+def test_full_memory_and_disk_errors_are_one_line(capsys, monkeypatch, error, line):
+    def fail(_):
+        raise error
 
-    monkeypatch.setitem(cli.ACTIONS, "plan", full)
-    assert "memory of this machine is full: free some" in refusal(capsys, "plan", "fig2")
+    monkeypatch.setitem(cli.ACTIONS, "plan", fail)
+    assert line in refusal(capsys, "plan", "fig2")
 
 
 def test_a_path_that_is_not_utf_8_is_one_line_before_anything_is_computed(capsys):

@@ -104,20 +104,18 @@ def test_paths_of_any_letters_reach_the_workers_of_a_job(name, tmp_path, monkeyp
     }
 
 
-def test_without_slurm_one_line_says_so(monkeypatch):
-    monkeypatch.setenv("PATH", "/nowhere")
-    with pytest.raises(UserError, match="sbatch is not found on this machine"):
-        slurm._try_submitting("slurm", "")
+REFUSING = '#!/bin/bash\nread line\necho "error: $line" >&2\nexit 1\n'
+REFUSALS = {"": "sbatch is not found", REFUSING: "SLURM refuses the jobs: error: queue; cluster"}
 
 
-def test_what_slurm_refuses_is_passed_on(monkeypatch):
-    def refuse(command, **_):
-        return subprocess.CompletedProcess(command, 1, "", "sbatch: error: invalid partition\n")
-
-    monkeypatch.setattr(slurm.subprocess, "run", refuse)
-    refusal = "SLURM refuses the jobs: sbatch: error: invalid partition; cluster"
+@pytest.mark.parametrize(("sbatch", "refusal"), REFUSALS.items(), ids=["missing", "refusing"])
+def test_a_submission_that_fails_is_one_line(tmp_path, monkeypatch, sbatch, refusal):
+    if sbatch:
+        (tmp_path / "sbatch").write_text(sbatch)
+        (tmp_path / "sbatch").chmod(0o700)
+    monkeypatch.setenv("PATH", str(tmp_path))
     with pytest.raises(UserError, match=refusal):
-        slurm._try_submitting("slurm", "")
+        slurm._try_submitting("slurm", "queue\n")
 
 
 def test_an_interface_that_is_not_there_is_named(tmp_path):

@@ -47,7 +47,8 @@ def test_a_clock_that_is_set_back_leaves_our_certificate_valid(files):
 
 
 def test_certificates_of_the_user_are_used(files, capsys):
-    security = security_of(Cluster(THERE, **files))
+    with dask.config.set({"distributed.comm.require-encryption": False}):
+        security = security_of(Cluster(THERE, **files))
     assert security.require_encryption
     assert security.get_tls_config_for_role("client")["key"] == files["tls_key"]
     assert capsys.readouterr().err == ""

@@ -103,6 +103,8 @@ def test_a_line_with_more_records_than_its_bytes_can_hold_is_invalid():
     line = {"shard": "a", "records": 3, "chunks": [[digest(32 * b"0"), 0, 3]]}
     with pytest.raises(ValueError, match=f"3 records, not 3, in {3 * 8 * len(SCALARS) - 1} bytes"):
         index.replay(line | {"bytes": 3 * 8 * len(SCALARS) - 1})
+    index.replay(line | {"chunks": [*line["chunks"], ["unknown", 0, 1]], "bytes": 1})
+    assert index.sizes == {}
     index.replay(line | {"bytes": 3 * 8 * len(SCALARS)})
     assert index.sizes == {"a": 3 * 8 * len(SCALARS)}
 
