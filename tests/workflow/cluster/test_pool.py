@@ -75,6 +75,7 @@ def test_a_snapshot_tells_who_is_there_who_takes_up_work_and_what_has_running(cl
         while not (actual := pool.request_snapshot().result(PATIENCE)).running:
             time.sleep(0.01)
         assert {*actual.running} == {running}
+        assert pool.take(0.0) == []
         assert pool.pending(running)
         assert pool.pending(waiting)
         pool.drop(futures)
