@@ -42,15 +42,13 @@ def trial(tried, tmp_path, cluster):
 
 
 def interrupted(trial):
-    """Press Ctrl-C; return how often batches were left behind, and how long it took (s)."""
+    """Press Ctrl-C; return how often batches were left behind."""
     os.killpg(trial.driver.pid, signal.SIGINT)
-    began = time.monotonic()
     trial.go_on()
     status, lines = trial.ended()
     assert status == 130
     assert said(r"interrupted; what is finished is kept, to resume run again: .*", lines) == 1
-    left = said(r"abandoned: \d+ batches that did not finish in time", lines)
-    return left, time.monotonic() - began
+    return said(r"abandoned: \d+ batches that did not finish in time", lines)
 
 
 def test_what_a_stopped_worker_has_is_computed_elsewhere(trial, cluster, undisturbed):
@@ -67,7 +65,7 @@ def test_a_stopped_scheduler_is_reported_and_waited_for_but_not_after_ctrl_c(
     scheduler.send_signal(signal.SIGSTOP)
     trial.go_on()
     trial.wait_for(SILENT)
-    assert interrupted(trial)[0] <= 1  # none if nothing was under way
+    assert interrupted(trial) <= 1  # none if nothing was under way
     scheduler.send_signal(signal.SIGCONT)
     trial.again(module="tests.cluster.stopping")
     trial.wait_for_its_stop()
@@ -117,17 +115,9 @@ def test_where_all_workers_are_stopped_others_take_their_place(trial, cluster, u
 
 
 def test_ctrl_c_does_not_wait_for_a_worker_of_our_own_that_is_stopped(tried, tmp_path):
-    """Compared with a run where none is stopped: the machine may be slow, or held up for once."""
-    for attempt in range(3):
-        taken = {}
-        for stopped in (0, 1):
-            long = ("--set", "study.realizations=4800")  # it cannot end before the signal
-            trial = tried(tmp_path / f"{attempt}{stopped}", "--workers", "2", *long)
-            wait_while(lambda trial=trial: not shards(trial.folder), trial.driver, trial.log)
-            for pid in workers_of(psutil.Process(trial.driver.pid))[:stopped]:
-                os.kill(pid, signal.SIGSTOP)
-            left, taken[stopped] = interrupted(trial)
-            assert left <= stopped
-        if taken[1] < 16.0 + 3.0 * taken[0]:  # 10 s for what runs, and some to end it
-            return
-    pytest.fail(f"{taken[1]:.0f} s, and {taken[0]:.0f} s where none is stopped")
+    """The worker stays stopped, so that a run that waited for it would not end."""
+    long = ("--set", "study.realizations=4800")  # it cannot end before the signal
+    trial = tried(tmp_path, "--workers", "2", *long)
+    wait_while(lambda: not shards(trial.folder), trial.driver, trial.log)
+    os.kill(workers_of(psutil.Process(trial.driver.pid))[0], signal.SIGSTOP)
+    assert interrupted(trial) <= 1
