@@ -53,12 +53,6 @@ def text_of(outputs):
     return "\n".join(text for text in shown if "<Figure" not in text)
 
 
-@pytest.fixture(scope="module")
-def stored():
-    """Return the outputs that the notebook of a measured rubber is stored with."""
-    return outputs_of(FOLDER / "explore.ipynb")
-
-
 def test_every_notebook_is_tested():
     assert {path.stem for path in FOLDER.glob("*.ipynb")} == set(PLOTS)
 
@@ -85,20 +79,3 @@ def test_it_is_stored_with_its_plots_and_without_warnings_or_paths_of_a_machine(
     assert not [part for part in parts if part.get("name") == "stderr"]
     assert len([part for part in parts if "image/png" in part.get("data", {})]) == PLOTS[name]
     assert not re.search(r"(^|[\s'\"=])/\w", text_of(outputs))
-
-
-def test_friction_rises_with_the_velocity_and_relaxes(stored):
-    (line,) = [line for line in text_of(stored).splitlines() if line.startswith("before the step")]
-    before, highest, end = (float(n) for n in re.findall(NUMBER, line))
-    assert highest > 1.1 * end
-    assert end > before
-
-
-def test_friction_over_the_velocity_is_a_bell(stored):
-    rows = re.findall(r"^(\d\.\d+) +(\d\.\d+) +\d\.\d+ ", text_of(stored), re.MULTILINE)
-    velocity, mu_1 = zip(*((float(v), float(mu)) for v, mu in rows[:6]), strict=True)
-    assert velocity == pytest.approx([1e-5, 1e-4, 1e-3, 1e-2, 1e-1, 1.0])
-    highest = mu_1.index(max(mu_1))
-    assert 0 < highest < 5
-    assert mu_1[:highest] == tuple(sorted(mu_1[:highest]))
-    assert mu_1[-1] < 0.7 * max(mu_1)

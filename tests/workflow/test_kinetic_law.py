@@ -121,12 +121,6 @@ def test_response_is_the_solution_of_its_equation():
     np.testing.assert_allclose(found, (law().steady(v) + excess)[::100], atol=1e-3 * SLOPE)
 
 
-def test_constant_velocity_is_steady():
-    time = np.linspace(0.0, 1.0, 11)
-    assert np.array_equal(law().response(time, np.full(11, 0.03)), [law().steady(0.03)] * 11)
-    assert law().response([], []).shape == (0,)
-
-
 def test_law_says_where_it_does_not_hold():
     with pytest.warns(BeyondKineticLawWarning, match=r"above the table .* ends at 1 m/s"):
         law().after_jump(0.5, 1.5, 0.0)

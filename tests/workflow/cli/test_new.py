@@ -12,7 +12,6 @@ from elastomer_friction.workflow.cli.commands import STUDY_TEMPLATE
 from elastomer_friction.workflow.store.store import Store
 from elastomer_friction.workflow.study import read_scene
 from elastomer_friction.workflow.study.read import known_studies, read_study
-from elastomer_friction.workflow.study.tables import TABLES
 from tests.support.commands import facts, output, refusal
 from tests.support.shards import WORK, filled, shard_of
 from tests.support.small import TEXT, write_study
@@ -66,21 +65,6 @@ def test_a_name_that_is_taken_or_none_is_refused(capsys, tmp_path, monkeypatch, 
     assert not list(tmp_path.iterdir())
 
 
-def test_values_said_to_be_usual_are_those_that_are_left_out(tmp_path):
-    """Keys that are commented out: given as they stand there, the study is the same."""
-    text = STUDY_TEMPLATE.read_text(encoding="utf-8")
-    given = re.sub(r"^# (\w+ = [^#\n]*)(#.*)?$", _usual, text, flags=re.MULTILINE)
-    assert given.count("\n# ") < text.count("\n# ")
-    paths = [tmp_path / name for name in ("left_out.toml", "given.toml")]
-    for path, content in zip(paths, (text, given), strict=True):
-        path.write_text(content)
-    left_out, as_given = (read_study(str(path)) for path in paths)
-    for name in ("grid", "scene", "variants", "materials", "surfaces"):
-        assert getattr(left_out, name) == getattr(as_given, name), name
-    keys = re.findall(r"^(?:# )?(\w+) = ", text, re.MULTILINE)
-    assert set(keys) <= {key for table in TABLES.values() for key in table}
-
-
 def test_every_key_that_is_commented_out_can_be_given(tmp_path):
     """A pressure replaces the force; a measured line needs its file, an accuracy no branches."""
     text = STUDY_TEMPLATE.read_text(encoding="utf-8")
@@ -92,11 +76,6 @@ def test_every_key_that_is_commented_out_can_be_given(tmp_path):
     assert study.grid["temperature"] == (20.0, 60.0)
     assert study.pressures == (3e5,)
     assert len(study.material.branches) == 2
-
-
-def _usual(found: re.Match) -> str:
-    """Return a commented key as one that is given, but for those that the line excepts."""
-    return found[0] if "none" in (found[2] or "") else found[1]
 
 
 def test_the_schema_is_printed_as_json(capsys):

@@ -147,15 +147,6 @@ def test_automatic_steps_keep_two_per_cent_or_go_to_the_end_and_are_no_finer(
         assert bad or coarser < least_steps(one, ALL)
 
 
-@given(HURST, LOAD, SPEED, st.floats(1.0, 1e4))
-def test_a_lighter_load_never_takes_fewer_steps(hurst, load, speed, by):
-    heavy, light = (
-        steps_per_spacing(Problem(hurst, 1000, f, speed, 1.2), ALL, Numerics())
-        for f in (load * by, load)
-    )
-    assert light >= heavy
-
-
 @given(HURST, SPEED, RATIO)
 def test_four_steps_without_a_relaxation(hurst, speed, ratio):
     scene = Scene(("steady", "jump"))
@@ -165,14 +156,6 @@ def test_four_steps_without_a_relaxation(hurst, speed, ratio):
 @given(st.floats(0.1, 1e6))
 def test_a_rung_is_at_most_half_as_much_again_as_is_needed(need):
     assert need * (1 - 1e-9) <= rung(need) <= max(1.0, 1.5 * need, need + 1.0)
-
-
-@given(HURST, SPEED)
-def test_a_first_order_scheme_takes_more_steps(hurst, speed):
-    one = problem(hurst, 100, speed)
-    second = steps_per_spacing(one, ALL, Numerics("exponential"))
-    first = steps_per_spacing(one, ALL, Numerics("implicit-euler"))
-    assert first >= 4 * second
 
 
 def test_the_longest_line_allowed_is_allowed():

@@ -135,15 +135,6 @@ def test_every_kth_step_is_recorded_on_request():
     assert (third[:-1] % 3 == 0).all()
 
 
-def test_samples_over_time_and_distance_are_even():
-    march = programme_steps(PROBLEM, 16)
-    time = np.append(0.0, march.time)[trace_steps(PROBLEM, 16, Recording(20, "time"))]
-    assert np.diff(time).max() < 2.5 * time[-1] / 19
-    path = np.append(0.0, np.cumsum(march.moved))
-    distance = path[trace_steps(PROBLEM, 16, Recording(20, "distance"))]
-    assert np.diff(distance).max() < 2.5 * distance[-1] / 19
-
-
 @pytest.mark.parametrize("record", ["time", "distance"])
 def test_samples_that_fall_on_steps_are_those_steps(record):
     """The last bit of a sum of steps has no effect."""
@@ -170,12 +161,6 @@ def test_the_last_cycle_of_an_oscillation_is_a_closed_loop(m):
     loop = kept[1:]  # 0 is the start
     assert (loop[0], loop[-1]) == (first, time.size - 1)
     assert loop.size == min(256, time.size - first)
-
-
-def test_recorded_steps_of_many_times_grow_by_a_factor():
-    recorded = record_steps(10_000, 64, Spectrum((1.0,), (1.0,), 0.0))
-    assert recorded[:3].tolist() == [1, 2, 3]
-    assert recorded[-1] / recorded[-2] == pytest.approx(recorded[-2] / recorded[-3], rel=0.01)
 
 
 SPECTRUM = Spectrum((2.0, 1.0), (0.1, 1.0), 0.0)

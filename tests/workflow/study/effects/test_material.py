@@ -11,7 +11,7 @@ from elastomer_friction.kernels import Wlf
 from elastomer_friction.kernels.rheology.spectrum import complex_modulus
 from elastomer_friction.workflow.study.effects.material import MATERIAL, Material, read_material
 from elastomer_friction.workflow.study.settings import checked
-from tests.support.small import FILES, small_study
+from tests.support.small import small_study
 
 BRANCHES = [[5e6, 1e-2], [1e7, 1e-3]]
 WLF = {"c1": 8.86, "c2": 101.6, "reference": 20.0}
@@ -60,15 +60,6 @@ def test_the_spectrum_has_the_same_complex_modulus(pairs, frequency, dashpot):
     assert actual == pytest.approx(wanted, rel=1e-9)
 
 
-def test_branches_of_a_file(tmp_path):
-    (tmp_path / "branches.csv").write_text(FILES["branches.csv"])
-    actual = read(tmp_path, branches_file="branches.csv")
-    assert actual._replace(description="") == read(tmp_path, branches=BRANCHES)
-    assert actual.description == (
-        "branches.csv: 2 rows; column 0 modulus as a modulus in Pa, column 1 time as a time in s"
-    )
-
-
 SHARES = "0.125, 0.01\n0.25, 0.001\n"  # of 1.6 times the relaxed modulus
 BY_ABAQUS = "*VISCOELASTIC, TIME=PRONY\n0.125, 0, 0.01\n0.25, 0, 0.001\n"
 
@@ -101,15 +92,6 @@ def test_a_temperature_shifts_all_times_once_and_for_all(tmp_path):
     factor = 10.0 ** (-8.86 * 30.0 / 131.6)
     assert warm.tau == pytest.approx(factor * at_reference.tau, rel=1e-12)
     np.testing.assert_allclose(warm.spectrum().times, at_reference.spectrum().times, rtol=1e-12)
-
-
-def test_vogel_fulcher_and_tammann_is_wlf(tmp_path):
-    b, t_0, reference = 1500.0, -80.0, 20.0
-    c2 = reference - t_0
-    wlf = {"c1": b / (c2 * math.log(10.0)), "c2": c2, "reference": reference}
-    warm = read(tmp_path, relaxation_time=1e-3, wlf=wlf, temperature=45.0)
-    wanted = math.exp(b / (45.0 - t_0) - b / (reference - t_0))
-    assert warm.tau == pytest.approx(1e-3 * wanted, rel=1e-12)
 
 
 def test_the_law_of_arrhenius_is_a_line_over_the_inverse_temperature(tmp_path):
