@@ -69,7 +69,9 @@ def _lines(options: argparse.Namespace) -> int:
     study, result = _study(options)
     outline = STUDY_ACTIONS[study.kind][options.command]
     if options.command == "plan":
-        outline = partial(outline, sample_seconds=_sample_seconds(options))
+        if options.sample is not None and not 0.0 < options.sample < math.inf:
+            raise UserError(f"--sample {options.sample}: must be a positive number of seconds")
+        outline = partial(outline, sample_seconds=options.sample)
     lines, facts = outline(study, result)
     settings = str(find_study(options.study).resolve())
     if options.json:
@@ -78,12 +80,6 @@ def _lines(options: argparse.Namespace) -> int:
     else:
         print("\n".join(map(printable, [*lines, f"settings    {settings}"])))
     return DONE
-
-
-def _sample_seconds(options: argparse.Namespace) -> float | None:
-    if options.sample is not None and not 0.0 < options.sample < math.inf:
-        raise UserError(f"--sample {options.sample}: must be a positive number of seconds")
-    return options.sample
 
 
 def _run(options: argparse.Namespace) -> int:

@@ -32,7 +32,7 @@ MIN_FRICTION_SAMPLES = 20
 MAX_STATES = 5
 MAX_FITTED_SPEED_RATIO = 2.5  # of neighbouring speeds of a table
 MIN_TABLE_SPEED = 1e-3  # relative to the fastest speed
-RESTING_SPEED = 0.1  # relative to the slowest speed: below it contacts age as at rest
+RESTING_SPEED = 0.1  # relative to the slowest speed; contacts age below it as they do at rest
 SLOW_SAMPLES = 0.02  # share of the moving samples below the slowest speed
 STATELESS_RESIDUAL = 5e-3  # relative rms residual below which mu depends on the velocity alone
 MIN_SCALE = 1e-300  # lower bound of a divisor
@@ -234,6 +234,7 @@ def _validity(law: Law, motions: Sequence[Transient], masks: Masks, speeds: np.n
         for segment, rows in motion.parts()
     )
     residuals = [residual[mask] for residual, mask in zip(all_rows, masks, strict=True)]
+    strokes = [distances_between_turns(motion.time, motion.velocity) for motion in motions]
     return Validity(
         slowest=float(speeds[1]),
         fastest=float(speeds[-1]),
@@ -242,7 +243,7 @@ def _validity(law: Law, motions: Sequence[Transient], masks: Masks, speeds: np.n
         temperature=motions[0].temperature,
         shift=motions[0].shift,
         body=motions[0].body,
-        shortest_stroke=min(_shortest_stroke(motion) for motion in motions),
+        shortest_stroke=float(np.min(np.concatenate(strokes), initial=np.inf)),
         rms=root_mean_square(residuals),
         largest=float(np.max(np.abs(np.concatenate(residuals)))),
         model_error=root_mean_square([errors[np.isfinite(errors)]]),
@@ -339,11 +340,6 @@ def _parts_to_hold_out(
         f"each quarter of {len(parts)} segments in turn, by a fit to the others; segments with the "
         "extreme speeds or the longest rest stay in every fit"
     )
-
-
-def _shortest_stroke(motion: Transient) -> float:
-    """Return the shortest distance (m) between two turns of a motion, or infinity."""
-    return float(np.min(distances_between_turns(motion.time, motion.velocity), initial=np.inf))
 
 
 def _rest_durations(motion: Transient) -> np.ndarray:

@@ -23,7 +23,7 @@ from ..simulate import Problem
 from ..study import FOUNDATION
 from .problems import Numbers, expected_rate, speed_ratio, viscous_pressure
 
-FEW_PATCHES = 2.0  # contact patches; below it marches are shorter (window_rate)
+FEW_PATCHES = 2.0  # number of contact patches below which marches are shorter (window_rate)
 
 
 def known(problem: Problem, body: str = FOUNDATION) -> Numbers:
@@ -61,11 +61,6 @@ def coarse_error(law: Coarseness, problem: Problem, steps: Numbers, refine: bool
     return np.where(refine & (np.asarray(steps) >= MIN_SMOOTH_STEPS), FOLLOWED, sampled)
 
 
-def _slides(problem: Problem) -> Numbers:
-    """Return whether sliding replaces the contacts within a relaxation time: x >= 1."""
-    return speed_ratio(problem) >= 1.0
-
-
 def relaxation_rate_error(problem: Problem, steps: Numbers, refine: bool = True) -> Numbers:
     """Return the predicted error of b; see ``rate_error``.
 
@@ -84,7 +79,7 @@ def rate_error(problem: Problem, steps: Numbers, samples: Numbers, rate: Numbers
     stepping = 0.02 * (share / allowed_share(problem)) ** 1.5
     edges = 1.8 * np.maximum(samples, 1.0) ** -1.8
     shape = shape_error(steps)
-    return np.hypot(stepping, np.where(_slides(problem), np.hypot(edges, shape), 0.0))
+    return np.hypot(stepping, np.where(speed_ratio(problem) >= 1.0, np.hypot(edges, shape), 0.0))
 
 
 def shape_error(steps: Numbers) -> Numbers:

@@ -23,14 +23,14 @@ from .error_laws import (
     touchable_share,
     window_rate,
 )
-from .half_space import LEAST_OF_MAPS, MAX_MAP_SAMPLES, laws_of, may_be_so_fine, steps_for
+from .half_space import LEAST_OF_MAPS, MAX_MAP_SAMPLES, laws_of, map_fits_worker, steps_for
 from .problems import Numbers, expected_rate, viscous_pressure
 
 JACKKNIFE_GROUPS = 32  # at most; with fewer blocks, each block is a group
 MIN_BLOCKS, MIN_RATE_BLOCKS = 2, 8  # minimum per point, without and with b
 FIRST_SHARE = 0.3  # of the predicted realizations, run first; their errors determine the rest
-TRIED = 3  # number of m compared: the first fine enough one, and its doublings
-STATES = 28.0  # cost of drawing and both steady states per sample, in updates of the march
+COMPARED_STEPS = 3  # the smallest m with a small enough error, and its doublings
+STATES_UPDATES = 28.0  # cost of a sample besides the march (drawing, steady states), in its updates
 
 
 class Goal(NamedTuple):
@@ -78,8 +78,8 @@ def goal_of(problem: Problem, scene: Scene, numerics: Numerics) -> Goal:
     best, tried = Goal(least, dict.fromkeys(names, np.inf), scatter, np.inf), np.zeros_like(least)
     lowest, steps = np.full(least.shape, np.inf), least
     share = touchable_share(problem.hurst, problem.load, viscous_pressure(problem))
-    fits = may_be_so_fine if on_map else may_be_so_long
-    while (unfinished := fits(problem, steps) & (tried < TRIED)).any():
+    fits = map_fits_worker if on_map else line_fits_worker
+    while (unfinished := fits(problem, steps) & (tried < COMPARED_STEPS)).any():
         bias = {name: laws[name].error(problem, steps) for name in names}
         goal = Goal(steps, bias, scatter, _need(wanted, bias, scatter))
         fine = np.max([counted[name] * bias[name] for name in names], axis=0) <= 0.5 * wanted
@@ -87,7 +87,7 @@ def goal_of(problem: Problem, scene: Scene, numerics: Numerics) -> Goal:
         marched = 0.0
         if "relaxation" in scene.quantities:
             marched = share * horizon_steps(problem, numerics, steps)
-        updates = steps * (STATES + marched)  # element updates of a realization, per spacing
+        updates = steps * (STATES_UPDATES + marched)  # of elements, per spacing
         if on_map:
             updates = steps**3  # of a map: m^2 samples times m steps, per spacing
         cost = np.where(fine, lines * updates, np.inf)
@@ -198,7 +198,7 @@ def steps_per_spacing(problem: Problem, scene: Scene, numerics: Numerics) -> Num
     return steps
 
 
-def may_be_so_long(problem: Problem, steps: Numbers) -> Numbers:
+def line_fits_worker(problem: Problem, steps: Numbers) -> Numbers:
     """Return whether a line with these steps per spacing fits into a worker."""
     return problem.elements * steps <= MAX_SAMPLES_PER_LINE
 
@@ -207,7 +207,7 @@ def fits_worker(problem: Problem, steps: int) -> bool:
     """Return whether a line with this m fits into a worker, without steps lost in rounding."""
     fastest = max(abs(problem.speed), abs(problem.speed * problem.ratio))
     lost = steps * fastest * min_step(problem.spectrum) > 1.0
-    return may_be_so_long(problem, steps) and not lost
+    return line_fits_worker(problem, steps) and not lost
 
 
 def check_resolution(problem: Problem, steps: Numbers, numerics: Numerics) -> None:

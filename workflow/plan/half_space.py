@@ -78,7 +78,7 @@ def map_bytes(problem: Problem, steps: Numbers) -> Numbers:
     return per_sample * problem.samples(steps)
 
 
-def may_be_so_fine(problem: Problem, steps: Numbers) -> Numbers:
+def map_fits_worker(problem: Problem, steps: Numbers) -> Numbers:
     """Return whether a map with these steps per spacing fits a worker, and m was tested."""
     return ((problem.elements * steps) ** 2 <= MAX_MAP_SAMPLES) & (steps <= STEPS_OF_MAPS[-1])
 

@@ -209,11 +209,11 @@ def _tasks(
     numerics = study.variants[label]
     shared = repr((CODE_HASH, study.seed, study.surfaces[label].normalisation, numerics.scheme))
     shared += repr((recording, quantities, study.realizations_per_block, numerics.refines))
-    begun, tasks = hashlib.sha256(shared.encode()), []
+    shared_hash, tasks = hashlib.sha256(shared.encode()), []
     for problem, key_bytes, steps, march_steps in zip(
         problems.problems, problems.key_bytes, sizes.steps, sizes.march_steps, strict=True
     ):
-        digest = begun.copy()
+        digest = shared_hash.copy()
         digest.update(key_bytes + STEPS_BYTES.pack(steps, march_steps))
         tasks.append(Task(problem, steps, march_steps, digest.hexdigest()[:32]))
     return tasks

@@ -33,7 +33,8 @@ def block_dataset(study: Study, result: Path, group: str = "") -> xr.Dataset:
         whole = written[group].load()
     plan = make_plan(study)
     variant = next(v for v in plan.variants if v.label == group)
-    counts = _block_counts(variant, whole.realizations.values)
+    counts = np.zeros(len(variant.tasks), int)  # blocks of every task
+    counts[variant.point_task] = whole.realizations.values // variant.block_size
     estimates = _estimates(variant, counts, plan.widest_row(variant), result)
     units, data = units_of(plan, variant), {}
     for name in [name for name in estimates if name not in whole.coords]:
@@ -45,13 +46,6 @@ def block_dataset(study: Study, result: Path, group: str = "") -> xr.Dataset:
     }
     facts = whole.attrs | {"realizations_per_block": variant.block_size}
     return xr.Dataset(data, coordinates, facts)
-
-
-def _block_counts(variant: Variant, realizations: np.ndarray) -> np.ndarray:
-    """Return the number of blocks of every task. realizations : of the points of the grid."""
-    counts = np.zeros(len(variant.tasks), int)
-    counts[variant.point_task.ravel()] = realizations.ravel() // variant.block_size
-    return counts
 
 
 def _estimates(variant: Variant, counts: np.ndarray, width: int, result: Path) -> Estimates:

@@ -133,7 +133,7 @@ class Graph:
         return portion
 
     def _add_stored(self, portion: "Portion", lacking: list[np.ndarray]) -> None:
-        """Add stored blocks of each task; the group means alone if all of its blocks are stored."""
+        """Add the stored blocks of each task, or their group means if all its blocks are stored."""
         records = [
             (task.key, block)
             for task, numbers in zip(portion.tasks, lacking, strict=True)

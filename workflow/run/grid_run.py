@@ -195,8 +195,8 @@ class _Run:
             graph = collector.graph(blocks, partial(self._read, buffer))
             nodes = graph.nodes(pieces, target, self.rates.rate)
 
-            def look(threads: int, in_flight: int) -> None:
-                self.progress.look(threads, in_flight)
+            def look(threads: int, _: int) -> None:
+                self.progress.report_workers(threads)
                 buffer.flush_when_due()
 
             with self.progress.begin(pieces, graph), self.watch.telling(look):
@@ -224,7 +224,7 @@ class _Run:
             if not all(record in self.store for record in records):
                 buffer.flush()
                 if not all(record in self.store for record in records):
-                    raise DamagedShard  # found out before, and dropped
+                    raise DamagedShard  # its damage was found earlier, and its records were dropped
             return self.store.read(records, width)
 
     def _extent(self, missing: list[Missing] | None = None) -> tuple[int, float]:

@@ -13,7 +13,7 @@ class Node:
 
     name: str  # "march" or "fit", the name of its function
     item: Any  # argument of its function
-    inputs: list["Node"] = field(default_factory=list)  # nodes that it waits for
+    inputs: list["Node"] = field(default_factory=list)  # nodes that must be done before it
     given: list["Node"] = field(default_factory=list)  # inputs whose results are sent to it
     result: Any = None  # its future; None: not submitted, or lost
     done: bool = False  # its value was yielded
@@ -24,7 +24,7 @@ class Node:
     worker: str = ""  # address in the last snapshot
 
     def needs(self) -> list["Node"]:
-        """Return the nodes that it waits for, failed ones replaced."""
+        """Return its inputs, with the replacements of failed ones."""
         while any(node.instead is not None for node in self.inputs):
             replaced = ([n] if n.instead is None else n.instead for n in self.inputs)
             self.inputs = [node for nodes in replaced for node in nodes]
@@ -40,5 +40,5 @@ class Node:
         return Call(self.name, self.item, [node.result for node in self.given])
 
     def finish(self) -> None:
-        """Note that its value was yielded; let go of what it waited for."""
+        """Mark the node as done, and release its inputs."""
         self.done, self.inputs, self.given = True, [], []

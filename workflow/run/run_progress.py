@@ -11,7 +11,7 @@ from .summary import Summary
 
 
 class Progress:
-    """Books finished marches and fits of a round."""
+    """Count of the finished marches and fits of a round."""
 
     def __init__(
         self, summary: Summary, status: Status, rates: MeasuredRates, failures: Failures
@@ -22,7 +22,7 @@ class Progress:
         """Begin a round, and return the reporter of its progress."""
         self.remaining = Remaining(pieces, self.rates)
         self.open_fits = len(graph.fits)
-        self.fit_seconds = sum(fit.seconds() for fit in graph.fits)  # predicted, of the open ones
+        self.fit_seconds = sum(fit.seconds() for fit in graph.fits)  # predicted
         self.reporter = Reporter("computing" if pieces else "fitting", self._left())
         return self.reporter
 
@@ -41,13 +41,12 @@ class Progress:
         self.fit_seconds -= fit.seconds()
         self.reporter.advance(seconds, self._left())
 
-    def look(self, threads: int, in_flight: int) -> None:
-        """Report the number of workers; without workers the watch reports that."""
-        del in_flight
+    def report_workers(self, threads: int) -> None:
+        """Report the number of workers; a lack of workers is reported by the watch."""
         if threads:
             self.reporter.beat(threads, self.failures.fresh)
 
     def _left(self) -> float:
-        """Return the core-seconds that are left."""
+        """Return the remaining core-seconds."""
         fits = max(self.fit_seconds, 0.0) if self.open_fits else 0.0
         return self.remaining.seconds() + fits

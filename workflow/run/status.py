@@ -26,7 +26,7 @@ from ..system import holder, unreadable, write_durably
 from .failures import Failures
 
 WRITE_SECONDS = 5.0  # shortest time between two writes
-LONGEST = 2**16  # bytes that are read of a status file
+MAX_STATUS_BYTES = 2**16  # read from a status file
 
 
 @dataclass
@@ -66,7 +66,7 @@ class Status:
                 self.left = max(0.0, left) if self.done < self.total else 0.0
             elif "failed" in entry:
                 self.failed += 1
-                complete = False  # which of its records were stored is not known here
+                complete = False  # the entry does not state which of its records are stored
             elif entry.keys() & {"run", "retry", "dropped"}:  # another run, or a dropped shard
                 return False
         return complete
@@ -183,7 +183,7 @@ def _written(result: Path) -> dict[str, Any]:
     """Return the content of the status file that belongs to a result, empty if it has none."""
     try:
         with open_plain(status_file(result)) as file:
-            content = json.loads(file.read(LONGEST))
+            content = json.loads(file.read(MAX_STATUS_BYTES))
     except (OSError, ValueError, RecursionError):
         return {}
     return content if isinstance(content, dict) else {}

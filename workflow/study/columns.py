@@ -162,7 +162,7 @@ def _column_numbers(table: TextTable, wanted: Sequence[ColumnSpec], option: str)
 def _has_rival(titles: dict[int, Title], wanted: Sequence[ColumnSpec], spec: ColumnSpec) -> bool:
     """Return whether a column with an unknown name but a fitting unit competes for a quantity.
 
-    It does unless a column whose name fits also has a unit.
+    A column that fits by its name and also has a unit has no rival.
     """
     if any(title.unit for title in titles.values() if spec.fits_name(title)):
         return False
@@ -219,7 +219,7 @@ def _read_column(table: TextTable, spec: ColumnSpec, column: int, option: str) -
     if is_stress and not re.search(spec.names, "stress"):
         raise UserError(f"{prefix}: holds a stress, not {spec.meaning}: divide it by the strain")
     if spec.family == "pressure" and re.search(r"complian", title.name, re.IGNORECASE):
-        raise UserError(f"{prefix}: holds a compliance, no modulus, as of a creep test: invert it")
+        raise UserError(f"{prefix}: holds a compliance (creep test), not a modulus: invert it")
     unit, source = _unit_of_column(table, spec, title, prefix, option)
     angular = re.search(ANGULAR_NAME, title.name, re.IGNORECASE)
     if unit.family == "rate" and spec.family == "frequency" and not angular:

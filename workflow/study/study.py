@@ -159,7 +159,11 @@ def read_grid_study(
     surface = (
         read_surface(given["surface"], folder, choice.body)
         if profile is None
-        else Surface(profile.measured_length, profile=profile, body=_body_of(profile))
+        else Surface(
+            profile.measured_length,
+            profile=profile,
+            body=HALF_SPACE if profile.heights.ndim > 2 else FOUNDATION,  # a map, or lines
+        )
     )
     choice = settle_body(choice, surface, given["grid"])
     variants, materials, surfaces = read_variants(given, folder, surface)
@@ -197,11 +201,6 @@ def read_grid_study(
         body_reason=choice.reason + materials[""].depth_in_words,
         cluster=cluster,
     )
-
-
-def _body_of(profile: Profile) -> str:
-    """Return the body for which heights were prepared: maps have two dimensions, lines one."""
-    return HALF_SPACE if profile.heights.ndim > 2 else FOUNDATION
 
 
 def _check_other_values(
