@@ -18,7 +18,7 @@ USUAL  := not cluster and not exhaustive
 NUMERICAL := tests/kernels $(addprefix --ignore=tests/kernels/,test_loading.py test_machine_code.py) \
   $(addprefix --ignore=tests/kernels/compile/test_,cache.py cache_files.py clock.py) \
   tests/independent tests/workflow/reduce \
-  $(addprefix tests/hard/test_,corners.py shapes.py domain.py convergence.py scenes.py fits.py units.py)
+  $(addprefix tests/hard/test_,corners.py shapes.py domain.py convergence.py scenes.py fits.py)
 # The last column of each table in docs/reliability.md names the tests that repeat the trial.
 TRIALS = $(shell grep -i '^|.*$(ARGS)' docs/reliability.md | grep -oE 'tests/[a-z_/]+/test_\w+\.py' | sort -u)
 FUZZED := tests/workflow/study/test_fuzz.py tests/workflow/scene/test_random_calls.py

@@ -19,11 +19,7 @@ from elastomer_friction.workflow.reduce.fits import (
     UNDETERMINED,
     fit_relaxation,
 )
-from elastomer_friction.workflow.reduce.jackknife import (
-    errors_needed,
-    replicates,
-    standard_error,
-)
+from elastomer_friction.workflow.reduce.jackknife import errors_needed, replicates, standard_error
 from elastomer_friction.workflow.reduce.models import compare_models
 from tests.support.sweeps import sweep
 

@@ -153,8 +153,7 @@ def test_exponent(offset, verdict):
 
 
 @pytest.mark.parametrize(
-    ("factor", "verdict"),
-    [(1.0, "holds"), (0.7, "holds within a factor 1.4"), (3.0, "not found")],
+    ("factor", "verdict"), [(1.0, "holds"), (0.7, "holds within a factor 1.4"), (3.0, "not found")]
 )
 def test_relaxation_time(factor, verdict):
     dataset = result()

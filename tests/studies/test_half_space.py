@@ -4,14 +4,11 @@ import numpy as np
 import pytest
 import xarray as xr
 
-from elastomer_friction.kernels.half_space.surface import ring_amplitudes
 from elastomer_friction.studies.bodies.figure import ratios
 from elastomer_friction.studies.rate_state_contact.figure import critical_distance, steady_change
 from elastomer_friction.studies.sphere.measure import measure
 from elastomer_friction.workflow.reduce.fits import FITTED
-from elastomer_friction.workflow.study.effects import FOUNDATION, HALF_SPACE
 from tests.support.studies import check_drawing, run
-from tests.tools.rough_rows import HURST, SIDE, Rough, normalised_friction
 
 pytestmark = pytest.mark.exhaustive
 
@@ -51,24 +48,6 @@ def test_a_sphere_has_the_known_friction_on_a_half_space_and_the_foundation_twic
     published = fine["published"]
     assert published.half_space.values == pytest.approx(published.published.values, rel=0.06)
     check_drawing("sphere", fine)
-
-
-def test_rough_rows_have_the_friction_of_full_contact_in_closed_form():
-    """E'' ~ omega: sum |q| q_x^2 |h|^2/2 on an isotropic map, and sum q^2 |h|^2/L on a line."""
-    row = Rough(load=3.0, lengths=2, power=1.0, maps=4, whole=True)
-    most = row.shortest
-    rings = ring_amplitudes(HURST, 2 * most, rolloff=row.lengths)
-    k = np.hypot(np.arange(most + 1), np.fft.fftfreq(len(rings), 1.0 / len(rings))[:, None])
-    power = rings**2 * np.where(np.arange(most + 1) > 0, 2.0, 1.0)
-    of_map = np.sum(power * k**3) / np.sum(power * k**2) / (4.0 * most * row.load)
-    assert normalised_friction(row, row.run(HALF_SPACE))[0] == pytest.approx(of_map, rel=1e-9)
-    lines = row.equivalent()
-    modes = np.abs(np.fft.rfft(lines[0])[: most + 1] / lines.shape[1])
-    square = 2.0 * np.sum((2.0 * np.pi / SIDE * np.arange(most + 1) * modes) ** 2)
-    of_line = square / row.slope**2 / (2.0 * np.pi * most * row.load)
-    assert normalised_friction(row, row.run(FOUNDATION, lines))[0] == pytest.approx(
-        of_line, rel=1e-4
-    )
 
 
 def test_the_critical_distance_is_that_of_an_exponential_relaxation():

@@ -6,9 +6,7 @@ from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
 from elastomer_friction.kernels import SCHEMES, steady_sliding
-from elastomer_friction.kernels.branches.steady_memory import (
-    steady_memory,
-)
+from elastomer_friction.kernels.branches.steady_memory import steady_memory
 from elastomer_friction.kernels.rheology.forms import FORMS_BY_SCHEME
 from elastomer_friction.kernels.rheology.law import Elements, rest_memory
 from elastomer_friction.kernels.rheology.retardation import retardation

@@ -3,19 +3,10 @@
 import numpy as np
 import pytest
 
-from elastomer_friction.kernels.half_space.body import (
-    HalfSpace,
-    Step,
-    step_tolerance,
-    take_step,
-)
+from elastomer_friction.kernels.half_space.body import HalfSpace, Step, step_tolerance, take_step
 from elastomer_friction.kernels.half_space.cases import run_case
 from elastomer_friction.kernels.half_space.sliding_body import slide_steadily
-from elastomer_friction.kernels.half_space.surface import (
-    Surface,
-    ring_amplitudes,
-    rms_slope_of,
-)
+from elastomer_friction.kernels.half_space.surface import Surface, ring_amplitudes, rms_slope_of
 from elastomer_friction.kernels.half_space.waves import two_sided, wave_numbers
 from elastomer_friction.kernels.lines.line import Line
 from elastomer_friction.kernels.model.contact import solve_indentation

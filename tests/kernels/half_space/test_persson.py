@@ -11,11 +11,7 @@ from elastomer_friction.kernels.half_space.persson import (
     waves_of_map,
     waves_of_self_affine,
 )
-from elastomer_friction.kernels.half_space.surface import (
-    Surface,
-    ring_amplitudes,
-    rms_slope_of,
-)
+from elastomer_friction.kernels.half_space.surface import Surface, ring_amplitudes, rms_slope_of
 
 BRANCHES = Spectrum((2.0, 5.0), (0.3, 0.08), 0.0)
 

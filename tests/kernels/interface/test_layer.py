@@ -6,11 +6,7 @@ import pytest
 from elastomer_friction.kernels import KELVIN, Case, Effects, Layer, Quantities, Spectrum
 from elastomer_friction.kernels.half_space.cases import run_case
 from elastomer_friction.kernels.half_space.persson import persson_theory, waves_of_map
-from elastomer_friction.kernels.half_space.surface import (
-    Surface,
-    ring_amplitudes,
-    rms_slope_of,
-)
+from elastomer_friction.kernels.half_space.surface import Surface, ring_amplitudes, rms_slope_of
 from elastomer_friction.kernels.interface.layer import BACKINGS, compliance_ratio
 from tests.kernels.half_space.test_known_answers_of_bodies import sphere
 

@@ -11,11 +11,7 @@ from functools import partial
 import numpy as np
 import pytest
 
-from elastomer_friction.kernels import (
-    SCHEMES,
-    quadrature,
-    steady_sliding,
-)
+from elastomer_friction.kernels import SCHEMES, quadrature, steady_sliding
 from elastomer_friction.kernels.model.friction import elastic_correction
 from tests.convergence import observed_order
 from tests.lines import parabola, random_line

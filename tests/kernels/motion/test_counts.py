@@ -6,14 +6,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from elastomer_friction.kernels.motion.counts import count_steps
-from elastomer_friction.kernels.motion.legs import (
-    Hold,
-    Oscillation,
-    Ramp,
-    Sampled,
-    Slide,
-    steps_of,
-)
+from elastomer_friction.kernels.motion.legs import Hold, Oscillation, Ramp, Sampled, Slide, steps_of
 from elastomer_friction.kernels.rheology.spectrum import KELVIN
 from elastomer_friction.kernels.scene.scene_case import SceneCase, scene_steps
 

@@ -2,9 +2,7 @@
 
 import numpy as np
 
-from elastomer_friction.kernels import (
-    Kelvin,
-)
+from elastomer_friction.kernels import Kelvin
 from elastomer_friction.kernels.model import steady
 
 

@@ -5,11 +5,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from elastomer_friction.kernels import (
-    Quantities,
-    Slide,
-    Spectrum,
-)
+from elastomer_friction.kernels import Quantities, Slide, Spectrum
 from elastomer_friction.workflow.plan.cost import COST_FACTOR, realization_seconds
 from elastomer_friction.workflow.plan.problems import stack_problems
 from elastomer_friction.workflow.simulate.realizations import block_means

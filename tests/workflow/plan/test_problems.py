@@ -18,15 +18,7 @@ from elastomer_friction.workflow.plan.problems import (
 )
 from elastomer_friction.workflow.study.axes import COMMON_AXES, axes_of
 from tests.support.documents import without
-from tests.support.small import (
-    HOLDING,
-    PROGRAMME,
-    TEXT,
-    complaint,
-    keys,
-    small_plan,
-    small_study,
-)
+from tests.support.small import HOLDING, PROGRAMME, TEXT, complaint, keys, small_plan, small_study
 
 ONE_POINT = "grid.hurst=0.5", "grid.normal_force=0.04", "grid.velocity=0.03"
 NORMAL = st.floats(1e-100, 1e100)

@@ -7,11 +7,7 @@ import pytest
 
 from elastomer_friction.kernels import Case, Quantities
 from elastomer_friction.kernels.half_space.cases import run_case
-from elastomer_friction.kernels.half_space.surface import (
-    Surface,
-    map_amplitudes,
-    ring_amplitudes,
-)
+from elastomer_friction.kernels.half_space.surface import Surface, map_amplitudes, ring_amplitudes
 from elastomer_friction.workflow.simulate.drawing import drawn_maps, line_generator
 from elastomer_friction.workflow.simulate.realizations import block_means
 from elastomer_friction.workflow.simulate.tasks import SCALARS

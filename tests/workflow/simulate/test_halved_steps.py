@@ -84,11 +84,7 @@ def test_the_bias_of_measured_lines_bounds_their_error(tmp_path, load, seed):
     z, _ = sample_line(amplitudes(0.6, 256, "modal"), phases, 256, 1)
     np.save(tmp_path / "line.npy", np.c_[1e-6 * np.arange(256), 1e-6 * z])
     arguments = {
-        "surface": {
-            "file": str(tmp_path / "line.npy"),
-            "units": ["m", "m"],
-            "periodic": "none",
-        },
+        "surface": {"file": str(tmp_path / "line.npy"), "units": ["m", "m"], "periodic": "none"},
         "material": {"shear_modulus": 1e6, "relaxation_time": 1e-3},
         "normal_force": load,
         "programme": [{"slide": {"velocity": 0.01, "distance": 1e-5}}],

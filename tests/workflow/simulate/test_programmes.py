@@ -24,11 +24,7 @@ from elastomer_friction.kernels import (
     run_scene,
 )
 from elastomer_friction.workflow.simulate.drawing import line_generator
-from elastomer_friction.workflow.simulate.layout import (
-    row_layout,
-    row_width,
-    unpack,
-)
+from elastomer_friction.workflow.simulate.layout import row_layout, row_width, unpack
 from elastomer_friction.workflow.simulate.programmes import scene_of
 from elastomer_friction.workflow.simulate.realizations import block_means
 from elastomer_friction.workflow.simulate.recorded_steps import (

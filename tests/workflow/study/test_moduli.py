@@ -131,11 +131,7 @@ RELAXING = "0.01 4\n0.1 3\n1 2\n10 1\n"
         (f"t (s), G(t) (kPa)\n{RELAXING.replace(' ', ', ')}", None, 1e3),
         (f"time [s]; E [MPa]\n{RELAXING.replace(' ', '; ')}", None, 1e6 / 3.0),
         (f"-1 9\n0 9\n{RELAXING}", None, 1.0),
-        (
-            "x t G\n" + "".join(f"7 {row}\n" for row in RELAXING.splitlines()),
-            (1, 2),
-            1.0,
-        ),
+        ("x t G\n" + "".join(f"7 {row}\n" for row in RELAXING.splitlines()), (1, 2), 1.0),
     ],
 )
 def test_a_relaxation_test_is_taken_over_the_inverse_time(tmp_path, text, columns, unit):

@@ -30,11 +30,7 @@ EFFECTS = (
 )
 DOCUMENT = ROOT / "tests" / "refusals.md"
 SURFACES = ("raw_lines", "files", "gaps", "positions", "profile", "table", "text_lines")
-ROOMS = {
-    "study": STUDY,
-    "study/effects": EFFECTS,
-    "study/surfaces": SURFACES,
-}
+ROOMS = {"study": STUDY, "study/effects": EFFECTS, "study/surfaces": SURFACES}
 CHECKED = (
     "plan/problems",
     "plan/scaled_effects",

@@ -12,11 +12,7 @@ from pathlib import Path
 import pytest
 
 from elastomer_friction.workflow.system import program
-from elastomer_friction.workflow.system.packages import (
-    PACKAGES,
-    processor,
-    this_maker,
-)
+from elastomer_friction.workflow.system.packages import PACKAGES, processor, this_maker
 from elastomer_friction.workflow.system.process import Interrupt
 from tests.support.python import PATIENCE, ROOT, printed
 

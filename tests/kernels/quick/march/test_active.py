@@ -22,13 +22,7 @@ from elastomer_friction.kernels.quick.march.crossings import SteadyFlight, no_la
 from elastomer_friction.kernels.quick.march.kinds import listed_samples, undecided_runs
 from elastomer_friction.kernels.quick.march.lists import ActiveSet
 from elastomer_friction.kernels.quick.march.problem import initial_bounds
-from tests.kernels.quick.march.given import (
-    Jump,
-    dense,
-    rounding_of_mu,
-    setting_of,
-    size_of_jump,
-)
+from tests.kernels.quick.march.given import Jump, dense, rounding_of_mu, setting_of, size_of_jump
 from tests.sizes import size
 
 EVERY = np.arange(1, size(60, 9) + 1)

@@ -84,11 +84,7 @@ def scene(*programme):
 
 @pytest.mark.parametrize(
     ("programme", "steps"),
-    [
-        ((SLOW, FAST, REST, SLOW, SLOW, BACK), [0]),
-        ((SLOW, REST, FAST), []),
-        ((SLOW, OWN), [0]),
-    ],
+    [((SLOW, FAST, REST, SLOW, SLOW, BACK), [0]), ((SLOW, REST, FAST), []), ((SLOW, OWN), [0])],
 )
 def test_a_step_is_from_one_slide_to_another_in_the_same_direction(programme, steps):
     assert scene(*programme).velocity_steps == steps
