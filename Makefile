@@ -77,7 +77,7 @@ test-processors: test-generic test-rounding ## Run the numerical tests as on oth
 test-generic: $(TOOLS) ## ... with baseline instructions only
 	NUMBA_CPU_NAME=generic NUMBA_CPU_FEATURES= NPY_DISABLE_CPU_FEATURES="$$($(BIN)/python -c \
 	  'import numpy; print(*numpy.show_config(mode="dicts")["SIMD Extensions"].get("found", []))')" \
-	  $(PYTEST) -m "$(USUAL)" $(NUMERICAL)
+	  $(PYTEST) -m "$(USUAL)" $(NUMERICAL) --ignore=tests/kernels/quick/blocks  # a third of the compilation
 
 test-rounding: $(TOOLS) ## ... with the last bit of the lines changed
 	LAST_BIT=1 $(PYTEST) -m "$(USUAL)" $(NUMERICAL)
