@@ -1,18 +1,14 @@
-"""The commands plan, run, figure and prony as Python functions, and the means of blocks."""
+"""The commands plan, run and figure as Python functions, and the means of blocks."""
 
-import tomllib
-from argparse import Namespace
-from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from .. import report
 from ..ground import UserError
 from ..result import open_tree, result_file
-from ..study import INCOMPRESSIBLE, AnyStudy, Measured, Study, read_study
+from ..study import AnyStudy, Measured, Study, read_study
 from .command_line import MAX_FAILURES
 from .commands import STUDY_ACTIONS
-from .experiments import material_table
 from .run_options import announced_plan
 
 if TYPE_CHECKING:
@@ -110,69 +106,6 @@ def read_block_means(
     if not isinstance(checked, Study):
         raise UserError(f"{checked.name}: its measure.py computes it, without blocks")
     return block_dataset(checked, result, group)
-
-
-class FittedMaterial(dict[str, Any]):
-    """Keys of the table [material], fitted to measured moduli; ``print`` shows the fit as TOML.
-
-    residual : rms of the relative residual of G*. worst : its largest value.
-    """
-
-    def __init__(self, text: str, residual: float, worst: float) -> None:
-        super().__init__(tomllib.loads(text)["material"])
-        self.text, self.residual, self.worst = text, residual, worst
-
-    def __str__(self) -> str:
-        """Return the output of the command ``prony``."""
-        return self.text
-
-
-def fit_moduli(
-    file: str | Path,
-    *,
-    columns: Sequence[int] | None = None,
-    temperatures: Sequence[float] | None = None,
-    reference: float | None = None,
-    law: str | None = None,
-    vertical: bool = False,
-    start: float | None = None,
-    frequency: str | None = None,
-    modulus: str | None = None,
-    poisson: float = INCOMPRESSIBLE,
-    branches: int | None = None,
-    figure: str | Path | None = None,
-) -> FittedMaterial:
-    """Fit a Prony series to measured moduli; return a material for ``scene.run``, a dictionary.
-
-    Printed it is the output of the command ``prony``; its ``residual`` and ``worst`` are the rms
-    and the largest residual of G*, relative.
-
-    file, columns, temperatures, reference, law, vertical, frequency, modulus, poisson, branches,
-    figure : as the options of the command. start : its option --from, in s.
-
-    Raises UserError for invalid input, and for moduli that no Prony series describes.
-    """
-    given = {
-        name: None if v is None else ",".join(map(str, v))
-        for name, v in {"columns": columns, "temperatures": temperatures}.items()
-    }
-    table = material_table(
-        Namespace(
-            file=str(file),
-            reference=reference,
-            law=law,
-            vertical=vertical,
-            start=start,
-            frequency=frequency,
-            modulus=modulus,
-            poisson=poisson,
-            branches=branches,
-            figure=figure,
-            **given,
-        )
-    )
-    text = "\n".join([*table.comments, "[material]", *table.keys, *table.listed()])
-    return FittedMaterial(text, table.fit.rms, table.fit.worst)
 
 
 def _study(

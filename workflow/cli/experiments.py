@@ -1,9 +1,14 @@
 """The commands ``prony``, ``fit`` and ``spectrum``: fits to measurements."""
 
 import argparse
+import inspect
 import math
+import tomllib
+from collections.abc import Sequence
 from pathlib import Path
-from typing import NamedTuple
+from typing import Any
+
+import numpy as np
 
 from .. import laboratory, report  # slow to import, which other commands avoid
 from ..ground import UserError
@@ -11,59 +16,98 @@ from ..study import INCOMPRESSIBLE, Moduli, read_measured_surface, read_moduli
 from ..system import make_folder, write_durably
 from .exit_status import DONE
 
-
-class MaterialTable(NamedTuple):
-    """Material fitted to moduli, and its lines of TOML."""
-
-    fit: laboratory.PronyFit
-    comments: list[str]  # the measurement, the fit and its quality
-    keys: list[str]  # of [material], without the branches
-    branches: list[str]  # modulus (Pa) and time (s)
-
-    def listed(self) -> list[str]:
-        """Return the key ``branches``, one branch a line."""
-        return ["branches = [", *(f"    [{row}]," for row in self.branches), "]"]
+NUMBERS = {  # of an option
+    "--columns": "three numbers from 0, as 0,1,2",
+    "--temperatures": "numbers in °C, as -20,0,20",
+}
 
 
-def material_table(options: argparse.Namespace) -> MaterialTable:
-    """Fit the options' file of moduli. Raises UserError for invalid options."""
-    if options.branches is not None and options.branches < 1:
-        raise UserError(f"--branches {options.branches}: must be at least 1")
-    if not -1.0 < options.poisson <= INCOMPRESSIBLE:
-        raise UserError(f"--poisson {options.poisson:g}: must lie between -1 and 0.5")
-    if options.start is not None and not 0.0 < options.start < math.inf:
-        raise UserError(f"--from {options.start:g}: must be greater than zero")
-    source = Path(options.file)
-    units = options.frequency, options.modulus
-    columns = columns_of(options.columns, (2, 3)) if options.columns else None
-    temperatures = _temperatures(options.temperatures) if options.temperatures else ()
-    measured = read_moduli(source, *units, columns, options.poisson, temperatures, options.start)
-    master = _at_one_temperature(options, measured)
+class FittedMaterial(dict[str, Any]):
+    """Keys of the table [material], fitted to measured moduli; ``print`` shows the fit as TOML.
+
+    residual : rms of the relative residual of G*. worst : its largest value.
+    """
+
+    def __init__(self, fit: laboratory.PronyFit, comments: list[str], keys: Sequence[str]) -> None:
+        """Store a fit. comments : on the measurement and the fit. keys : lines of TOML."""
+        self.fit, self.comments = fit, comments
+        self.residual, self.worst = fit.rms, fit.worst
+        self.keys_text = [f"shear_modulus = {fit.shear_modulus:.6g}", *keys]
+        self.rows = [f"{modulus:.6g}, {time:.6g}" for modulus, time in fit.branches]
+        listed = "branches = [", *(f"    [{row}]," for row in self.rows), "]"
+        self.text = "\n".join([*comments, "[material]", *self.keys_text, *listed])
+        super().__init__(tomllib.loads(self.text)["material"])
+
+    def __str__(self) -> str:
+        """Return the output of the command ``prony``."""
+        return self.text
+
+
+def fit_moduli(
+    file: str | Path,
+    *,
+    columns: Sequence[int] | None = None,
+    temperatures: Sequence[float] | None = None,
+    reference: float | None = None,
+    law: str | None = None,
+    vertical: bool = False,
+    start: float | None = None,
+    frequency: str | None = None,
+    modulus: str | None = None,
+    poisson: float = INCOMPRESSIBLE,
+    branches: int | None = None,
+    figure: str | Path | None = None,
+) -> FittedMaterial:
+    """Fit a Prony series to measured moduli; return a material for ``scene.run``, a dictionary.
+
+    Printed it is the output of the command ``prony``; its ``residual`` and ``worst`` are the rms
+    and the largest residual of G*, relative.
+
+    file, columns, temperatures, reference, law, vertical, frequency, modulus, poisson, branches,
+    figure : as the options of the command. start : its option --from, in s.
+
+    Raises UserError for invalid input, and for moduli that no Prony series describes.
+    """
+    if branches is not None and branches < 1:
+        raise UserError(f"--branches {branches}: must be at least 1")
+    if not -1.0 < poisson <= INCOMPRESSIBLE:
+        raise UserError(f"--poisson {poisson:g}: must lie between -1 and 0.5")
+    if start is not None and not 0.0 < start < math.inf:
+        raise UserError(f"--from {start:g}: must be greater than zero")
+    if columns is not None:
+        _check_columns(columns, (2, 3))
+    given = () if temperatures is None else temperatures
+    if not all(map(math.isfinite, given)):
+        raise _wrong("--temperatures", ",".join(map(str, given)))
+    measured = read_moduli(Path(file), frequency, modulus, columns, poisson, given, start)
+    shifting = laboratory.Shifting(reference, law, vertical)
+    master = _at_one_temperature(str(file), shifting, measured)
     measured, keys = (master.moduli, master.keys) if master else (measured, ())
-    fit = laboratory.fit_material(options.file, measured, options.branches)
-    described = laboratory.describe_material(measured, fit, options.branches)
-    if options.figure:
-        path = Path(options.figure)
+    fit = laboratory.fit_material(str(file), measured, branches)
+    described = laboratory.describe_material(measured, fit, branches)
+    if figure:
+        path = Path(figure)
         make_folder(path.parent)
         (picture,) = laboratory.draw_moduli(measured, fit, master, path)
         described.append(f"figure: {picture.png}")
     comments = [f"# {line}" for line in (*measured.description, *described)]
-    rows = [f"{modulus:.6g}, {time:.6g}" for modulus, time in fit.branches]
-    modulus = f"shear_modulus = {fit.shear_modulus:.6g}"
-    return MaterialTable(fit, comments, [modulus, *keys], rows)
+    return FittedMaterial(fit, comments, keys)
 
 
 def run_prony(options: argparse.Namespace) -> int:
     """Fit moduli, print a table [material], write the branches if requested; return the status."""
     out = _output_of(options)
-    table = material_table(options)
-    listed = table.listed()
+    given = {name: getattr(options, name) for name in inspect.signature(fit_moduli).parameters}
+    given["columns"] = _parsed("--columns", options.columns, int)
+    given["temperatures"] = _parsed("--temperatures", options.temperatures, float)
+    material = fit_moduli(**given)
+    printed = laboratory.FORMS[options.write](material.fit)
     if out:
-        lines = [*table.comments, f"# {table.keys[0]}", "modulus [Pa], time [s]", *table.branches]
-        write_durably(out, "\n".join([*lines, ""]).encode())
-        listed = [f'branches_file = "{_name_for_study(out)}"']
-    printed = laboratory.FORMS[options.write](table.fit) or ["[material]", *table.keys, *listed]
-    print(*table.comments, *printed, sep="\n")
+        lines = [*material.comments, f"# {material.keys_text[0]}", "modulus [Pa], time [s]"]
+        write_durably(out, "\n".join([*lines, *material.rows, ""]).encode())
+        file = f'branches_file = "{_name_for_study(out)}"'
+        printed = printed or ["[material]", *material.keys_text, file]
+    print("\n".join([*material.comments, *printed]) if printed else material)
     return DONE
 
 
@@ -82,37 +126,36 @@ def _name_for_study(out: Path) -> str:
 
 
 def _at_one_temperature(
-    options: argparse.Namespace, measured: Moduli
+    file: str, shifting: laboratory.Shifting, measured: Moduli
 ) -> laboratory.MasterCurve | None:
     """Return the moduli shifted to one temperature; None if they are at one already."""
-    requested = laboratory.Shifting(options.reference, options.law, options.vertical)
     if measured.temperatures is not None:
-        return laboratory.master_curve(options.file, measured, requested)
-    if requested != laboratory.Shifting():
+        return laboratory.master_curve(file, measured, shifting)
+    if shifting != laboratory.Shifting():
         raise UserError(
-            f"prony {options.file}: --reference, --law and --vertical shift sweeps at several "
+            f"prony {file}: --reference, --law and --vertical shift sweeps at several "
             "temperatures; it holds one: give --temperatures, or a column of them"
         )
     return None
 
 
-def columns_of(words: str, counts: tuple[int, ...] = (3,)) -> tuple[int, ...]:
-    """Parse column numbers given as 0,1,2; raise UserError unless their number is in ``counts``."""
-    fields = words.split(",")
-    if len(fields) not in counts or not all(word.strip().isdecimal() for word in fields):
-        raise UserError(f"--columns {words}: must be three numbers from 0, as 0,1,2")
-    return tuple(map(int, fields))
+def _check_columns(columns: Sequence[int], counts: tuple[int, ...] = (3,)) -> None:
+    """Raise UserError unless columns are whole numbers from 0, their number one of ``counts``."""
+    whole = all(isinstance(column, int | np.integer) and column >= 0 for column in columns)
+    if not whole or len(columns) not in counts:
+        raise _wrong("--columns", ",".join(map(str, columns)))
 
 
-def _temperatures(words: str) -> tuple[float, ...]:
-    """Parse temperatures in °C given as -20,0,20. Raises UserError for other text."""
+def _parsed(option: str, words: str | None, number: type) -> Any:
+    """Return the numbers of an option given as 0,1,2; None without it. Raises UserError."""
     try:
-        temperatures = tuple(map(float, words.split(",")))
+        return tuple(map(number, words.split(","))) if words else None
     except ValueError:
-        temperatures = (math.nan,)
-    if not all(map(math.isfinite, temperatures)):
-        raise UserError(f"--temperatures {words}: must be numbers in °C, as -20,0,20")
-    return temperatures
+        raise _wrong(option, words) from None
+
+
+def _wrong(option: str, given: object) -> UserError:
+    return UserError(f"{option} {given}: must be {NUMBERS[option]}")
 
 
 def run_fit(options: argparse.Namespace) -> int:
@@ -126,7 +169,9 @@ def run_fit(options: argparse.Namespace) -> int:
             raise UserError(f"{name} {value:g}: must be greater than zero")
     if known.hurst is not None and not 0.0 <= known.hurst <= 1.0:
         raise UserError(f"--hurst {known.hurst:g}: must lie between 0 and 1")
-    columns = columns_of(options.columns) if options.columns else None
+    columns = _parsed("--columns", options.columns, int)
+    if columns:
+        _check_columns(columns)
     units = options.time, options.velocity, options.displacement
     records = [laboratory.read_record(Path(f), columns, *units) for f in options.files]
     fit = laboratory.fit_records(records, known, options.window, options.stiffness)

@@ -11,7 +11,7 @@ FOREIGN_SIGNATURES = {  # first bytes, bytes that must follow, content and remed
     (b"PK\x03\x04", b"xl/"): f"an Excel workbook: {SAVE_AS_TEXT}",
     (b"PK\x03\x04", b"[Content_Types].xml"): f"an Excel workbook: {SAVE_AS_TEXT}",
     (b"PK\x03\x04", b""): f"a zip archive: {UNPACK}",
-    (b"\xd0\xcf\x11\xe0", b""): f"an Excel workbook: {SAVE_AS_TEXT}",
+    (b"\xd0\xcf\x11\xe0", b""): "an Excel 97 workbook or another OLE file: save it as text",
     (b"\x1f\x8b", b""): f"a gzip archive: {UNPACK}",
     (b"BZh", b""): f"a bzip2 archive: {UNPACK}",
     (b"\xfd7zXZ", b""): f"an xz archive: {UNPACK}",

@@ -150,21 +150,27 @@ def _step_between(
 
 
 def _no_step(record: Record, stretches: list[_Stretch]) -> str:
-    message = (
-        f"fit {record.name}: holds no velocity step: no two stretches of {LEAST_SAMPLES} "
-        f"samples or more at velocities {100 * LEAST_CHANGE:g} % apart"
-    )
+    """Return why a record holds no velocity step, and what to do with the motion it holds."""
     v, signs = record.velocity, {stretch.sign for stretch in stretches}
-    one_way = np.all(np.diff(v) >= 0.0) or np.all(np.diff(v) <= 0.0)
-    if 0.0 in signs and len(signs) > 1:
-        message += (
-            "; it holds slides and rests at v = 0: for slide-hold-slide run segments slide and hold"
-        )
-    elif len(signs) > 1:
-        message += "; it slides to and fro: run that motion as a programme"
-    elif one_way and np.ptp(v) > 0.0 and not record.is_named:
-        message += "; its column changes one way only, as a displacement does: give --displacement"
-    return message
+    one_way = np.ptp(v) > 0.0 and (np.all(np.diff(v) >= 0.0) or np.all(np.diff(v) <= 0.0))
+    motions = {
+        "it holds slides and rests at v = 0: for slide-hold-slide run segments slide and hold": (
+            0.0 in signs and len(signs) > 1
+        ),
+        "it slides to and fro: run that motion as a programme": len(signs) > 1,
+        "its column changes one way only, as a displacement does: give --displacement": (
+            one_way and not record.is_named
+        ),
+        "its velocity is a ramp: run that motion as a programme": one_way,
+        "its velocity is constant; if the load steps, run a study of several grid.normal_force": (
+            len(stretches) == 1
+        ),
+    }
+    known = next((f"; {motion}" for motion, holds in motions.items() if holds), "")
+    return (
+        f"fit {record.name}: holds no velocity step: no two stretches of {LEAST_SAMPLES} "
+        f"samples or more at velocities {100 * LEAST_CHANGE:g} % apart{known}"
+    )
 
 
 def constant_stretches(values: np.ndarray) -> list[slice]:

@@ -282,6 +282,9 @@ def describe_columns(table: TextTable, columns: Sequence[Column]) -> str:
     text = f"{table.name}: {len(table.lines)} rows; {', '.join(parts)}"
     if len(table.blocks) > 1:
         text += f"; {len(table.blocks)} blocks"
+    titles = 1 + max((line.count("\t") for line in table.above), default=0)
+    if table.titles and table.delimiter is None and titles > table.width:
+        text += f"; the first {table.width} of {titles} titles"
     if missing:
         codes = ", ".join(f"{column.code:g}" for column in columns if column.code is not None)
         text += f"; {counted(missing, 'value')} missing{f' ({codes})' if codes else ''}"

@@ -21,7 +21,6 @@ LEADING_ZERO = re.compile(r"0\d+")  # occurs in the decimals of 1,05, not in int
 # Limits of the sample of lines, from the start and the middle, used to find the delimiter.
 MAX_SAMPLE_LINES, MIN_SAMPLE_LINES, MAX_SAMPLE_CHARACTERS = 250, 20, 50_000
 MAX_SCORED_CELLS = 1000  # of each line of the sample
-CHUNK_CHARACTERS = 50_000  # of the text that is divided into lines at once
 END_OF_LINE = re.compile("\r\n|[\n\r\v\f\x1c-\x1e\x85\u2028\u2029]")  # as in str.splitlines
 # Limits of the lines that are not rows, since some patterns take quadratic time.
 MAX_REMARK_CHARACTERS, MAX_TITLE_CHARACTERS, MAX_WORD_CHARACTERS = 10_000, 200, 100_000
@@ -76,6 +75,7 @@ def cells_of(text: str) -> Cells:
     numbers. Raises ValueError if there is no row of numbers, or if a row below the first has
     another length.
     """
+    text = END_OF_LINE.sub("\n", text) + "\n"
     sample = _sample_of(text)
     delimiter, width = _delimiter_and_width(sample)
     rows = [_trimmed(split(line, delimiter)) for line in sample]
@@ -119,19 +119,8 @@ def _move_head_row(cells: Cells) -> None:
 
 
 def _lines(text: str) -> Iterator[tuple[int, str]]:
-    """Yield the lines of a text with the indices of their first characters."""
-    start = 0
-    while start < len(text):
-        end = END_OF_LINE.search(text, start + CHUNK_CHARACTERS)
-        chunk = text[start : end.end() if end else None]
-        for line, whole in zip(chunk.splitlines(), chunk.splitlines(keepends=True), strict=True):
-            yield start, line
-            start += len(whole)
-
-
-def _line_at(text: str, start: int) -> str:
-    end = END_OF_LINE.search(text, start)
-    return text[start : end.start() if end else None]
+    """Return the lines of a text with the indices of their first characters."""
+    return ((match.start(1), match[1]) for match in re.finditer("(.*)\n", text))
 
 
 def _sample_of(text: str) -> list[str]:
@@ -147,7 +136,7 @@ def _sample_of(text: str) -> list[str]:
     count = max(MIN_SAMPLE_LINES, min(MAX_SAMPLE_LINES, MAX_SAMPLE_CHARACTERS // longest))
     middle = max(len(starts) // 2, count)
     sample = starts[:count] + starts[middle:][:count]
-    return [_without_remark(_line_at(text, start)) for start in sample]
+    return [_without_remark(text[start : text.index("\n", start)]) for start in sample]
 
 
 def _check_words(cells: Cells) -> None:
@@ -194,7 +183,7 @@ def _is_row(line: str, number: int, table: Cells) -> bool:
             return False
         raise ValueError(
             f"line {number} reads {line.strip()!r:.40}: must hold {counted(width, 'cell')} as the "
-            "rows before it"
+            "rows before it; part the file there if another table begins"
         )
     return True
 

@@ -60,7 +60,7 @@ ARGUMENT = re.compile(r"(?<=\S)\((t|ω|omega|w|f|x|y|q|T|i|a|τ|delta|δ|aT|a_T)
 BRACKETED = re.compile(r"[\[(<{].*[\])>}]")
 COMMENT_MARK = re.compile(r"^\s*(?:#+|!+|//|%(?!\s*[;\t|,]))\s?")  # % may be the first unit
 UNITS_LABEL = re.compile(r"units?\s*[:=]\s*", re.IGNORECASE)  # units: mm, um
-QUANTITY = re.compile(rf"(?<![\w^.-]){NUMERAL_TEXT}\s*[^\s,;]+")  # 0.8 mm
+QUANTITY = re.compile(rf"(?<![\w^./-]){NUMERAL_TEXT}\s*[^\s,;]+")  # 0.8 mm
 # Units that are also English words.
 ENGLISH_UNIT_WORDS = frozenset(("in", "day", "days", "turn", "turns", "foot", "feet", "none", "at"))
 
@@ -119,6 +119,8 @@ def header_of(above: Sequence[str], delimiter: str | None, width: int) -> Header
 def _cells_of(line: str, delimiter: str | None, width: int) -> list[str]:
     """Return the cells of a line of titles, one per column; empty for an unread line."""
     text = UNITS_LABEL.sub("", COMMENT_MARK.sub("", line).strip("\r\n"), count=1)
+    if delimiter is None and text.count("\t") >= width:  # more titles than cells
+        return [cell.strip() for cell in text.split("\t")[:width]]
     if delimiter is not None and delimiter in text:
         cells = split(text, delimiter)
         while len(cells) > width and not cells[-1]:

@@ -1,5 +1,6 @@
 """Rows of a text file with titles and blocks, before their units are converted."""
 
+import csv
 import re
 from collections.abc import Iterator
 from functools import cached_property
@@ -129,9 +130,7 @@ class TextTable:
     def columns_text(self) -> str:
         """Return a list of the columns for messages, with their numbers and units."""
         if not self.titles:
-            cells = max((line.count(self.delimiter or "\t") for line in self.above), default=0) + 1
-            titles = f", below a line of {cells} titles" if cells > self.width > 1 else ""
-            return f"{self.width} columns without names{titles}"
+            return f"{self.width} columns without names"
         named = [
             f"{n} {title.name or '(no name)'}{f' [{title.unit}]' if title.unit else ''}"
             for n, title in enumerate(self.titles[:MAX_LISTED])
@@ -168,6 +167,6 @@ def table_of_text(key: str, name: str, text: str) -> TextTable:
         numbers = (row[n] for row in rows for n in cells.numeric if is_numeral(row[n]))
         points_only = cells.plain and (cells.delimiter == "," or "," not in text)
         marks = Marks() if points_only else marks_of(numbers)
-    except ValueError as error:
+    except (ValueError, csv.Error) as error:  # csv.Error: a cell in quotes of 131 072 characters
         raise UserError(f"{key} = {name!r}: {error}") from None
     return TextTable(key, name, cells, marks)

@@ -49,26 +49,21 @@ def _units(words: str, factor: float, family: str, prefixes: Iterable[str] = ())
 
 
 KNOWN_UNITS: dict[str, tuple[float, str]] = {
-    **_units("m", 1.0, "length", "pnumcdk"),
-    **_units("meter metre meters metres", 1.0, "length", PREFIX_WORDS),
+    **_units("m meter metre meters metres", 1.0, "length", (*"pnumcdk", *PREFIX_WORDS)),
     **_units("micron microns mic", 1e-6, "length"),
     **_units("Å å angstrom angstroms ångström ångstrom", 1e-10, "length"),
     **_units("in inch inches", INCH, "length"),
     **_units("mil mils thou", 1e-3 * INCH, "length"),
     **_units("uin microinch microinches", 1e-6 * INCH, "length"),
     **_units("ft foot feet", 12.0 * INCH, "length"),
-    **_units("s", 1.0, "time", "num"),
-    **_units("sec", 1.0, "time", "num"),
-    **_units("secs", 1.0, "time"),
-    **_units("second seconds", 1.0, "time", PREFIX_WORDS),
+    **_units("s sec secs second seconds", 1.0, "time", (*"num", *PREFIX_WORDS)),
     **_units("min mins minute minutes", 60.0, "time"),
     **_units("h hr hrs hour hours", 3600.0, "time"),
     **_units("d day days", 86400.0, "time"),
     **_units("Hz", 2.0 * math.pi, "frequency", "mkM"),
     **_units("hertz", 2.0 * math.pi, "frequency", PREFIX_WORDS),
     **_units("rpm", 2.0 * math.pi / 60.0, "frequency"),
-    **_units("rad", 1.0, "angle", "m"),
-    **_units("radian radians", 1.0, "angle"),
+    **_units("rad radian radians", 1.0, "angle", "m"),
     **_units("deg ° degree degrees", math.pi / 180.0, "angle"),
     **_units("cycle cycles rev revs turn turns", 2.0 * math.pi, "angle"),
     **_units("Pa", 1.0, "pressure", "umhkMG"),
@@ -145,7 +140,7 @@ def unit_of(text: str) -> Unit | None:
         return Unit(text, family, factor)
     factor, dimension, single = 1.0, np.zeros(5, int), "/" not in plain and "*" not in plain
     for number, part in enumerate(plain.split("/")):
-        for word in filter(None, part.split("*")):
+        for word in part.split("*") if part else ():
             match = UNIT_FACTOR.fullmatch(word)
             symbol = match[1] if match else ""
             if symbol == "M" and not single:  # M means metre in M/S, but not on its own

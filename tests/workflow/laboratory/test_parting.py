@@ -46,6 +46,37 @@ def test_sliding_backwards_gives_the_same_step():
     np.testing.assert_array_equal(forth.after, unsigned.after)
 
 
+def test_friction_of_the_other_sign_is_turned_and_said():
+    one = driven([0.1, 0.3])
+    turned = one._replace(friction=-one.friction)
+    np.testing.assert_array_equal(measured_steps(turned)[0].after, measured_steps(one)[0].after)
+    assert no_steps_of(turned) == [
+        "friction is negative where the velocity is positive: its sign is turned"
+    ]
+    assert not no_steps_of(one)
+
+
+RAMP = np.linspace(0.1, 0.3, 400)
+
+
+@pytest.mark.parametrize(
+    ("velocity", "named", "words"),
+    [
+        (np.repeat([0.1, 0.0, 0.1], N), True, "run segments slide and hold"),
+        (np.repeat([0.1, -0.1, 0.1, -0.1], N), True, "to and fro: run that motion"),
+        (np.full(400, 0.1), True, "constant; if the load steps, run a study of several grid.norm"),
+        (RAMP, True, "a ramp: run that motion as a programme"),
+        (RAMP, False, "give --displacement"),
+    ],
+)
+def test_motions_without_a_step_are_recognised(velocity, named, words):
+    one = Record(
+        "r", np.arange(velocity.size) / N, velocity, np.full(velocity.size, 0.3), (), named
+    )
+    with pytest.raises(UserError, match=f"^fit r: holds no velocity step: .*{words}"):
+        measured_steps(one)
+
+
 @pytest.mark.parametrize("scatter", [0.0, 0.03, 0.06])
 def test_noise_that_goes_below_zero_leaves_the_steps(scatter):
     one = driven([0.1, 0.3, 0.1])

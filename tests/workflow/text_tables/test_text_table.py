@@ -69,6 +69,20 @@ def test_a_row_of_another_length_is_named(text):
         table(text)
 
 
+def test_a_cell_in_quotes_is_limited():
+    with pytest.raises(UserError, match=r"^key = 'f\.txt': field larger than field limit"):
+        table(f'1,2\n"{"5" * 200_000}",3\n')
+
+
+def test_more_titles_than_cells_name_the_first_ones():
+    """Instruments append titles of quantities that they did not measure."""
+    rows = "".join(f"  {n}.5   {n + 3}   7\n" for n in range(1, 5))
+    found = table(f"T=3;chem=PI;\nFreq\tG'\tG\"\th*\nrad/s\tkPa\tPa\tPa-s\n{rows}")
+    chosen = select_columns(found, (OMEGA, STORAGE))
+    assert [one.values[0] for one in chosen] == [1.5, 4e3]
+    assert "the first 3 of 4 titles" in describe_columns(found, chosen)
+
+
 def test_a_word_is_refused_in_a_column_that_is_read():
     found = table("0 1 5\n2 x 6\n3 1 7")
     assert found.values(2).tolist() == [5.0, 6.0, 7.0]

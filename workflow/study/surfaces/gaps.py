@@ -63,11 +63,9 @@ def marked_spikes(
     Raises UserError if ``spikes`` is ``refuse`` and a spike lies beside a missing sample, which
     would be filled in from it.
     """
-    steep, missing = np.abs(np.diff(heights)) >= least, np.isnan(heights)
-    high, beside = np.zeros_like(missing), np.zeros_like(missing)
-    high[:, 1:], beside[:, 1:] = steep, missing[:, :-1]
-    high[:, :-1] |= steep
-    beside[:, :-1] |= missing[:, 1:]
+    steep = np.pad(np.abs(np.diff(heights)) >= least, ((0, 0), (1, 1)))
+    missing = np.pad(np.isnan(heights), ((0, 0), (1, 1)))
+    high, beside = steep[:, 1:] | steep[:, :-1], missing[:, 2:] | missing[:, :-2]
     count_text = f"{int(high.sum())} of {heights.size} samples"
     if spikes == "fill" and high.any():
         return np.where(high, np.nan, heights), f"{count_text} were spikes and were filled in"

@@ -3,6 +3,7 @@
 import math
 from array import array
 from collections.abc import Iterable
+from decimal import Decimal
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -68,21 +69,14 @@ def precision(written: Iterable[str]) -> np.ndarray:
     """
     finest, max_digits, numbers = math.inf, 0, array("d")
     for word in written:
-        digits, exponent = _digits_and_exponent(word)
-        finest, max_digits = min(finest, exponent), max(max_digits, digits)
+        number = Decimal(word).as_tuple()
+        finest = min(finest, int(number.exponent))  # an error for NaN, which no number is
+        max_digits = max(max_digits, len(number.digits))
         numbers.append(float(word))
     sizes = np.abs(numbers)
     with np.errstate(divide="ignore"):
         leading = np.floor(np.log10(sizes))
     return np.maximum(float(f"1e{finest}"), 10.0 ** (leading - max_digits + 1.0))
-
-
-def _digits_and_exponent(word: str) -> tuple[int, int]:
-    """Return the number of digits of a written number, and the exponent of the last digit."""
-    mantissa, _, exponent = word.lower().partition("e")
-    whole, _, decimals = mantissa.lstrip("+-").partition(".")
-    digits = len((whole + decimals).lstrip("0"))
-    return digits, int(exponent or 0) - len(decimals)
 
 
 class PointGrid(NamedTuple):

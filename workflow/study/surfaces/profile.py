@@ -10,7 +10,7 @@ from ....kernels.half_space.surface import map_amplitudes, rms_slope_of
 from ...ground import UserError
 from .line_correlation import LineCorrelation, line_correlation
 from .positions import STEP_TOLERANCE
-from .raw_lines import KEY, MIN_SAMPLES, LineFile, Lines, plain
+from .raw_lines import KEY, MAX_MAP_ASPECT, MIN_SAMPLES, LineFile, Lines, plain
 
 SLOPE_LIMITS = 1e-5, 30.0  # of the rms slope; beyond them heights and lengths differ in unit
 LOAD_LIMITS = 1e-8, 1e6  # F_N/(4 G L h)
@@ -68,8 +68,12 @@ def _line_axes(heights: np.ndarray) -> tuple[int, ...]:
 
 
 def is_map(lines: Lines) -> bool:
-    """Return whether the lines are rows of a map, whose distance is stated."""
-    return len(lines.heights) >= MIN_SAMPLES and lines.row_spacing is not None
+    """Return whether the lines are rows of a map, whose distance is stated.
+
+    The rows of a strip are lines, since the square that a half-space takes omits most of them.
+    """
+    low, high = sorted(lines.heights.shape)
+    return low >= MIN_SAMPLES and high <= MAX_MAP_ASPECT * low and lines.row_spacing is not None
 
 
 @quietly

@@ -5,13 +5,14 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from ...ground import UserError
+from ...ground import UserError, counted
 from ...text_tables import unit_of
 from .gaps import gaps_filled, marked_gaps, marked_spikes
 from .positions import uniform_step
 
 KEY = "surface.file"
 MIN_SAMPLES = 8
+MAX_MAP_ASPECT = 2  # of the sides of a map; others are strips
 SPIKE_SLOPE = 3.0  # from one sample to the next; source: ISO 13473-1:2019, 7.5
 
 
@@ -85,15 +86,10 @@ def lines_of(file: LineFile, raw: RawLines) -> Lines:
     are not uniform.
     """
     prefix = f"{KEY} = {file.name!r}"
-    samples = raw.heights.shape[1]
-    if raw.x is not None and not np.isfinite(raw.x).all():
-        sample = int(np.argmin(np.isfinite(raw.x)))
-        raise UserError(
-            f"{prefix}: the position of sample {sample + 1} is missing: give surface.step in place "
-            "of positions, or write it"
-        )
+    _check_positions(prefix, raw.x)
     heights, gap_note = marked_gaps(prefix, raw.heights, file.gaps)
     unit, (of_positions, *of_lines) = _factors(file, raw)
+    samples = heights.shape[1]
     if samples < MIN_SAMPLES:
         raise UserError(f"{prefix}: {samples} samples per line: needs at least {MIN_SAMPLES}")
     step = raw.step
@@ -108,14 +104,23 @@ def lines_of(file: LineFile, raw: RawLines) -> Lines:
     heights = gaps_filled(prefix, heights) * in_metres
     if step < 0.0:
         heights = heights[:, ::-1]
-    unit_source = "as given" if file.units else "as the file names them"
-    count = f"{len(heights)} {'line' if len(heights) == 1 else 'lines'} of {samples} samples"
     distance = f"{abs(step):.6g} m apart{' in the mean' if raw.x is not None else ''}"
-    parts = [
-        f"{file.name}: {count}, {distance}, heights in {unit}, units {unit_source}",
-        *filter(None, (raw.description, gap_note, spike_note)),
-    ]
-    return Lines(heights, abs(step), "; ".join(parts), raw.row_spacing)
+    units = f"heights in {unit}, units {'as given' if file.units else 'as the file names them'}"
+    first = (
+        f"{file.name}: {counted(len(heights), 'line')} of {samples} samples, {distance}, {units}"
+    )
+    notes = "; ".join(filter(None, (first, raw.description, gap_note, spike_note)))
+    return Lines(heights, abs(step), notes, raw.row_spacing)
+
+
+def _check_positions(prefix: str, x: np.ndarray | None) -> None:
+    """Raise UserError for a missing position."""
+    if x is not None and not np.isfinite(x).all():
+        sample = int(np.argmin(np.isfinite(x)))
+        raise UserError(
+            f"{prefix}: the position of sample {sample + 1} is missing: give surface.step in place "
+            "of positions, or write it"
+        )
 
 
 def _factors(file: LineFile, raw: RawLines) -> tuple[str, list[float]]:

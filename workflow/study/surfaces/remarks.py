@@ -27,7 +27,8 @@ BARE_REMARK = re.compile(
 )
 SCALE_REMARK = re.compile(
     r"mult|cz|wavelength"
-    r"|(z|height|data|value)?s?[-_ ]*(scal(e|ing)|factor|multiplier|calibration)[-_ ]*(factor)?"
+    r"|(z|height|data|value)?s?[-_ ]*(conversion)?[-_ ]*(scal(e|ing)|factor|multiplier|calibration)"
+    r"[-_ ]*(factor)?( ?[\[(].{0,20})?"  # z scale (nm)
 )
 
 

@@ -9,16 +9,19 @@ import re
 import numpy as np
 
 from ...ground import UserError, counted
-from ...text_tables import (
-    UNREAD_NAME,
-    TextTable,
-    Title,
-    read_text_table,
-    unit_of,
-)
+from ...text_tables import UNREAD_NAME, TextTable, Title, read_text_table, unit_of
 from ..columns import count_named
 from .positions import PointGrid, grid_of, is_uniform, precision, repeats
-from .raw_lines import KEY, MIN_SAMPLES, LineFile, RawLines, check_numbered, metres, row_spacing
+from .raw_lines import (
+    KEY,
+    MAX_MAP_ASPECT,
+    MIN_SAMPLES,
+    LineFile,
+    RawLines,
+    check_numbered,
+    metres,
+    row_spacing,
+)
 from .remarks import (
     HEIGHT_REMARK,
     PITCH_REMARK,
@@ -35,7 +38,7 @@ TIME_NAME = r"^(t|time)$"
 POSITION_NAME = r"^(x|s)$|pos|dist|later|scan|travel|absciss|length|^x\b"
 HEIGHT_NAME = r"^z$|height|raw|profil|depth|topo|elev|amplitude|surface|^z\b"
 MIN_MATRIX_COLUMNS = 3  # from which a table without titles may be a matrix of heights
-MIN_MAP_ROWS, MAX_MAP_ASPECT = 32, 2  # of a matrix that may be a map
+MIN_MAP_ROWS = 32  # of a matrix that may be a map
 POINT_COLUMNS = 3  # x, y and z of the points of a map
 
 

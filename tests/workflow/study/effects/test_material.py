@@ -112,6 +112,8 @@ def test_the_law_of_arrhenius_is_a_line_over_the_inverse_temperature(tmp_path):
         "20 0\n0 2\n50 -1.5\n",
         "T (K), log10(aT)\n273.15, 2\n293.15, 0\n323.15, -1.5\n",
         "shift a_T; temperature (°C)\n100; 0\n1; 20\n0.0316227766; 50\n",
+        "T [°C], shift\n0, 2\n20, 0\n50, -1.5\n",  # decades, as a_T is named
+        "T [°C], shift factor\n0, 100\n20, 1\n50, 0.0316227766\n",
         "T [°C], ln a_T\n0, 4.605170186\n20, 0\n50, -3.453877639\n",
     ],
 )

@@ -7,7 +7,7 @@ import pytest
 
 from elastomer_friction.workflow.ground import UserError
 from elastomer_friction.workflow.study.surfaces.files import read_lines
-from elastomer_friction.workflow.study.surfaces.profile import map_of_lines
+from elastomer_friction.workflow.study.surfaces.profile import is_map, map_of_lines
 from elastomer_friction.workflow.study.surfaces.raw_lines import LineFile
 
 RESOURCES = Path(__file__).resolve().parents[3] / "resources"
@@ -147,6 +147,15 @@ def test_a_matrix_of_heights(tmp_path, header):
     assert lines.row_spacing == (pytest.approx(0.5e-6) if "Height:" in header else None)
 
 
+@pytest.mark.parametrize(("rows", "answer"), [(12, True), (11, False)])
+def test_a_strip_is_no_map(tmp_path, rows, answer):
+    """The square of a half-space would omit more than half of its samples."""
+    text = f"Width: 12 um\nHeight: {rows / 2} um\nunit = nm\n"
+    lines = read(tmp_path, text + "".join(matrix().splitlines(True)[:rows]))
+    assert lines.row_spacing == pytest.approx(lines.step)
+    assert is_map(lines) == answer
+
+
 def test_a_matrix_without_a_step_says_how_to_give_it(tmp_path):
     with pytest.raises(UserError, match=r"a matrix of heights, .*: give surface\.step"):
         read(tmp_path, matrix())
@@ -165,6 +174,34 @@ def test_a_nearly_square_matrix_is_said_to_be_a_possible_map(tmp_path, shape, he
     text = header + "\n".join(" ".join(map(str, row)) for row in heights)
     lines = read(tmp_path, text, step=1e-6, units=("um", "nm"))
     assert ('scene.body = "half-space" reads them as a map' in lines.notes) == hint
+
+
+@pytest.mark.parametrize(
+    ("remark", "answer"),
+    [
+        ("dx\t0.5 um", 0.5e-6),
+        ("# cellsize 0.0005", 0.5e-6),
+        ("pixel size: 500 nm", 0.5e-6),
+        ("sample_spacing_um: 0.5", 0.5e-6),
+        ("XY-Justierung\t500\tnm/Pixel", 0.5e-6),
+        ("Width: 12 µm", 0.5e-6),
+        ("step = 0.5 um\nNODATA_value 0.1234", "1 of 288 samples are missing"),
+        ("Mult 8", "states mult: 8, which is not read"),
+        ("CZ MM 1.5e-06", "states cz"),
+        ("Wavelength = 632.8", "states wavelength"),
+        ("zscale = 2", "states zscale"),
+        ("height conversion factor (-> m)=2.9e-8", "states height conversion factor"),
+    ],
+)
+def test_a_remark_acts_or_is_refused(tmp_path, remark, answer):
+    text = f"{remark}\n{matrix()}".replace(str(Z[3, 3]), "0.1234")
+    if isinstance(answer, float):
+        lines = read(tmp_path, text, units=("mm", "nm"))
+        assert lines.step == pytest.approx(answer)
+        assert lines.heights.max() == pytest.approx(max(Z.max(), 0.1234) * 1e-9)
+    else:
+        with pytest.raises(UserError, match=answer):
+            read(tmp_path, text, units=("mm", "nm"))
 
 
 def test_heights_alone(tmp_path):
