@@ -28,14 +28,16 @@ from .slider_step import (
     SliderProgress,
     follow_leg,
 )
-from .spring import Drive, DriveLeg, SliderState
+from .spring import Drive, DriveEnergies, DriveLeg, SliderState, StepEnd, drive_at
 from .sticking import StickingSlider
 
 PULLED_TRACES = (*TRACES, "trace_drive_force")
+DRIVE_ENERGIES = DriveEnergies._fields
 SLIPS = ("drive_swing", "slip_period", "peak_velocity")  # in the second half of the last leg
 SLIP_EVENTS = ("slip_event_time", "slip_event_kind")  # time in tau; kind, as SLIP_BEGINS
 MAX_SLIP_EVENTS = 1000  # recorded events, at most
-SLIDER_QUANTITIES = ("trace", "stick_slip", "slip_events")
+SLIDER_ROOM = 40  # recorded steps, at most, per step of the programme
+SLIDER_QUANTITIES = ("trace", "stick_slip", "slip_events", "energy")
 FIRST_STEP_SHARE = 0.25  # first step after a velocity jump of the drive, over the step before
 MIN_FREE_STEPS = 1e3  # min_step_time, over the min_step of the material
 
@@ -59,7 +61,9 @@ def drive_legs(programme: Programme, place: float) -> Iterator[DriveLeg]:
         now, place = now + float(times[-1]), place + float(moved[-1])
 
 
-def initial_motion(programme: Programme, m: int, first: Moment) -> SliderState:
+def initial_motion(
+    programme: Programme, m: int, first: Moment, end: StepEnd, energies: DriveEnergies
+) -> SliderState:
     """Return the motion before the first step: steady sliding or rest; m : steps per spacing."""
     speed = speed_at_start(programme)
     if first.speed:
@@ -68,14 +72,31 @@ def initial_motion(programme: Programme, m: int, first: Moment) -> SliderState:
         dt = FIRST_STEP_SHARE / (m * abs(speed))
     else:
         dt = FIRST_HOLD_STEP * leg_duration(programme[0])
-    return SliderState(0.0, 0.0, dt, first.speed, 0.0, -dt, -dt, first.friction)
+    return SliderState(0.0, 0.0, dt, first.speed, 0.0, -dt, -dt, first.friction, end, energies)
+
+
+def at_start_of_leg(
+    drive: Drive, leg: DriveLeg, time: float, place: float, speed: float, friction: float
+) -> StepEnd:
+    """Return the StepEnd before the first step of a leg, where the speed of the drive may jump.
+
+    Without a mass, the slider then takes the speed at which the damper carries the friction.
+    """
+    drive_place, drive_speed = drive_at(leg, time)
+    stretch, relative_speed = drive_place - place, drive_speed - speed
+    if not drive.mass and drive.damping:
+        relative_speed = (friction - drive.stiffness * stretch) / drive.damping
+    pull = drive.stiffness * stretch + drive.damping * relative_speed
+    inertia = pull - friction if drive.mass else 0.0
+    return StepEnd(drive_place, stretch, pull, friction, inertia, relative_speed, speed)
 
 
 def recorded_times(scene: SceneCase, steps_per_spacing: int) -> np.ndarray:
     """Return the times at which moments of a slider are recorded, in tau.
 
-    They are the times of the recorded steps of the same scene without a spring. Raises
-    ValueError for an invalid scene, and for quantities that a slider does not have.
+    They are the times of the recorded steps of the same scene without a spring, or infinite after
+    the start if steps of the slider are recorded. Raises ValueError for an invalid scene, and for
+    quantities that a slider does not have.
     """
     steps = scene_steps(scene, steps_per_spacing)
     check_scene(scene, steps, False)
@@ -83,7 +104,14 @@ def recorded_times(scene: SceneCase, steps_per_spacing: int) -> np.ndarray:
         raise ValueError(
             f"requested = {sorted(scene.requested)}: with a drive use some of {SLIDER_QUANTITIES}"
         )
+    if scene.slider_steps:
+        return np.append(0.0, np.full(slider_room(steps.dt.size, scene.slider_steps), math.inf))
     return np.append(0.0, np.cumsum(steps.dt))[scene.recorded]
+
+
+def slider_room(programme_steps: int, every: int) -> int:
+    """Return the maximum number of recorded steps if every n-th step of a slider is recorded."""
+    return SLIDER_ROOM * programme_steps // every
 
 
 def initial_speed(scene: SceneCase) -> float:
@@ -111,9 +139,13 @@ def pull_through(
     """
     speed, mu, (normal, friction, touching) = initial_speed(scene), acting.mu, acting[1:]
     force = friction if speed else 0.0  # the spring is slack if the slider starts at rest
-    moment = Moment(mu, state.d, normal, friction, touching, width, 0.0, 0.0, speed, force)
-    legs = list(drive_legs(scene.programme, force / drive.stiffness))
     m, drive = surface.steps_per_spacing, Drive(*map(float, drive))
+    legs = list(drive_legs(scene.programme, force / drive.stiffness))
+    end = at_start_of_leg(drive, legs[0], 0.0, 0.0, speed, friction)
+    stored = 0.5 * drive.stiffness * end.stretch**2, 0.5 * drive.mass * speed**2
+    energies = DriveEnergies(0.0, 0.0, *stored, 0.0, 0.0)
+    at_start = normal, friction, touching, width, 0.0, 0.0, speed, force
+    moment = Moment(mu, state.d, *at_start, *energies)
     record = _slider_record(scene, m, drive, legs[-1], times)
     scale = scene.load * math.sqrt(float(np.mean(surface.slope**2)))
     min_step_time = MIN_FREE_STEPS * min_step(scene.spectrum)
@@ -121,12 +153,14 @@ def pull_through(
     memory = np.zeros(1, SEARCH_MEMORY)
     slider = PulledSlider if scene.effects.shear is None else StickingSlider
     pulled = slider(body, m, drive, *limits, record, memory)
-    motion = initial_motion(scene.programme, m, moment)
+    motion = initial_motion(scene.programme, m, moment, end, energies)
     record_between(record, moment, moment, 0.0)
     drive_speed = motion.speed
     for leg in legs:
         jumps, drive_speed = float(leg.speed[0]) != drive_speed, float(leg.speed[-1])
         pace = FIRST_STEP_SHARE * motion.dt if jumps else motion.dt
+        reached = motion.time, motion.place, motion.end.speed, motion.end.friction
+        motion = motion._replace(end=at_start_of_leg(drive, leg, *reached))
         state, motion, last, _ = follow(pulled, leg, SliderProgress(state, motion, moment, pace))
         moment = last._replace(time=float(leg.time[-1]), place=motion.place)
         record_between(record, last, moment, drive_speed)
@@ -146,23 +180,36 @@ def _slider_record(
     fastest = max(abs(float(v)) for v in last_leg.speed)
     min_stick_time = max(half_swing, 1.0 / (m * fastest) if fastest else 0.0)
     room = MAX_SLIP_EVENTS if "slip_events" in scene.requested else 0
-    moments, events = np.empty((len(PULLED_TRACES), times.size)), np.full((2, room), math.nan)
-    return SliderRecord(times, moments, tally, min_stick_time, events)
+    moments, events = np.empty((len(Moment._fields), times.size)), np.full((2, room), math.nan)
+    return SliderRecord(times, scene.slider_steps, moments, tally, min_stick_time, events)
 
 
 def recorded_values(record: SliderRecord, last: Moment) -> dict[str, np.ndarray]:
-    """Return PULLED_TRACES, SLIPS and SLIP_EVENTS; traces are constant after the last moment.
+    """Return traces, DRIVE_ENERGIES, SLIPS and SLIP_EVENTS.
+
+    Traces are constant after the last moment, or NaN if steps of the slider are recorded. Raises
+    ValueError for more of these than there is room for.
 
     "drive_swing" : range of the drive's force over the normal force, in h/dx. "slip_period" : in
     tau. Events are sorted by time because the end of a slip is recognised late, after others.
+    "is_unsteady" : whether the slider ended a slip or turned against its drive.
     """
     moments, events, tally = record.moments, record.events, record.tally[0]
-    moments[:, tally["moments"] :] = np.array(last)[:, None]
+    known = int(tally["moments"])
+    if record.every:
+        if known == record.times.size:
+            raise ValueError(
+                f"trace = {record.every}: the slider takes {tally['steps']} steps, of which "
+                f"{known} can be stored; store fewer of them"
+            )
+        record.times[known:] = math.nan
+    moments[:, known:] = math.nan if record.every else np.array(last)[:, None]
     moments[Moment._fields.index("time")] = record.times
     swing = (tally["max_force"] - tally["min_force"]) / last.normal
     slips = int(tally["slips"])
     period = (tally["last_slip"] - tally["first_slip"]) / (slips - 1.0) if slips > 1 else math.nan
     numbers = map(np.array, (swing, period, tally["max_speed"]))
     in_order = events[:, np.argsort(events[0], kind="stable")]
-    names = (*PULLED_TRACES, *SLIPS, *SLIP_EVENTS)
-    return dict(zip(names, (*moments, *numbers, *in_order), strict=True))
+    names = (*PULLED_TRACES, *DRIVE_ENERGIES, *SLIPS, *SLIP_EVENTS)
+    values = dict(zip(names, (*moments, *numbers, *in_order), strict=True))
+    return values | {"is_unsteady": np.array(tally["is_unsteady"])}

@@ -9,7 +9,7 @@ from ..compile.jit import kernel
 
 
 class Moment(NamedTuple):
-    """State of the slider when the force of a step acts, in the order of PULLED_TRACES."""
+    """State of the slider when the force of a step acts; rows of a trace, with energies."""
 
     mu: float  # in h/dx
     indentation: float  # in h
@@ -21,11 +21,18 @@ class Moment(NamedTuple):
     place: float  # position of the slider, in dx
     speed: float  # in dx/tau
     force: float  # force of the drive
+    drive_work: float  # DriveEnergies at the end of the step
+    friction_work: float
+    spring_energy: float
+    kinetic_energy: float
+    damper_work: float
+    step_work: float
 
 
 # Counts and extremes of a slider: one record, changed in place. Times are in tau.
 SLIDER_TALLY = np.dtype(
     [
+        ("steps", np.int64),  # number of steps
         ("moments", np.int64),  # number of recorded moments
         ("events", np.int64),  # number of recorded events
         ("window_start", np.float64),  # extremes and slips are counted from this time on
@@ -39,6 +46,7 @@ SLIDER_TALLY = np.dtype(
         ("last_slow", np.float64),  # last time at which the slider was slow
         ("has_stuck", np.bool_),  # whether it has stuck since its last slip
         ("is_slipping", np.bool_),
+        ("is_unsteady", np.bool_),  # whether it has ended a slip, or turned against its drive
     ]
 )
 
@@ -46,8 +54,9 @@ SLIDER_TALLY = np.dtype(
 class SliderRecord(NamedTuple):
     """Recorded moments and events of a slider, with room for the rest; changed in place."""
 
-    times: np.ndarray  # times at which moments are recorded, in tau, increasing
-    moments: np.ndarray  # shape (10, times): one row per field of Moment
+    times: np.ndarray  # times at which moments are recorded, in tau, increasing; inf: at a step
+    every: int  # number of steps from one recorded step to the next, where times are inf
+    moments: np.ndarray  # shape (16, times): one row per field of Moment
     tally: np.ndarray  # SLIDER_TALLY, shape (1,)
     min_stick_time: float  # minimum duration of a stick, in tau
     events: np.ndarray  # shape (2, room): times (tau) and kinds of the first events, NaN beyond
@@ -70,6 +79,7 @@ def follow_slips(record, before, now, drive_speed):
     tally = record.tally[0]
     if before.speed * now.speed < 0.0:
         record_event(record, time_at_speed(before, now, 0.0), SLIDER_TURNS)
+        tally["is_unsteady"] |= now.speed * drive_speed <= 0.0
     if drive_speed == 0.0:
         return
     if now.time >= tally["window_start"]:
@@ -86,6 +96,7 @@ def follow_slips(record, before, now, drive_speed):
             tally["has_stuck"] = True
             if tally["is_slipping"]:
                 record_event(record, tally["slow_since"], SLIP_ENDS)
+                tally["is_unsteady"] = True
             tally["is_slipping"] = False
         return
     tally["slow_since"] = np.inf
@@ -115,6 +126,16 @@ def record_event(record, time, kind):
     if k < record.events.shape[1]:
         record.events[0, k], record.events[1, k] = time, kind
         tally["events"] = k + 1
+
+
+@kernel
+def count_step(record, time):
+    """Count a step, and let its moment be recorded if every n-th step is."""
+    tally = record.tally[0]
+    tally["steps"] += 1
+    k = tally["moments"]
+    if k < record.times.size and record.times[k] == np.inf and tally["steps"] % record.every == 0:
+        record.times[k] = time
 
 
 @kernel

@@ -18,8 +18,16 @@ from ..body.step import Forces, Move, accept, attempt, forces, law_in_step, patc
 from ..compile.jit import dispatch_on_type, jitable, kernel
 from ..motion.path import MIN_PARTIAL_STEP, SNAP_TOLERANCE
 from ..root_search import new_secant_search, next_secant_guess
-from .slider_record import Moment, SliderRecord, next_time_is_due, record_between
-from .spring import Drive, DriveLeg, ForceBalance, SliderState, drive_at, force_balance
+from .slider_record import Moment, SliderRecord, count_step, next_time_is_due, record_between
+from .spring import (
+    Drive,
+    DriveLeg,
+    ForceBalance,
+    SliderState,
+    drive_at,
+    energies_after,
+    force_balance,
+)
 
 FORCE_TOLERANCE = 1e-5  # of the residual force, over load times rms slope
 LOG_TIME_ROUNDING = 1e-13  # smaller differences of the logarithm of a time are rounding
@@ -193,9 +201,12 @@ def accept_step(pulled, leg, progress, moved, step):
     state = accept(pulled.body, step.state, step.law)
     d = state.d + step.law.lag * (state.old_d - state.d)
     samples = progress.moment.samples
+    count_step(pulled.record, balance.friction_time)
     ends_leg = motion.time + dt > leg.time[-1] - MIN_STEP_SHARE * dt
     if next_time_is_due(pulled.record, balance.friction_time) or ends_leg:
         samples = patch_width(pulled.body, state)
+    energies = energies_after(pulled.drive, motion.energies, motion.end, balance.end)
+    driven, rubbed, spring, kinetic, damped, error = energies
     moment = Moment(
         acting.mu,
         d,
@@ -207,11 +218,18 @@ def accept_step(pulled, leg, progress, moved, step):
         balance.place,
         moved / dt,
         balance.force,
+        driven,
+        rubbed,
+        spring,
+        kinetic,
+        damped,
+        error,
     )
     record_between(pulled.record, progress.moment, moment, drive_at(leg, moment.time)[1])
     end, place = motion.time + dt, motion.place + moved
     known = balance.acceleration, balance.acceleration_time, balance.friction_time
-    motion = SliderState(end, place, dt, moved / dt, *known, acting.friction)
+    ends = balance.end, energies
+    motion = SliderState(end, place, dt, moved / dt, *known, acting.friction, *ends)
     # The duration of a step that ends at a sample is no pace: from sample to sample, it would
     # amplify rounding.
     pace = max(dt, pulled.hold_growth * progress.pace)

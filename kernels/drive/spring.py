@@ -32,6 +32,29 @@ class DriveLeg(NamedTuple):
     speed: np.ndarray  # in dx/tau, shape (knots,)
 
 
+class StepEnd(NamedTuple):
+    """Positions, speeds and forces at the end of a step, where forces are balanced."""
+
+    drive_place: float  # Y, in dx
+    stretch: float  # of the spring, in dx
+    pull: float  # force of spring and damper
+    friction: float  # extrapolated to the end of the step
+    inertia: float  # M d2X/dt2
+    relative_speed: float  # of the drive over the slider, in dx/tau
+    speed: float  # of the slider, in dx/tau
+
+
+class DriveEnergies(NamedTuple):
+    """Energies of a drive at the end of a step; work and losses are sums since the start."""
+
+    drive_work: float
+    friction_work: float
+    spring_energy: float
+    kinetic_energy: float
+    damper_work: float  # dissipated by the damper
+    step_work: float  # of inertia beyond the kinetic energy: an error of second order in the step
+
+
 class SliderState(NamedTuple):
     """Motion of the slider at the end of a step."""
 
@@ -43,6 +66,8 @@ class SliderState(NamedTuple):
     acceleration_time: float  # time to which the acceleration belongs, in tau
     friction_time: float  # time at which the friction of the step acts, in tau
     friction: float  # friction of the step
+    end: StepEnd
+    energies: DriveEnergies
 
 
 class ForceBalance(NamedTuple):
@@ -54,6 +79,7 @@ class ForceBalance(NamedTuple):
     place: float  # X at friction_time, in dx
     acceleration: float  # in dx/tau^2
     acceleration_time: float  # time to which the acceleration belongs, in tau
+    end: StepEnd
 
 
 @kernel
@@ -85,15 +111,41 @@ def force_balance(drive, leg, motion, moved, dt, lag, friction):
     speed = moved / dt
     drive_place, drive_speed = drive_at(leg, end)
     friction_change = lag * dt / (friction_time - motion.friction_time)
-    friction_change = friction_change * (friction - motion.friction)
+    end_friction = friction + friction_change * (friction - motion.friction)
     acceleration = (speed - motion.speed) / (0.5 * (dt + motion.dt))
     acceleration_time = motion.time + 0.25 * (dt - motion.dt)
     change = acceleration - motion.acceleration
     change = change / (acceleration_time - motion.acceleration_time)
-    relative_speed = drive_speed - speed - 0.5 * dt * acceleration
-    pulled = drive.stiffness * (drive_place - motion.place - moved) + drive.damping * relative_speed
+    end_speed = speed + 0.5 * dt * acceleration
+    stretch, relative_speed = drive_place - motion.place - moved, drive_speed - end_speed
+    pull = drive.stiffness * stretch + drive.damping * relative_speed
     inertia = drive.mass * (acceleration + change * (end - acceleration_time))
-    excess = pulled - (friction + friction_change) - inertia
+    at_end = StepEnd(drive_place, stretch, pull, end_friction, inertia, relative_speed, end_speed)
+    excess = pull - end_friction - inertia
     acceleration_then = acceleration + change * (friction_time - acceleration_time)
     force = friction + drive.mass * acceleration_then + excess
-    return ForceBalance(excess, force, friction_time, place, acceleration, acceleration_time)
+    known = acceleration, acceleration_time, at_end
+    return ForceBalance(excess, force, friction_time, place, *known)
+
+
+@kernel
+def energies_after(drive, before, start, end):
+    """Return the DriveEnergies at the end of a step, by the trapezoidal rule.
+
+    before : DriveEnergies at its start. start, end : StepEnd of its two ends. The work of the drive
+    is that of friction, spring, damper and inertia, to the tolerance of the force balance.
+    """
+    driven, stretched = end.drive_place - start.drive_place, end.stretch - start.stretch
+    moved = driven - stretched
+    pull, friction = 0.5 * (start.pull + end.pull), 0.5 * (start.friction + end.friction)
+    damping = 0.5 * drive.damping * (start.relative_speed + end.relative_speed)
+    inertia, kinetic_energy = 0.5 * (start.inertia + end.inertia), 0.5 * drive.mass * end.speed**2
+    change = kinetic_energy - 0.5 * drive.mass * start.speed**2
+    return DriveEnergies(
+        before.drive_work + pull * driven,
+        before.friction_work + friction * moved,
+        0.5 * drive.stiffness * end.stretch**2,
+        kinetic_energy,
+        before.damper_work + damping * stretched,
+        before.step_work + inertia * moved - change,
+    )

@@ -98,7 +98,7 @@ def run_pulled_on_half_space(
     width = patch_width(body, state)
     values, state, _ = pull_through(body, state, surface, acting, width, drive, scene, times)
     if scene.effects.shear is not None:
-        check_fastest(scene.effects.shear, float(np.abs(values["trace_velocity"]).max()))
+        check_fastest(scene.effects.shear, float(np.nanmax(np.abs(values["trace_velocity"]))))
     values |= {"updates": np.array(float(state.passes * surface.z.size))}
     return values | _temperatures(body, values)
 

@@ -19,7 +19,7 @@ import numpy as np
 
 from ...kernels import KELVIN
 from ...kernels.quick.contacts.between_samples import MIN_SMOOTH_STEPS
-from ..simulate import Problem
+from ..simulate import SHAPE_ERROR, Problem
 from ..study import FOUNDATION
 from .problems import Numbers, expected_rate, speed_ratio, viscous_pressure
 
@@ -84,7 +84,7 @@ def rate_error(problem: Problem, steps: Numbers, samples: Numbers, rate: Numbers
 
 def shape_error(steps: Numbers) -> Numbers:
     """Return the error of a march due to straight lines between samples."""
-    return 0.5 / np.asarray(steps) ** 2.0
+    return SHAPE_ERROR / np.asarray(steps) ** 2.0
 
 
 def stepped_error(steps: Numbers) -> Numbers:

@@ -268,5 +268,6 @@ def recording_of(study: Study, label: str) -> Recording:
         refined_blocks=FINER
         if lawless and numerics.refines and accuracy_estimates(requested)
         else 0,
+        one_slider=study.scene.drive is not None and study.realizations == 1,
         tiles=round(surface.copies) * surface.tiles if study.realizations == 1 else 0,
     )

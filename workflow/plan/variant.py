@@ -17,7 +17,7 @@ from ..simulate import (
     Recording,
     Task,
     leg_counts,
-    trace_steps,
+    trace_size,
 )
 from ..study import Material, Numerics, Study, Surface
 from .cost import HALVED_STEPS_COST, drawing_seconds, realization_seconds
@@ -165,7 +165,7 @@ def variant_of(study: Study, label: str, problems: Problems, origin: Origin) -> 
     keys = [task.key for task in tasks]
     events = 0
     if recording.requested:
-        events = max(trace_steps(t.problem, t.steps_per_spacing, recording).size for t in tasks)
+        events = max(trace_size(t.problem, t.steps_per_spacing, recording) for t in tasks)
     return Variant(
         label=label,
         study=study,

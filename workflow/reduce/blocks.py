@@ -6,8 +6,9 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from ...kernels import ENERGIES, Programme, Quantities
-from ...kernels.drive import PULLED_TRACES
+from ...kernels.drive import DRIVE_ENERGIES, PULLED_TRACES
 from ...kernels.half_space.heated_map import TEMPERATURE_TRACES
+from ...kernels.motion.legs import leg_duration
 from ..plan import Variant, line_slope
 from ..simulate import (
     Recording,
@@ -25,7 +26,7 @@ from .point_quantities import carried_estimates
 from .shear_sums import Parts, add_shear
 
 TRACE_ESTIMATES = (*PULLED_TRACES, *TEMPERATURE_TRACES)
-PROGRAMME_TRACES = (*TRACE_ESTIMATES, *ENERGIES)
+PROGRAMME_TRACES = (*TRACE_ESTIMATES, *ENERGIES, *DRIVE_ENERGIES)
 Estimates = dict[str, np.ndarray]
 
 
@@ -103,7 +104,8 @@ def blocks_of(
     }
     if "tiles" in values and settings.copies > 1:
         values["tiles"] = _folded(values["tiles"])
-    legs = _legs(settings, tasks)
+    of_slider = settings.recording.one_slider and settings.recording.every
+    legs = _legs_at(tasks, values["trace_time"]) if of_slider else _legs(settings, tasks)
     scalars, values, shear_parts = add_shear(tasks, scalars, values, legs)
     speeds = [(t.problem.speed, t.problem.speed * t.problem.ratio) for t in tasks]
     slopes = [line_slope(t.problem, settings.normalisation) for t in tasks]
@@ -144,6 +146,21 @@ def _legs(settings: Reduction, tasks: list[Task]) -> np.ndarray:
         sampled = trace_steps(*setting, settings.recording)
         steps = programme_steps(*setting, settings.recording.origin)
         legs[row, : sampled.size] = steps.leg[np.maximum(sampled - 1, 0)]
+    return legs
+
+
+def _legs_at(tasks: list[Task], times: np.ndarray) -> np.ndarray:
+    """Return the numbers of the legs at times in tau, shape (tasks, events); NaN where NaN.
+
+    times : shape (tasks, 1, events).
+    """
+    legs = np.full(times[:, 0].shape, np.nan)
+    for row, task in enumerate(tasks):
+        ends, known = (
+            np.cumsum([leg_duration(leg) for leg in task.problem.programme]),
+            np.isfinite(times[row, 0]),
+        )
+        legs[row, known] = np.searchsorted(ends[:-1], times[row, 0, known] * (1.0 - 1e-12))
     return legs
 
 

@@ -17,7 +17,7 @@ from .blocks import Estimates, columns, enter
 from .fits import FITTED
 from .model_ratio import model_ratios
 from .persson_estimates import persson_values
-from .resolution import UNRESOLVED, resolution, trace_resolution
+from .resolution import UNRESOLVED, resolution, slip_resolution, trace_resolution
 from .shear_sums import per_contact
 
 
@@ -41,6 +41,8 @@ def completed(
     estimates = estimates | resolution(done, estimates, names, variant.numerics)
     if "trace_samples_per_contact" in estimates:
         estimates |= trace_resolution(done, estimates, variant.numerics, variant.recording.origin)
+    if "slip_changes" in estimates:
+        estimates |= slip_resolution(done, estimates, estimates.pop("slip_changes"))
     errors = {f"{name}_error" for name in MOTION_TRACES}
     without_error = {name for name in errors if not np.any(estimates.get(name, 0.0) > 0.0)}
     spread = {

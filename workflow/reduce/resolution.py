@@ -3,6 +3,7 @@
 import numpy as np
 
 from ...kernels import ZERO_ORIGIN, Origin
+from ...kernels.drive import SLIPS
 from ...kernels.motion.legs import speed_at_start
 from ..plan import (
     BIAS,
@@ -36,6 +37,7 @@ NARROW_CONTACTS = f"contacts of fewer than {RESOLVED_SAMPLES:g} samples"
 LARGE_BIAS = (
     f"a discretisation error above {100.0 * BIAS:g} % ({100.0 * MAP_BIAS:g} % on a half-space)"
 )
+MAX_SENSITIVITY = 4.0  # relative change of a quantity of a drive over that of the heights
 MAX_RELATIVE_BIAS = 1.0  # larger values are clipped, as they only mean a large error
 
 
@@ -168,3 +170,27 @@ def trace_resolution(
         "trace_resolution_status": status,
         "trace_remembered": remembered,
     }
+
+
+def slip_resolution(tasks: list[Task], estimates: Estimates, changes: np.ndarray) -> Estimates:
+    """Return the slip_resolution_status of tasks, their trace status, and the biases of SLIPS.
+
+    changes : of SLIPS under heights that differ by the shape error of the steps, relative, shape
+    (tasks, len(SLIPS)). A change far above that of the heights means that the slider is caught
+    elsewhere: the drive is then unresolved, whatever the contacts. The peak velocity does not count
+    without a mass, which alone determines it.
+    """
+    heights = shape_error([task.steps_per_spacing for task in tasks])
+    massive = np.array(
+        [task.problem.drive is not None and task.problem.drive.mass > 0.0 for task in tasks]
+    )
+    counts = massive[:, None] | (np.array(SLIPS) != "peak_velocity")
+    largest = np.max(changes, axis=1, where=counts, initial=0.0)
+    status = np.where(largest > _max_bias(tasks), COARSE, RESOLVED)
+    far = (status == COARSE) & (largest > MAX_SENSITIVITY * heights)
+    status = np.where(far, UNRESOLVED, status).astype(np.int8)
+    biases = {f"{name}_bias": changes[:, k] for k, name in enumerate(SLIPS) if name in estimates}
+    if "trace_resolution_status" in estimates:
+        trace = estimates["trace_resolution_status"]
+        biases["trace_resolution_status"] = np.where(far, np.minimum(trace, status), trace)
+    return biases | {"slip_resolution_status": status}

@@ -14,7 +14,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from ...kernels import ENERGIES, MOTION_TRACES, Hold, Oscillation, Programme, Slide
-from ...kernels.drive import SLIP_EVENTS, SLIPS
+from ...kernels.drive import DRIVE_ENERGIES, SLIP_EVENTS, SLIPS
 from ...kernels.motion.legs import leg_duration
 from .blocks import PROGRAMME_TRACES, TRACE_ESTIMATES, Blocks, Estimates, columns, enter
 from .jackknife import replicates, standard_error
@@ -100,6 +100,8 @@ def reduce_programmes(estimates: Estimates, blocks: Blocks) -> None:
     for name in (*SLIPS, "mu_cycle_mean", "contact_length"):
         if name in values:
             enter(estimates, name, replicates(values[name], 1))
+    if "slip_changes" in values:
+        estimates["slip_changes"] = values["slip_changes"].mean(axis=1)
     single = [name for name in values if name.startswith(SINGLE_REALIZATION)]
     estimates |= {name: values[name].mean(axis=1) for name in single}
 
@@ -124,9 +126,11 @@ def _store_traces(estimates: Estimates, blocks: Blocks, means: Means) -> None:
 
 def _store_energies(estimates: Estimates, _: Blocks, means: Means) -> None:
     """Store the energies and the residual of their balance."""
-    for name in ENERGIES:
+    of_drive = "drive_work" in means
+    for name in DRIVE_ENERGIES if of_drive else ENERGIES:
         enter(estimates, name, means[name])
-    enter(estimates, "balance_residual", _balance_residual(means))
+    residual = _drive_residual(means) if of_drive else _balance_residual(means)
+    enter(estimates, "balance_residual", residual)
 
 
 def _store_healing(estimates: Estimates, blocks: Blocks, means: Means) -> None:
@@ -189,6 +193,18 @@ def _balance_residual(means: Means) -> np.ndarray:
     with np.errstate(all="ignore"):
         change = stored - means["stored_energy"][:, :, 0]
         return (work - change - dissipated - closing) / dissipated
+
+
+def _drive_residual(means: Means) -> np.ndarray:
+    """Return (work of the drive - losses - change of stored energies - step work)/work at the end.
+
+    Shape (tasks, replicates).
+    """
+    driven, rubbed, spring, kinetic, damped, error = (_last(means[name]) for name in DRIVE_ENERGIES)
+    stored = spring + kinetic
+    stored = stored - means["spring_energy"][:, :, 0] - means["kinetic_energy"][:, :, 0]
+    with np.errstate(all="ignore"):
+        return (driven - rubbed - damped - error - stored) / driven
 
 
 def _last(traces: np.ndarray) -> np.ndarray:

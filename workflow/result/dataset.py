@@ -56,6 +56,9 @@ def build_dataset(
         plan, variant, {str(dim) for values in data.values() for dim in values.dims}
     )
     dataset = xr.Dataset(data, coords, _facts(plan, variant) | _effect_facts(plan, variant, data))
+    if variant.recording.one_slider and variant.recording.every and "event" in dataset.dims:
+        used = np.isfinite(dataset.trace_time).any(dim=[*axes])  # the rest is room for steps
+        dataset = dataset.isel(event=used.values)
     freedom = estimates["degrees_of_freedom"]
     _annotate(dataset, int(freedom[freedom >= 0].min()))
     drive = plan.study.scene.drive

@@ -197,6 +197,11 @@ TIME_SCALE, RATE_SCALE = {"tau": 1}, {"roughness": 1, "spacing": -1, "tau": -1}
 LENGTH_SCALE, SPEED_SCALE = {"spacing": 1}, {"spacing": 1, "tau": -1}
 
 SLIP_COMMENT = "of the second half of the last segment; the mean over the lines"
+SLIP_STATUS_COMMENT = (
+    "of a single line or map: a drive with slips is repeated with heights larger by 0.5/m^2; "
+    "unresolved: a quantity changes by more than 4 times that, and by more than 2 % (map 5 %); "
+    "several lines have standard errors instead"
+)
 TRACE_COMMENT = "as resolution_status, for the narrowest contacts and trace_mu_bias"
 CHANGE_COMMENT = "since the last recorded sample of the previous segment"
 NO_STATE_COMMENT = (
@@ -268,6 +273,11 @@ SCENES = {
     "peak_velocity": Variable(
         "highest velocity of the line", SPEED_SCALE, "m s-1", comment=SLIP_COMMENT
     ),
+    "slip_resolution_status": Variable(
+        "whether the quantities of a drive are resolved",
+        comment=SLIP_STATUS_COMMENT,
+        dtype=FLAG_DTYPE,
+    ),
     "slip_event_time": Variable("time of an event of the line", TIME_SCALE, "s", SLIP_EVENT_DIMS),
     "slip_event_kind": Variable(
         "kind of an event of the line", dims=SLIP_EVENT_DIMS, dtype=FLAG_DTYPE
@@ -305,7 +315,22 @@ SCENES = {
         comment="a discretisation error; for a Kelvin element 4 sum p g, with the previous gap g",
     ),
     "balance_residual": Variable(
-        "(work - change of stored energy - dissipation - closing work)/dissipation"
+        "(work - change of stored energy - dissipation - closing work)/dissipation",
+        comment="with a drive: (work - friction - damper - step - change of stored)/work",
+    ),
+    "drive_work": Variable("work of the drive since the start", ENERGY_SCALE, "J", EVENT_DIMS),
+    "friction_work": Variable("work of friction since the start", ENERGY_SCALE, "J", EVENT_DIMS),
+    "spring_energy": Variable("energy of the drive's spring", ENERGY_SCALE, "J", EVENT_DIMS),
+    "kinetic_energy": Variable("kinetic energy of the slider", ENERGY_SCALE, "J", EVENT_DIMS),
+    "damper_work": Variable(
+        "energy dissipated by the drive's damper since the start", ENERGY_SCALE, "J", EVENT_DIMS
+    ),
+    "step_work": Variable(
+        "work of inertia beyond the change of the kinetic energy since the start",
+        ENERGY_SCALE,
+        "J",
+        EVENT_DIMS,
+        comment="a discretisation error of second order in the step; zero without a mass",
     ),
     "contact_length": Variable("mean number of contacts of a length", dims=BIN_DIMS),
     "snapshot_height": Variable(
@@ -370,6 +395,7 @@ FLAGS = {
     "fit_status": STATUS_MEANINGS,
     "resolution_status": RESOLUTION_MEANINGS,
     "trace_resolution_status": RESOLUTION_MEANINGS,
+    "slip_resolution_status": RESOLUTION_MEANINGS,
     "best_model": MODEL_MEANINGS,
 }
 

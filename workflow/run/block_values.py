@@ -14,7 +14,12 @@ from ..store import DamagedShard, Store, store_folder
 from ..study import COMMON_AXES, Study
 from ..system import hold
 
-NOT_OF_A_BLOCK = ("halved_steps", "halved_steps_curve", "tiles")  # parts of a row for errors alone
+NOT_OF_A_BLOCK = (
+    "halved_steps",
+    "halved_steps_curve",
+    "slip_changes",
+    "tiles",
+)  # parts of a row for errors alone
 NO_MEANS = ("_error", "_bias", "_replicates")  # ends of names
 
 

@@ -19,7 +19,7 @@ if TYPE_CHECKING:
         row_width,
         unpack,
     )
-    from .programmes import scene_of
+    from .programmes import SHAPE_ERROR, scene_of
     from .realizations import block_means, lines_at_once, load_kernels
     from .recorded_steps import (
         MAX_LISTED_STEPS,
@@ -28,6 +28,7 @@ if TYPE_CHECKING:
         max_leg_counts,
         programme_steps,
         record_steps,
+        trace_size,
         trace_steps,
     )
     from .tasks import (

@@ -9,10 +9,10 @@ import math
 import numpy as np
 
 from ...kernels import ENERGIES, TRACES, Quantities, SavedState, form_of, memory_size
-from ...kernels.drive import MAX_SLIP_EVENTS, PULLED_TRACES, SLIP_EVENTS, SLIPS
+from ...kernels.drive import DRIVE_ENERGIES, MAX_SLIP_EVENTS, PULLED_TRACES, SLIP_EVENTS, SLIPS
 from ...kernels.half_space.heated_map import TEMPERATURE_TRACES
 from ...kernels.half_space.tiles import TILE_SUMS
-from .recorded_steps import trace_steps
+from .recorded_steps import trace_size
 from .tasks import Recording, Task
 
 STATE_SCALARS = tuple(f"state_{name}" for name in SavedState._fields if name not in ("memory", "p"))
@@ -47,6 +47,8 @@ def row_layout(task: Task, quantities: Quantities, scheme: str, recording: Recor
         shapes["halved_steps"] = (1 + len(HALVED_STEP_SCALARS),)
         if quantities.relaxation:
             shapes["halved_steps_curve"] = (recording.samples - 1,)
+    if recording.one_slider:
+        shapes["slip_changes"] = (len(SLIPS),)
     if recording.requested:
         shapes |= _programme_shapes(task, scheme, recording)
     places: Layout = {}
@@ -79,7 +81,7 @@ def _snapshots(task: Task, line_shape: tuple[int, ...]) -> dict[str, tuple[int, 
 
 
 def _programme_shapes(task: Task, scheme: str, recording: Recording) -> dict[str, tuple[int, ...]]:
-    trace = (trace_steps(task.problem, task.steps_per_spacing, recording).size,)
+    trace = (trace_size(task.problem, task.steps_per_spacing, recording),)
     samples = task.problem.elements * task.steps_per_spacing
     traces = PULLED_TRACES if task.problem.drive else TRACES
     if task.problem.effects.heat:
@@ -90,7 +92,7 @@ def _programme_shapes(task: Task, scheme: str, recording: Recording) -> dict[str
         "stick_slip": dict.fromkeys(SLIPS, ()),
         "slip_events": dict.fromkeys(SLIP_EVENTS, (MAX_SLIP_EVENTS,)),
         "cycle_mean": {"mu_cycle_mean": ()},
-        "energy": dict.fromkeys(ENERGIES, trace),
+        "energy": dict.fromkeys(DRIVE_ENERGIES if task.problem.drive else ENERGIES, trace),
         "contact_lengths": {"contact_length": (CONTACT_LENGTH_BINS,)},
         "snapshots": _snapshots(task, (*trace, samples)),
         "state": {

@@ -1,17 +1,21 @@
 """Contribution of a programme of motion to the record of a realization."""
 
 import math
+from collections.abc import Callable
+from functools import partial
 from typing import Any
 
 import numpy as np
 
 from ...kernels import MOTION_TRACES, Case, Quantities, SceneCase
 from ...kernels.compile.clock import computing_seconds
+from ...kernels.drive import SLIPS
 from .bodies import body_of
 from .layout import CONTACT_LENGTH_EDGES, Layout
 from .recorded_steps import trace_steps
 from .tasks import SCALARS, Batch, Recording, Task
 
+SHAPE_ERROR = 0.5  # times m^-2: of heights, due to straight lines between samples
 STEADY_ONLY = Quantities(steady=True, jump=False, relaxation=False, areas=True)
 
 
@@ -31,11 +35,31 @@ def add_programme(
     body, drive = body_of(batch), task.problem.drive
     resumed = batch.resumed
     results = body.pull(line, scene, drive) if drive else body.run_scene(line, scene, resumed)
+    if "slip_changes" in places:
+        pull = partial(body.pull, scene=scene._replace(slider_steps=0), drive=drive)
+        results["slip_changes"] = slip_changes(pull, line, results)
     for name, (first, shape) in places.items():
         if name in results:
             total, value = values[first : first + math.prod(shape)], np.ravel(results[name])
             total += (value - total) / lines if name in MOTION_TRACES else value
     return computing_seconds() - began
+
+
+def slip_changes(pull: Callable[..., dict], line: Any, results: dict) -> np.ndarray:
+    """Return the relative changes of SLIPS under heights that differ by the error of the steps.
+
+    pull : from a line to its results. results : of ``line``. Changes are zero for a drive that
+    neither slips nor turns. A slip period of only one of the two runs counts as a change by 1.
+    """
+    if not results["is_unsteady"]:
+        return np.zeros(len(SLIPS))
+    factor = 1.0 + SHAPE_ERROR / line.steps_per_spacing**2
+    repeated = pull(line._replace(z=factor * line.z, slope=factor * line.slope))
+    values, others = (np.array([run[name] for name in SLIPS]) for run in (results, repeated))
+    with np.errstate(all="ignore"):
+        changes = np.nan_to_num(np.abs(others / values - 1.0), nan=1.0, posinf=1.0)
+    same = (values == others) | (np.isnan(values) & np.isnan(others))
+    return np.where(same, 0.0, changes)
 
 
 def scene_of(task: Task, scheme: str, recording: Recording) -> SceneCase:
@@ -54,6 +78,7 @@ def scene_of(task: Task, scheme: str, recording: Recording) -> SceneCase:
         edges=CONTACT_LENGTH_EDGES,
         frames=recorded if "snapshots" in recording.requested else np.empty(0, np.int64),
         effects=problem.kernel_effects,
+        slider_steps=recording.every if recording.one_slider else 0,
     )
 
 

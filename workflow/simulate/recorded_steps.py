@@ -19,6 +19,7 @@ from ...kernels import (
     law_of,
     scene_steps,
 )
+from ...kernels.drive import slider_room
 from ...kernels.rheology.spectrum import min_step
 from .tasks import Problem, Recording, ScaledHistory
 
@@ -132,6 +133,14 @@ def trace_steps(problem: Problem, steps_per_spacing: int, recording: Recording) 
             first = 1 + int(np.searchsorted(time, begin * (1.0 - 1e-12)))
             chosen += [np.array([first]), _evenly(time, first, last, LOOP_SAMPLES)]
     return np.unique(np.concatenate(chosen))
+
+
+def trace_size(problem: Problem, steps_per_spacing: int, recording: Recording) -> int:
+    """Return the number of samples of a trace; of steps of a slider, the maximum."""
+    if recording.one_slider and recording.every:
+        steps = programme_steps(problem, steps_per_spacing, recording.origin).time.size
+        return 1 + slider_room(steps, recording.every)
+    return trace_steps(problem, steps_per_spacing, recording).size
 
 
 def _range(leg: np.ndarray, k: int) -> tuple[int, int]:

@@ -107,6 +107,8 @@ class Recording(NamedTuple):
     dense: tuple[str, ...] = ()  # "healing", "loop": results with additional samples
     origin: Origin = ZERO_ORIGIN  # start of a resumed programme
     refined_blocks: int = 0  # blocks whose first line is also run with halved steps
+    one_slider: bool = False  # a drive pulls a single line: ``every`` counts the line's own steps,
+    # and an unsteady drive is repeated with other heights
     tiles: int = 0  # per side of a single map, whose sums are stored; 0: none
 
 

@@ -112,7 +112,7 @@ NUMERICS = {
     "trace": Key(
         partial(integer, least=1),
         "The number of steps between two stored points of a trace, in place of `samples` and "
-        "`record`.",
+        "`record`; of the steps of the line itself if a drive pulls a single line.",
         "Doubled, a trace has half as many points.",
         default=None,
     ),

@@ -84,7 +84,7 @@ def check_bodies(scene: Scene, surfaces: Mapping[str, Surface]) -> None:
             f'set scene.body = "{FOUNDATION}"'
         )
     for name in scene.quantities:
-        if name in ELEMENT_QUANTITIES:
+        if name in ELEMENT_QUANTITIES and not (scene.drive and name == "energy"):
             raise UserError(
                 f'scene.quantities: "{name}": is not defined on a half-space, which has no '
                 f'elements; omit it, or set scene.body = "{FOUNDATION}"'

@@ -6,10 +6,18 @@ import numpy as np
 import pytest
 
 from elastomer_friction.kernels import Hold, Sampled, Slide
-from elastomer_friction.kernels.drive import PULLED_TRACES, Drive, pulled_line, run_pulled
+from elastomer_friction.kernels.drive import (
+    DRIVE_ENERGIES,
+    PULLED_TRACES,
+    Drive,
+    pulled_line,
+    run_pulled,
+)
 from elastomer_friction.kernels.drive.slider_record import SLIDER_TURNS, SLIP_BEGINS, SLIP_ENDS
+from elastomer_friction.kernels.half_space.scenes import run_pulled_on_half_space
 from elastomer_friction.kernels.lines.line import Line
 from elastomer_friction.kernels.scene import TRACES, run_scene, scene_steps
+from tests.kernels.half_space.test_limits import rough
 from tests.kernels.scene.given import KELVIN, MATERIALS, PRONY, PULLS, SOLID, a_line, a_scene
 from tests.sizes import PLAIN_PYTHON
 
@@ -82,28 +90,27 @@ def test_errors_fall_with_the_steps(spectrum, drive):
     assert errors[1] < 0.01
 
 
-def test_the_work_of_the_drive_is_that_of_friction_spring_damper_and_mass():
-    line = a_line(20, m=16)
-    k, mass, damping = drive = (1.0, 0.3, 0.1)
-    result = pulled(line, (Slide(1.3, 4.0), Slide(2.6, 4.0)), drive, PRONY, 16)
-    time, place, speed, force, friction = (
-        result[f"trace_{name}"]
-        for name in ("time", "distance", "velocity", "drive_force", "friction_force")
+@pytest.mark.parametrize("on_map", [False, True], ids=["line", "map"])
+@pytest.mark.parametrize("drive", [(1.0,), (1.0, 0.0, 0.1), (1.0, 0.3), (1.0, 0.3, 0.1)])
+def test_the_work_of_the_drive_is_that_of_friction_spring_damper_and_mass(drive, on_map):
+    m, programme = (4 if on_map else 32), (Slide(1.3, 4.0), Slide(2.6, 4.0))
+    surface = rough(8, m) if on_map else a_line(20, m=m)
+    pull, factor = (run_pulled_on_half_space, m) if on_map else (run_pulled, 1)
+    scene = a_scene(programme, PRONY, m, requested=("trace", "energy"))
+    result = pull(surface, scene, Drive(*(scale_of(surface) * np.array(drive))))
+    driven, friction, spring, kinetic, damper, error = (result[name] for name in DRIVE_ENERGIES)
+    spent = friction + spring - spring[0] + kinetic - kinetic[0] + damper + error
+    np.testing.assert_allclose(driven, spent, rtol=0.0, atol=1e-5 * driven[-1])
+    assert np.abs(error).max() < (3e-3 if on_map else 1e-4) * driven[-1]
+    assert error.any() == (len(drive) > 1 and drive[1] > 0.0)
+    time, place, force = (
+        result[f"trace_{name}"] for name in ("time", "distance", "friction_force")
     )
-    scale = scale_of(line)
-
-    def work(of, rate):
-        return np.sum(
-            0.5 * (of * rate)[1:] * np.diff(time) + 0.5 * (of * rate)[:-1] * np.diff(time)
-        )
-
-    driven = np.where(time < 4.0 / 1.3, 1.3, 2.6)
-    stretch = (force / scale - damping * (driven - speed)) / k
-    stored = [0.5 * k * stretch[i] ** 2 + 0.5 * mass * speed[i] ** 2 for i in (0, -1)]
-    supplied = work(force / scale, driven)
-    lost = work(friction / scale, speed) + work(damping * (driven - speed), driven - speed)
-    assert supplied == pytest.approx(lost + stored[1] - stored[0], rel=2e-3)
-    assert place[-1] == pytest.approx(8.0, abs=0.5)
+    assert friction[-1] == pytest.approx(np.trapezoid(force, place), rel=2e-3 * factor)
+    stretch = np.where(time < 4.0 / 1.3, 1.3 * time, 4.0 + 2.6 * (time - 4.0 / 1.3)) - place
+    k = drive[0] * scale_of(surface)
+    stretch += math.sqrt(2.0 * spring[0] / k) - stretch[0]
+    np.testing.assert_allclose(spring, 0.5 * k * stretch**2, rtol=0.02 * factor, atol=0.0)
 
 
 @pytest.mark.skipif(PLAIN_PYTHON, reason="NUMBA_DISABLE_JIT=1: two ways of 3000 spacings")

@@ -1,10 +1,12 @@
 """Friction of a half-space at the temperature to which it heats the contact."""
 
+import math
+
 import numpy as np
 import pytest
 
 from elastomer_friction.kernels import Case, Hold, Quantities, ShiftTable, Slide, Wlf
-from elastomer_friction.kernels.drive import Drive
+from elastomer_friction.kernels.drive import DRIVE_ENERGIES, Drive
 from elastomer_friction.kernels.half_space.body import HalfSpace
 from elastomer_friction.kernels.half_space.cases import run_case
 from elastomer_friction.kernels.half_space.heating import Heating
@@ -15,6 +17,7 @@ from elastomer_friction.kernels.half_space.scenes import (
 )
 from elastomer_friction.kernels.heat.heat import Heat
 from elastomer_friction.kernels.interface.effects import Effects
+from elastomer_friction.kernels.interface.shear import ShearLaw, ShearTable
 from elastomer_friction.kernels.rheology.forms import form_of
 from tests.kernels.half_space.test_limits import rough
 from tests.kernels.scene.given import PRONY, a_scene
@@ -133,3 +136,34 @@ def test_rates_after_a_step_are_those_of_the_warm_rubber():
     cold = run_case(rough(8, M), hot_case(None, SPEED * hot.slowing), Quantities(initial_rate=True))
     np.testing.assert_allclose(outcome.initial_rate, cold.initial_rate / hot.slowing, rtol=1e-3)
     assert 0.0 < outcome.mu_2[0] != cold.mu_2[0]
+
+
+def test_a_drive_with_shear_and_heat_has_the_limits_of_each_and_loses_no_energy():
+    """Of friction beyond the viscoelastic part, shear is tau A; at rest it is at most that."""
+    surface, stress = rough(8, M), 0.1
+    legs = (Slide(0.7, 3.0), Hold(1.0), Slide(1.4, 3.0))
+
+    def pulled(stress, heat):
+        shear = None if stress is None else ShearLaw(ShearTable((math.inf,), (stress,)))
+        effects, requested = Effects(shear, heat=heat), ("trace", "energy")
+        scene = a_scene(legs, PRONY, M, start="relaxed", effects=effects, requested=requested)
+        return run_pulled_on_half_space(surface, scene, Drive(0.3))
+
+    def assert_equal_friction(result, expected, tolerance):
+        force = expected["trace_friction_force"]
+        atol = tolerance * np.ptp(force)
+        np.testing.assert_allclose(result["trace_friction_force"], force, rtol=0.0, atol=atol)
+
+    both, without_shear = pulled(stress, WARM), pulled(None, WARM)
+    conducting = WARM._replace(warming=1e-14)
+    assert_equal_friction(pulled(stress, conducting), pulled(stress, None), 1e-4)
+    assert_equal_friction(pulled(0.0, WARM), without_shear, 0.03)  # other steps from rest
+    assert both["trace_contact_temperature"][-1] > without_shear["trace_contact_temperature"][-1]
+    part = both["trace_friction_force"] / both["trace_normal_force"] - both["trace_mu"]
+    largest = stress * both["trace_contact_fraction"] * 8.0 / LOAD
+    assert (np.abs(part) < 1.01 * largest).all()
+    assert np.isclose(part, largest, rtol=0.01).mean() > 0.3
+    driven, friction, spring, kinetic, damper, error = (both[name][-1] for name in DRIVE_ENERGIES)
+    assert kinetic == damper == error == 0.0
+    # A temperature to 0.5 K leaves steps of friction that no motion balances.
+    assert driven == pytest.approx(friction + spring, rel=2e-3)

@@ -198,7 +198,7 @@ def test_arrays_of_xarray_are_arrays_and_persson_is_asked_of_a_profile():
         (PULLED | {"drive": {"stiffness": 1.0, "mass": np.nan}}, "scene.drive.mass = nan: must be"),
         (PULLED | {"drive": {"mass": 1.0}}, "scene.drive.stiffness: missing"),
         (PULLED | {"drive": 3.0}, "drive = 3.0: must be a dictionary"),
-        (PULLED | {"quantities": ["trace", "energy"]}, '"energy": is not available for a line'),
+        (PULLED | {"quantities": ["trace", "state"]}, '"state": is not available for a line'),
     ],
 )
 def test_what_cannot_be_meant_is_refused_in_one_line(changed, words):

@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 
 from elastomer_friction.workflow.plan import make_plan
+from elastomer_friction.workflow.reduce.resolution import RESOLVED, UNRESOLVED
 from tests.support.documents import without
 from tests.support.small import small_study
 from tests.workflow.scene.scenes import KELVIN, LENGTH, PULL, N, run
@@ -80,6 +81,55 @@ def test_sticking_and_slipping_is_told_by_swing_period_and_velocity():
     assert float(actual.drive_swing) < 1e-3 * float(actual.mu_1)
     assert float(actual.peak_velocity) == pytest.approx(VELOCITY, rel=1e-3)
     assert np.isnan(float(actual.slip_period))
+
+
+@pytest.mark.parametrize(("damping", "status"), [(0.0, UNRESOLVED), (5e-8, RESOLVED)])
+def test_a_slider_that_another_valley_may_catch_is_unresolved(damping, status):
+    """Without a damper the mass rings until it is caught; finer steps change its swing by 8 %."""
+    phases = (6.2549, 4.9804, 3.9093, 6.2138, 1.3528, 1.0066, 3.8487, 0.2761)
+    phases += (0.2242, 3.2351, 2.9293, 5.7627, 3.9536, 3.2303, 3.1220, 1.5552)
+    x = 2.0 * np.pi * np.arange(128) / 128
+    waves = enumerate(phases, start=1)
+    actual = run(
+        {"pull": {"velocity": 0.5, "distance": 3e-3}},
+        profile=sum(1.2085775e-6 * k**-1.2 * np.cos(k * x + phase) for k, phase in waves),
+        length=2e-3,
+        normal_force=8e-4,
+        material={"shear_modulus": 1e6, "branches": [[6e6, 2e-4], [4e6, 3e-5]]},
+        drive={"stiffness": 0.004, "mass": 1e-13, "damping": damping},
+        start="relaxed",
+        quantities=["trace", "stick_slip"],
+        numerics={"steps_per_spacing": 8},
+    )
+    assert actual.slip_resolution_status == status
+    assert (actual.trace_resolution_status == UNRESOLVED) == (status == UNRESOLVED)
+    assert (float(actual.drive_swing_bias) > 0.02) == (status == UNRESOLVED)
+
+
+def test_a_trace_of_every_step_holds_those_of_a_slip_and_energies_that_balance():
+    """With trace = 1 steps end at samples: from one to the next, or at a turn."""
+    drive = {"stiffness": 0.01, "mass": 1e-13, "damping": 5e-8}
+    spectrum = {"hurst": 0.7, "roughness": 1e-6, "spacing": 2e-5, "length": 2e-3}
+    actual = run(
+        {"pull": {"velocity": 0.5, "distance": 2e-3}},
+        {"pull": {"velocity": 0.0, "duration": 1e-4}},
+        profile=None,
+        length=None,
+        surface=spectrum,
+        normal_force=8e-4,
+        material={"shear_modulus": 1e6, "branches": [[1e7, 1e-4]]},
+        drive=drive,
+        start="relaxed",
+        quantities=["trace", "stick_slip", "energy"],
+        numerics={"steps_per_spacing": 8, "trace": 1},
+    )
+    moved = np.abs(np.diff(actual.trace_distance)) * 8 / spectrum["spacing"]
+    assert np.isfinite(actual.trace_mu).all()
+    assert (np.diff(actual.trace_time) > 0.0).all()
+    assert moved.max() < 1.01
+    assert float(np.abs(actual.trace_velocity).max()) >= float(actual.peak_velocity)
+    assert actual.trace_segment.values[[0, -1]].tolist() == [0, 1]
+    assert abs(float(actual.balance_residual)) < 1e-3
 
 
 def test_when_a_slider_turns_is_a_list_in_seconds():

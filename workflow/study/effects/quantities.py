@@ -150,6 +150,7 @@ DRIVE_QUANTITIES = (
     "rate_state",
     "stick_slip",
     "slip_events",
+    "energy",
 )
 ELEMENT_QUANTITIES = ("energy", "contact_lengths", "state")
 
@@ -176,7 +177,7 @@ def unavailable_reason(name: str, scene: Scene, materials: Materials, single_lin
     if scene.drive and name not in DRIVE_QUANTITIES:
         return (
             "is not available for a line on a spring; request trace, stick_slip, slip_events, "
-            "healing, steady or rate_state"
+            "energy, healing, steady or rate_state"
         )
     checks = QUANTITIES[name].requirements
     reasons = (check(scene, materials, single_line) for check in checks)

@@ -109,7 +109,7 @@ def test_a_full_programme_of_one_line_can_be_asked_for_everything(name):
 
 def test_of_a_line_on_a_spring_there_is_what_its_drive_tells():
     missing = reasons(Scene(programme=(SLOW, HoldSegment((1.0,)), FAST), drive=Spring(1e4)))
-    available = {"steady", "persson", "model_ratio", "trace", "healing", "stick_slip"}
+    available = {"steady", "persson", "model_ratio", "trace", "healing", "stick_slip", "energy"}
     assert set(QUANTITIES) - missing == available
 
 
