@@ -101,7 +101,7 @@ def test_the_work_of_the_drive_is_that_of_friction_spring_damper_and_mass(drive,
     driven, friction, spring, kinetic, damper, error = (result[name] for name in DRIVE_ENERGIES)
     spent = friction + spring - spring[0] + kinetic - kinetic[0] + damper + error
     np.testing.assert_allclose(driven, spent, rtol=0.0, atol=1e-5 * driven[-1])
-    assert np.abs(error).max() < (3e-3 if on_map else 1e-4) * driven[-1]
+    assert np.abs(error).max() < (3e-3 if on_map else 3e-4) * driven[-1]
     assert error.any() == (len(drive) > 1 and drive[1] > 0.0)
     time, place, force = (
         result[f"trace_{name}"] for name in ("time", "distance", "friction_force")
