@@ -129,8 +129,8 @@ def _background(ax: Axes, groups: Groups, velocities: np.ndarray, pressure: floa
         slid, inside = after.slid.values, heated.trace_segment.values == 1
         ax.plot(slid, added[inside], color=colour)
         ax.plot(slid, uniform[inside] / effusivity, ":", color=colour)
-    ax.set(xscale="log", yscale="log", xlabel="distance since the step (m)", ylabel="K")
-    ax.set_title("(d) temperature added by the block")
+    ax.set(xscale="log", yscale="log", xlabel="distance since the step (m)")
+    ax.set(ylabel="rise of temperature (K)", title="(d) temperature added by the block")
 
 
 def _warmed(flux: np.ndarray, time: np.ndarray) -> float:
