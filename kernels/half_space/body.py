@@ -34,6 +34,7 @@ class HalfSpace(NamedTuple):
     surface: Surface
     operator: Operator  # compliance A of the relaxed body for every mode (contact.py)
     pressure: float  # mean pressure, in E* h/dx
+    stepped: bool = False  # whether steady friction is the mean over a step
 
     @classmethod
     def under(

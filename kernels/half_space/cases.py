@@ -8,6 +8,7 @@ import numpy as np
 from ..model.friction import mean_slope
 from ..rheology.forms import form_of
 from ..rheology.retardation import Retardation
+from ..rheology.spectrum import Spectrum
 from ..velocity_step.case import (
     JUMP,
     MARCHING,
@@ -40,14 +41,15 @@ def run_case(
     contact_fraction : real contact area, corrected for the samples at edges (patches.py).
     samples_per_contact : mean number of samples in a patch (connected by sides).
     work : samples times passes of the operator. The relaxation curve is mu_2 plus the difference
-    between mu of the march and its steady value. The field refine of a case is ignored.
+    between mu of the march and its steady value. The field refine of a case is ignored. Friction
+    and jumps of a stepped case are those of the steps.
     stiffness : of every mode, or None for a half-space. Raises ValueError if no steady state is
     found.
     """
     clock = PhaseClocks()
     space = HalfSpace.under(
         form_of(case.spectrum, case.scheme), surface, case.load, stiffness, case.effects.layer
-    )
+    )._replace(stepped=case.stepped)
     variables = _kept_variables(space, case, requested)
     fastest = max([1.0, *map(abs, case.ratios)]) * abs(case.speed)
     min_step = 1.0 / (surface.steps_per_spacing * fastest)
@@ -70,6 +72,10 @@ def run_case(
             space, case.spectrum, one, case.speed * one_hot.slowing, case.ratios, case.tiles
         )
         areas, passes = areas._replace(after=contact + grown), passes + used
+        if case.stepped and case.spectrum.viscosity > 0.0:
+            speeds = np.array(case.ratios) * case.speed * one_hot.slowing
+            jumps, used = _jumps_of_first_steps(space, one, speeds.tolist(), case.spectrum)
+            passes += used
         if heating:
             speeds = np.array(case.ratios) * case.speed
             hot.jump_shear[:] = _jumps_of_shear(heating, one_hot, speeds, areas.after)
@@ -140,6 +146,19 @@ def _jumps_of_shear(
     contact = one.warmth.contact
     pairs = zip(speeds.tolist(), areas.tolist(), strict=True)
     return [heating.shear(area, speed, contact) - one.shear for speed, area in pairs]
+
+
+def _jumps_of_first_steps(
+    space: HalfSpace, one: SlidingBody, speeds: list[float], spectrum: Spectrum
+) -> tuple[np.ndarray, int]:
+    """Return (mu of the first step at each speed minus mu_1, passes)."""
+    jumps, passes = np.empty(len(speeds)), 0
+    for k, speed in enumerate(speeds):
+        step = Step.of(space.form, space.surface, speed)
+        start = one.body._replace(memory=one.body.memory.copy())
+        body, used = take_step(space, start, step, step_tolerance(spectrum, step.law))
+        jumps[k], passes = mean_slope(body.p, step.weight) - one.mu, passes + used
+    return jumps, passes
 
 
 def _steady_sums(space: HalfSpace, sliding: SlidingBody, tiles: int) -> list[np.ndarray]:

@@ -99,6 +99,8 @@ def slide_steadily(
     # The sum may have the wrong sign if contacts consist of single samples.
     if full or mu * dissipative_mu <= 0.0:
         mu = dissipative_mu
+    if space.stepped:
+        mu = step_mu
     loss = np.abs(q * modulus.imag * squares)
     return SlidingBody(body, step, mu, step_mu, viscous, passes, loss)
 

@@ -13,13 +13,15 @@ from ..compile.jit import kernel
 from ..motion.legs import Oscillation, Steps
 from .scene_case import SceneCase
 
+CYCLE_MEANS = ("mu_cycle_mean", "mu_cycle_mean_shear")
+
 
 class AveragingWindow(NamedTuple):
     """Impulses of normal force and friction over consecutive steps, recorded or not."""
 
     after: int  # number of the step before the first step in the window
     last: int  # number of the last step in the window
-    sums: np.ndarray  # of normal force and friction, shape (2,); their ratio is in h/dx
+    sums: np.ndarray  # of normal force, friction and its part mu, shape (3,); ratios are in h/dx
 
 
 def averaging_window(scene: SceneCase, steps: Steps) -> AveragingWindow | None:
@@ -36,15 +38,19 @@ def averaging_window(scene: SceneCase, steps: Steps) -> AveragingWindow | None:
     last = int(np.searchsorted(steps.leg, number, side="right"))
     ends = np.append(0.0, np.cumsum(steps.dt))[: last + 1]
     begin = ends[-1] - (leg.cycles + 1) // 2 / leg.frequency
-    return AveragingWindow(int(np.argmin(np.abs(ends - begin))), last, np.zeros(2))
+    return AveragingWindow(int(np.argmin(np.abs(ends - begin))), last, np.zeros(3))
 
 
 def cycle_mean(window: AveragingWindow | None) -> dict[str, np.ndarray]:
-    """Return the mean friction over the mean normal force in a window, by name, in h/dx."""
+    """Return the mean friction over the mean normal force in a window, by name, in h/dx.
+
+    Its part by shear is the rest beside mu.
+    """
     if window is None:
         return {}
-    normal, friction = window.sums
-    return {"mu_cycle_mean": np.array(friction / normal if normal > 0.0 else np.nan)}
+    normal, friction, part = window.sums
+    means = np.array([friction, friction - part]) / (normal if normal > 0.0 else np.nan)
+    return dict(zip(CYCLE_MEANS, means, strict=True))
 
 
 @kernel
@@ -52,3 +58,5 @@ def add_impulses(window, acting, dt):
     """Add the impulses of a step; acting : its Forces."""
     window.sums[0] += dt * acting.normal
     window.sums[1] += dt * acting.friction
+    if acting.normal > 0.0:
+        window.sums[2] += dt * acting.normal * acting.mu

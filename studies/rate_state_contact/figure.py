@@ -46,9 +46,9 @@ def evolution_effect(points: xr.Dataset) -> OverSpeed:
 
 
 def steady_change(points: xr.Dataset) -> OverSpeed:
-    """Return a - b = (mu_2 - mu_1)/ln r; its error is at most the sum of those of a and b."""
-    a, b = direct_effect(points), evolution_effect(points)
-    return OverSpeed(a.value - b.value, a.error + b.error)
+    """Return a - b = (mu_2 - mu_1)/ln r; its error contains the covariance on the same maps."""
+    value, error = points.rate_state_a_minus_b, points.rate_state_a_minus_b_error
+    return OverSpeed(value.values, error.values)
 
 
 def critical_distance(points: xr.Dataset) -> OverSpeed:
@@ -100,7 +100,7 @@ def draw(groups: Groups) -> Figure:
     axes[0, 0].legend(loc="best", fontsize=6)
     note = (
         "Dotted in (d) is 1/q_max. D_c is left out where less than three standard errors relax. "
-        "Bars of a − b and D_c are upper bounds of their standard errors."
+        "Bars of D_c are upper bounds of its standard error."
     )
     foot_line(figure, groups[""], note)
     return figure

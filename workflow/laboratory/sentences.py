@@ -105,6 +105,9 @@ def _together(fit: Fit) -> list[str]:
             )
     if fit.slope.known:
         lines.append(_line("rms slope (eq. 12)", shown(fit.slope)))
+    if fit.slope.known or any(value.known for value, *_ in parameters.values()):
+        text = "not in these errors: the laws hold for a foundation (docs/bodies.md)"
+        lines.append(_line("error of the model", text))
     lines += _open(
         fit, rates, [name for name, (value, *_) in parameters.items() if not value.known]
     )

@@ -39,7 +39,7 @@ if TYPE_CHECKING:
         most_blocks,
         steps_per_spacing,
     )
-    from .half_space import equivalent_steps, map_error
+    from .half_space import equivalent_steps, euler_map_error, map_error
     from .other_body import MODEL_LABEL
     from .plan import Plan, make_plan
     from .problems import line_slope, nominal_pressure, speed_ratio

@@ -8,7 +8,7 @@ import numpy as np
 from ..study import FOUNDATION, accuracy_estimates
 from .error_laws import known, stepped_error
 from .goal import FIRST_ORDER
-from .half_space import laws_of
+from .half_space import euler_map_error, laws_of
 from .plan import Plan
 
 MAX_PROBLEMS = 300  # problems with predictions, at equal intervals
@@ -46,7 +46,9 @@ def predicted_errors(plan: Plan) -> dict[str, PredictedErrors]:
             chance[row] = laws[name].scatter(task.problem) / math.sqrt(lines)
             if not (first_order and name == "relaxation_rate"):
                 bound[row] = laws[name].error(task.problem, equivalent_steps, refines)
-                if first_order and not refines and task.problem.surface.body == FOUNDATION:
+                if first_order and task.problem.surface.body != FOUNDATION:
+                    bound[row] = euler_map_error(name, task.steps_per_spacing)
+                elif first_order and not refines:
                     bound[row] = stepped_error(task.steps_per_spacing)
         errors[name] = PredictedErrors(chance, bound)
     return errors

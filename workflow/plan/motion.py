@@ -232,8 +232,7 @@ def kernel_quantities(study: Study) -> Quantities:
         jump="jump" in requested or curve,
         relaxation=curve,
         indentation_rate=study.scene.indentation_rate,
-        initial_rate="peak" in requested
-        and not (sheared or all(m.jumps for m in study.materials.values())),
+        initial_rate="peak" in requested and not all(m.jumps for m in study.materials.values()),
         areas=sheared,
     )
 

@@ -108,7 +108,8 @@ class Plan(NamedTuple):
 def _surface_bytes(variant: Variant) -> float:
     """Return the peak memory of the longest line, or of the largest map, of a variant."""
     if variant.lines.body == HALF_SPACE:
-        return max(map_bytes(t.problem, t.steps_per_spacing) for t in variant.tasks)
+        quantities = variant.study.scene.quantities
+        return max(map_bytes(t.problem, t.steps_per_spacing, quantities) for t in variant.tasks)
     finer = REFINEMENT_FACTOR if variant.recording.refined_blocks else 1
     return finer * BYTES_PER_SAMPLE * variant.longest
 

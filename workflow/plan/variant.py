@@ -41,10 +41,12 @@ class Variant(NamedTuple):
     recording: Recording
     events: int  # samples of the longest trace; 0 without a trace
     point_task: np.ndarray  # index into tasks per grid point, shape of the grid
-    tasks: list[Task]  # in the order of the distinct problems
-    by_line: list[list[Task]]  # tasks of one (H, N); tasks that share sweeps are neighbours
+    # In the order of the distinct problems. Problems that differ only in effects of the reduction
+    # share a key, and thus their records.
+    tasks: list[Task]
+    by_line: list[list[Task]]  # one task per key of one (H, N); those that share sweeps together
     goals: dict[str, Goal]  # by key of the task; empty without a requested accuracy
-    rows: dict[str, int]  # index into tasks by key
+    rows: dict[str, int]  # index of the last task by key
     seconds: list[float]  # predicted, of one realization without the drawing of its line
     longest: int  # largest number of samples of a line
 
@@ -61,7 +63,7 @@ class Variant(NamedTuple):
 
     def total_seconds(self, blocks: dict[str, int]) -> float:
         """Return the predicted time. blocks : number by task key."""
-        total = sum(blocks[task.key] * self.seconds[row] for row, task in enumerate(self.tasks))
+        total = sum(blocks[key] * self.seconds[row] for key, row in self.rows.items())
         for line in self.by_line:
             for samples, tasks in groupby(line, samples_of):
                 total += drawing_seconds(samples) * max([blocks[task.key] for task in tasks])
@@ -100,24 +102,11 @@ def _distinct(study: Study, label: str) -> Problems:
     problems, points = distinct_problems(study, label)
     # Many problems share all fields but the first five: these are converted to text once.
     settings = {
-        problem[5:]: repr(problem._replace(effects=problem.kernel_effects)[5:]).encode()
-        for problem in problems
+        p[5:]: repr(p._replace(effects=p.marched_effects(study.scene.quantities))[5:]).encode()
+        for p in problems
     }
     key_bytes = [PROBLEM_BYTES.pack(*p[:5]) + settings[p[5:]] for p in problems]
-    _number_equals(key_bytes)
     return Problems(problems, key_bytes, points, stack_problems(problems))
-
-
-def _number_equals(key_bytes: list[bytes]) -> None:
-    """Append a number to repeated entries, in place.
-
-    Problems that differ only in effects of the reduction have separate records in a variant.
-    """
-    counts: dict[bytes, int] = {}
-    for row, entry in enumerate(key_bytes):
-        counts[entry] = counts.get(entry, -1) + 1
-        if counts[entry]:
-            key_bytes[row] += b"%d" % counts[entry]
 
 
 class Sizes(NamedTuple):
@@ -220,9 +209,9 @@ def _tasks(
 
 
 def _by_line(tasks: list[Task]) -> list[list[Task]]:
-    """Return the tasks of each random line; tasks that share sweeps are neighbours."""
+    """Return one task per key of each random line; tasks that share sweeps are neighbours."""
     lines: dict[tuple[float, int, LineShape], list[Task]] = {}
-    for task in tasks:
+    for task in {task.key: task for task in tasks}.values():
         hurst, elements = task.problem[:2]
         lines.setdefault((hurst, elements, task.problem.surface), []).append(task)
     return [sorted(line, key=lambda t: (*sharing(t), t.problem[:5])) for line in lines.values()]

@@ -45,10 +45,16 @@ def add_shear(
         load = np.array([task.problem.load for task in tasks])[:, None, None]
         if tasks[0].problem.kernel_effects.shear is None:
             shear = _trace_part(tasks, values, legs)
-            values["trace_friction_force"] = values["trace_friction_force"] + load * shear
+            values["trace_friction_force"] = load * (values["trace_mu"] + shear)
         else:
             shear = values["trace_friction_force"] / load - values["trace_mu"]
         parts["trace_mu_shear"], values["trace_mu"] = shear, values["trace_mu"] + shear
+    if "mu_cycle_mean_shear" in values:
+        shear = parts["mu_cycle_mean_shear"] = values["mu_cycle_mean_shear"]
+        parts["mu_cycle_mean_viscoelastic"] = values["mu_cycle_mean"] - shear
+    if "initial_rate" in values:  # samples do not resolve the rate of the contact area
+        parts["initial_rate_viscoelastic"] = values["initial_rate"]
+        values["initial_rate"] = np.full_like(values["initial_rate"], np.nan)
     return scalars, values, parts
 
 

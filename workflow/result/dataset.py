@@ -27,6 +27,8 @@ from .variables import AUXILIARY, AXIS_ATTRIBUTES, Powers, attributes, declared
 Groups = Mapping[str, xr.Dataset]  # "" is the study itself, the others are comparisons
 Units = dict[str, xr.DataArray]  # unit of the plan -> value in SI, over the axes it depends on
 
+NO_RATIO = "not measured for a comparison; run it as a study of its own"
+
 
 def build_dataset(
     plan: Plan, variant: Variant, estimates: Estimates, exponents: Estimates
@@ -107,8 +109,9 @@ def _facts(plan: Plan, variant: Variant) -> dict[str, str | int | float]:
     facts = provenance(plan.study, variant.numerics) | {"body": lines.body}
     if lines.body == plan.study.surface.body:
         facts["body_reason"] = plan.study.body_reason
-    if variant is plan.variants[0] and "steady" in plan.study.scene.quantities:
-        facts["model_ratio_source"] = model_source(plan)
+    if "steady" in plan.study.scene.quantities:
+        own = variant is plan.variants[0]
+        facts["model_ratio_source"] = model_source(plan) if own else NO_RATIO
     if plan.study.realizations == 1:
         facts["standard_errors"] = lines.single_error
     share = plan.study.force_share(variant.label)

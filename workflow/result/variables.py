@@ -35,7 +35,8 @@ SIGN_OF_D = (
 )
 BIAS_COMMENT = (
     "9 in 10 problems are within it (docs/accuracy.md); not part of the standard error; NaN: "
-    "unknown, for materials with branches, programmes and prescribed indentation"
+    "unknown, for materials with branches, programmes, prescribed indentation, and a rate with "
+    "shear"
 )
 
 
@@ -284,7 +285,12 @@ SCENES = {
     ),
     "peak": Variable("largest mu - mu_1 after the velocity step, in its direction", SLOPE_SCALE),
     "peak_time": Variable("time of the peak since the velocity step", TIME_SCALE, "s"),
-    "initial_rate": Variable("rate of mu just after the velocity step", RATE_SCALE, "s-1"),
+    "initial_rate": Variable(
+        "rate of mu just after the velocity step",
+        RATE_SCALE,
+        "s-1",
+        comment="NaN with shear, as samples do not resolve the rate of the contact area",
+    ),
     "static_peak": Variable("largest mu on sliding after the last hold", SLOPE_SCALE),
     "healing": Variable("static peak minus mu before the last hold", SLOPE_SCALE),
     "mu_end_of_hold": Variable("mu at the end of the last hold", SLOPE_SCALE),

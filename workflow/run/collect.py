@@ -166,11 +166,11 @@ class Rounds:
         if not rows:
             return []
         most = most_blocks(variant.study, variant.numerics.max_realizations)
-        continued = []
+        continued, before = [], dict(self.blocks)
         for row, growth in zip(rows, collector.attained(variant, rows).growth, strict=True):
             key = tasks[row].key
-            blocks = next_blocks(self.blocks[key], float(growth), most)
-            if blocks > self.blocks[key]:
-                self.blocks[key] = blocks
+            blocks = next_blocks(before[key], float(growth), most)
+            if blocks > before[key]:
+                self.blocks[key] = max(blocks, self.blocks[key])
                 continued.append(row)
         return continued

@@ -115,17 +115,19 @@ class Graph:
     def portion(self, fit: FitNode) -> "Portion":
         """Return the portion of a fit. Raises DamagedShard."""
         tasks, blocks = [fit.variant.tasks[row] for row in fit.rows], fit.blocks()
-        rows = {task.key: row for row, task in enumerate(tasks)}
+        rows: dict[str, list[int]] = {}
+        for row, task in enumerate(tasks):
+            rows.setdefault(task.key, []).append(row)
         lacking = [np.ones(count, bool) for count in blocks]
         places: list[list[BlockPlace]] = []
         for batch in (node.item for node in fit.given):
             places.append([])
             for number, task in enumerate(batch.tasks):
-                row = rows.get(task.key, -1)
-                count = min(batch.blocks, blocks[row] - batch.first_block)
-                if row >= 0 and count > 0:
-                    places[-1].append(reduce.BlockPlace(row, number, batch.first_block, count))
-                    lacking[row][batch.first_block : batch.first_block + count] = False
+                for row in rows.get(task.key, ()):
+                    count = min(batch.blocks, blocks[row] - batch.first_block)
+                    if count > 0:
+                        places[-1].append(reduce.BlockPlace(row, number, batch.first_block, count))
+                        lacking[row][batch.first_block : batch.first_block + count] = False
         how, width = reduce.reduction_of(fit.variant), self.widths[fit.variant.label]
         groups = min([*blocks, JACKKNIFE_GROUPS])  # equal for all tasks
         portion = reduce.Portion(how, tasks, blocks, groups, width, places, [])

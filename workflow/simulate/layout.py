@@ -12,6 +12,7 @@ from ...kernels import ENERGIES, TRACES, Quantities, SavedState, form_of, memory
 from ...kernels.drive import DRIVE_ENERGIES, MAX_SLIP_EVENTS, PULLED_TRACES, SLIP_EVENTS, SLIPS
 from ...kernels.half_space.heated_map import TEMPERATURE_TRACES
 from ...kernels.half_space.tiles import TILE_SUMS
+from ...kernels.scene.cycles import CYCLE_MEANS
 from .recorded_steps import trace_size
 from .tasks import Recording, Task
 
@@ -91,7 +92,9 @@ def _programme_shapes(task: Task, scheme: str, recording: Recording) -> dict[str
         "trace": dict.fromkeys(traces, trace),
         "stick_slip": dict.fromkeys(SLIPS, ()),
         "slip_events": dict.fromkeys(SLIP_EVENTS, (MAX_SLIP_EVENTS,)),
-        "cycle_mean": {"mu_cycle_mean": ()},
+        "cycle_mean": dict.fromkeys(
+            CYCLE_MEANS if task.problem.effects.shear else CYCLE_MEANS[:1], ()
+        ),
         "energy": dict.fromkeys(DRIVE_ENERGIES if task.problem.drive else ENERGIES, trace),
         "contact_lengths": {"contact_length": (CONTACT_LENGTH_BINS,)},
         "snapshots": _snapshots(task, (*trace, samples)),

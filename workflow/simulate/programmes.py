@@ -77,7 +77,7 @@ def scene_of(task: Task, scheme: str, recording: Recording) -> SceneCase:
         recorded=recorded,
         edges=CONTACT_LENGTH_EDGES,
         frames=recorded if "snapshots" in recording.requested else np.empty(0, np.int64),
-        effects=problem.kernel_effects,
+        effects=problem.marched_effects(recording.requested),
         slider_steps=recording.every if recording.one_slider else 0,
     )
 

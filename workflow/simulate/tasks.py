@@ -68,6 +68,10 @@ class Problem(NamedTuple):
         known = self.drive is not None or self.effects.heat is not None
         return self.effects if known else self.effects._replace(shear=None)
 
+    def marched_effects(self, requested: tuple[str, ...]) -> Effects:
+        """Return the effects on which a march depends; only a march can average over cycles."""
+        return self.effects if "cycle_mean" in requested else self.kernel_effects
+
     def samples(self, steps_per_spacing: Any) -> Any:
         """Return the number of samples of the line or map.
 

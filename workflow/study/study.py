@@ -185,7 +185,7 @@ def read_grid_study(
     check_bodies(scene, surfaces)
     check_layers(materials, surfaces)
     check_all_effects(effects, materials, scene, surfaces)
-    check_numerics(variants, materials, scene, surfaces)
+    check_numerics(variants, materials, scene, surfaces, effects)
     for axis, values in grid.items() if one_point else ():
         if len(values) > 1 and axis not in PROGRAMME_AXES:
             raise UserError(f"grid.{axis} = {list(values)!r:.40}: must be one value in a scene")

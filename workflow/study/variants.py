@@ -116,16 +116,11 @@ def check_all_effects(
     scene: Scene,
     surfaces: Mapping[str, Surface],
 ) -> None:
-    """Raise UserError for effects that a variant or a requested quantity does not support."""
+    """Raise UserError for effects that a variant does not support."""
     for label, own in effects.items():
         where = f"compare.{label}" if label else "scene"
         on_half_space = surfaces[label].body != FOUNDATION
         check_effects(where, own, materials[label], scene.rests, on_half_space)
-        if own.shear and "cycle_mean" in scene.quantities:
-            raise UserError(
-                'scene.quantities: "cycle_mean": is not available with scene.shear; request "loop" '
-                'or "trace" instead'
-            )
 
 
 def check_numerics(
@@ -133,6 +128,7 @@ def check_numerics(
     materials: dict[str, Material],
     scene: Scene,
     surfaces: Mapping[str, Surface],
+    effects: Mapping[str, SceneEffects],
 ) -> None:
     """Raise UserError for energies with an unsupported scheme, or accuracy without error laws."""
     for label, numerics in variants.items():
@@ -144,10 +140,10 @@ def check_numerics(
             )
         if not numerics.accuracy:
             continue
-        if any(scene.effects):
+        if effects[label].heat:
             raise UserError(
                 f"{where}.accuracy = {numerics.accuracy!r}: no law predicts the scatter with "
-                "scene.shear; give steps_per_spacing and study.realizations instead"
+                "scene.heat; give steps_per_spacing and study.realizations instead"
             )
         surface = surfaces[label]
         of_maps = surface.body != FOUNDATION

@@ -92,6 +92,34 @@ def test_shear_opposes_the_motion_and_at_rest_keeps_the_direction_of_the_last_on
     np.testing.assert_allclose(force, sheared.trace_mu, rtol=1e-6)
 
 
+def test_the_mean_over_cycles_contains_the_shear_of_every_step():
+    """Friction is that of a trace of every step; loops of equal cycles have its mean."""
+    shake = {"oscillate": {"amplitude": 2e-5, "frequency": 300.0, "cycles": 2, "velocity": 0.01}}
+    changes = {"quantities": ["steady", "trace", "cycle_mean"], "realizations": 2}
+    changes["numerics"] = {"steps_per_spacing": 2, "trace": 1}
+    without, shaken = (run(shake, **changes, **shear) for shear in ({}, {"shear": BELL}))
+    loss = without.mu_cycle_mean
+    np.testing.assert_allclose(shaken.mu_cycle_mean_viscoelastic, loss, rtol=1e-12)
+    assert float(shaken.mu_cycle_mean_shear_error) > 0.0
+    averaged = shaken.trace_time.values > 1.0 / 300.0 + 1e-9
+    dt = np.diff(shaken.trace_time.values, prepend=0.0)[averaged]
+    expected = np.average(shaken.trace_mu_shear.values[averaged], weights=dt)
+    assert float(shaken.mu_cycle_mean_shear) == pytest.approx(expected, rel=0.02)
+    share = shaken.mu_cycle_mean / shaken.mu_1
+    assert float(shaken.mu_cycle_share) == pytest.approx(float(share), rel=1e-12)
+
+
+def test_an_accuracy_counts_the_total_friction(tmp_path):
+    small = ("surface.length=1.6e-3", "numerics.accuracy=0.1", 'scene.quantities=["steady"]')
+    plan = make_plan(small_study("scene.body=half-space", "scene.shear.stress=1e6", *small))
+    run_plan(plan, tmp_path / "small.nc", RunOptions(Cluster(LOCAL)))
+    with xr.open_dataset(tmp_path / "small.nc") as dataset:
+        assert (dataset.accuracy_status == 1).all()
+        reached = dataset.mu_1_error / dataset.mu_1 + dataset.mu_1_bias
+        assert (reached <= 0.1).all()
+        assert (dataset.mu_1_shear > 0.0).all()
+
+
 def test_no_stress_gives_the_bits_of_no_table(bare):
     nothing = run(shear={"stress": 0.0})
     for name in bare.data_vars:
@@ -190,6 +218,7 @@ def test_another_stress_takes_the_stored_records(tmp_path):
         plan = make_plan(small_study(*common, f"scene.shear.stress={stress}"))
         summary = run_plan(plan, tmp_path / "small.nc", RunOptions(Cluster(LOCAL)))
         assert (summary.batches == 0) == bool(results)
+        assert len(plan.variants[0].rows) == 3  # of four points, two of equal F/h
         with xr.open_dataset(tmp_path / "small.nc") as dataset:
             results.append(dataset.load())
     once, thrice = results
