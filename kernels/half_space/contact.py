@@ -15,8 +15,7 @@ the grid:
 - Without a start, the search begins with the contact of every second sample.
 
 Few samples are in contact. They are listed with their values, so that a pass visits the whole map
-only in transforms and once to displace the body and to find overlaps. Transforms take 0.84 of a pass at
-5 % contact on 512^2 samples.
+only in transforms and once to displace the body and to find overlaps.
 
 Source: I. A. Polonsky and L. M. Keer, Wear 231, 206 (1999), doi:10.1016/S0043-1648(99)00113-1,
 for a given mean pressure.
