@@ -52,7 +52,6 @@ ON_MAP = {
     "shear": (HOLD, SOLID, {"effects": Effects(shear=SHEAR)}, ()),
     "layer": (SLIDES, SOLID, {"effects": Effects(layer=Layer(4.0, "free", 0.5))}, ()),
     "heat": (SLIDES, PRONY, {"effects": Effects(heat=WARM)}, ()),
-    "drive with shear and heat": (SLIDES, PRONY, {"effects": Effects(SHEAR, heat=WARM)}, (0.5,)),
 }
 SCENES = {
     (on_map, name): (on_map, *case)
