@@ -157,7 +157,9 @@ def read_grid_study(
     given, several = separated(given)
     choice = choose_body(given, measured=profile is not None or "file" in given["surface"])
     surface = (
-        read_surface(given["surface"], folder, choice.body)
+        read_surface(
+            given["surface"], folder, choice.body, loaded_by_force="normal_force" in given["grid"]
+        )
         if profile is None
         else Surface(
             profile.measured_length,

@@ -18,12 +18,13 @@ SLIDES = (
     "scene.programme=[{slide={velocity=0.1, distance=1e-3}}, {slide={velocity=0.2, distance=1e-3}}]"
 )
 SIDE = 12
-HEIGHTS = 1e-6 * np.random.default_rng(0).standard_normal((SIDE, SIDE))
+STRIP = 1e-6 * np.random.default_rng(0).standard_normal((3 * SIDE, SIDE))
+HEIGHTS = STRIP[:SIDE]
 
 
 def study_of(folder, text, *settings, rows=SIDE, row_step=1):
     """Return a study with the small surface file map.csv, a list of points of ``rows`` rows."""
-    points = [f"{x},{row_step * y},{HEIGHTS[y, x]}" for y in range(rows) for x in range(SIDE)]
+    points = [f"{x},{row_step * y},{STRIP[y, x]}" for y in range(rows) for x in range(SIDE)]
     (folder / "map.csv").write_text("\n".join(["x [mm],y [mm],z [m]", *points]), encoding="utf-8")
     return read_study(write_study(folder, text), None, list(settings))
 
@@ -69,6 +70,14 @@ def test_prescribed_indentation_is_that_of_lines(tmp_path):
     text = text.replace("velocity_step = 0.2\n", "").replace("velocity = [0.03, 0.1]\n", "")
     settings = ("scene.control=indentation", SLIDES, "scene.start=relaxed")
     assert study_of(tmp_path, text, *settings).surface.body == "foundation"
+
+
+def test_strip_is_lines_under_a_force_and_a_map_under_a_pressure(tmp_path):
+    pressed = study_of(tmp_path, ON_MAP, rows=3 * SIDE)
+    assert pressed.surface.body == "half-space"
+    assert "the middle of 36 x 12" in dict(pressed.descriptions)["lines"]
+    loaded = study_of(tmp_path, MEASURED, "study.realizations=32", rows=3 * SIDE)
+    assert (loaded.surface.body, loaded.surface.profile.heights.shape[0]) == ("foundation", 36)
 
 
 def test_few_measured_rows_are_lines(tmp_path):

@@ -67,13 +67,14 @@ def _line_axes(heights: np.ndarray) -> tuple[int, ...]:
     return tuple(range(1, heights.ndim))
 
 
-def is_map(lines: Lines) -> bool:
+def is_map(lines: Lines, loaded_by_force: bool = False) -> bool:
     """Return whether the lines are rows of a map, whose distance is stated.
 
-    The rows of a strip are lines, since the square that a half-space takes omits most of them.
+    Under a normal force the rows of a strip are lines, which the force presses one by one.
     """
     low, high = sorted(lines.heights.shape)
-    return low >= MIN_SAMPLES and high <= MAX_MAP_ASPECT * low and lines.row_spacing is not None
+    strip = loaded_by_force and high > MAX_MAP_ASPECT * low
+    return len(lines.heights) >= MIN_SAMPLES and lines.row_spacing is not None and not strip
 
 
 @quietly

@@ -193,11 +193,18 @@ SURFACE = RANDOM_KEYS | SPECTRUM_KEYS | MEASURED_KEYS
 MAX_RMS_SLOPE = 1000.0  # of a spectrum: beyond it, kind or units are wrong
 
 
-def read_surface(given: Mapping[str, Any], folder: Path, body: str | None = None) -> Surface:
+def read_surface(
+    given: Mapping[str, Any],
+    folder: Path,
+    body: str | None = None,
+    *,
+    loaded_by_force: bool = False,
+) -> Surface:
     """Return the surface for the checked values of a table. Raises UserError.
 
     folder : of the file. body : its elastic body; None: a half-space if the file holds a map, and
-    otherwise a foundation. A half-space uses the lines of a file as one map.
+    otherwise a foundation. A half-space uses the lines of a file as one map. loaded_by_force : as
+    for ``is_map``.
     """
     if "file" in given:
         settings = filled("surface", given, FILE_KEYS)
@@ -219,7 +226,7 @@ def read_surface(given: Mapping[str, Any], folder: Path, body: str | None = None
         file = LineFile(folder / name, name, *reading)
         lines = read_lines(file)
         if body is None:
-            body = HALF_SPACE if is_map(lines) else FOUNDATION
+            body = HALF_SPACE if is_map(lines, loaded_by_force) else FOUNDATION
         prepare = map_of_lines if body == HALF_SPACE else profile_of_lines
         profile = prepare(file, lines, settings["detrend"], settings["periodic"])
         line_kind = {key: value for key, value in given.items() if key in LINE_KIND_KEYS}
