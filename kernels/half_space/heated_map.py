@@ -15,7 +15,14 @@ from ..model.friction import mean_slope
 from ..rheology.law import MIN_MAGNITUDE, law_of
 from ..rheology.time_shift import ZERO_CELSIUS
 from .body import Body
-from .heating import Heating, SlidingContact, Warmth, heated_step
+from .heating import (
+    DRIVE_TEMPERATURE_TOLERANCE,
+    TEMPERATURE_TOLERANCE,
+    Heating,
+    SlidingContact,
+    Warmth,
+    heated_step,
+)
 from .moved_map import MapState, MovedMap, slopes_in_step
 from .patches import samples_per_patch
 from .shear_force import static_shear
@@ -143,7 +150,10 @@ def _attempt(body, state, law, step):
         whole = math.floor(after)
         return SlidingContact((attempted, shear), p, mu + shear, after - before, after - whole)
 
-    sliding, warmth, temperature = heated_step(body.heating, state.warmth, law.dt, attempt_at)
+    tolerance = DRIVE_TEMPERATURE_TOLERANCE if body.recorded is None else TEMPERATURE_TOLERANCE
+    sliding, warmth, temperature = heated_step(
+        body.heating, state.warmth, law.dt, attempt_at, tolerance
+    )
     moved, shear = sliding.result
     attempted = HeatedAttempt(shear, warmth, temperature, direction, step.number)
     return state._replace(moved=moved, attempted=attempted)

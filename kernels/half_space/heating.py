@@ -28,6 +28,8 @@ from .body import HalfSpace
 from .waves import two_sided, wave_numbers
 
 TEMPERATURE_TOLERANCE = 0.5  # K; a step that warms by up to 1 K is not repeated
+# K; the search of a drive needs friction that is a continuous function of the motion:
+DRIVE_TEMPERATURE_TOLERANCE = 1e-4
 FIRST_WARMING = 100.0  # K, limit of the first change of an assumed temperature
 SHEAR_TOLERANCE = 1e-3  # K, of the temperature at which shear acts in steady sliding
 MIN_WARMING = 1e-9  # K, smallest change by a secant
@@ -149,12 +151,16 @@ class SlidingContact(NamedTuple):
 
 
 def heated_step(
-    heating: Heating, warmth: Warmth, dt: float, attempt: Callable[[float, float], SlidingContact]
+    heating: Heating,
+    warmth: Warmth,
+    dt: float,
+    attempt: Callable[[float, float], SlidingContact],
+    tolerance: float = TEMPERATURE_TOLERANCE,
 ) -> tuple[SlidingContact, Warmth, float]:
     """Return (contact, warmth, temperature in °C) of a step of length dt, in tau.
 
-    attempt : (duration over a_T, temperature) -> SlidingContact. Raises ValueError for a
-    temperature out of the range of the shift.
+    attempt : (duration over a_T, temperature) -> SlidingContact. tolerance : of the temperature, K.
+    Raises ValueError for a temperature out of the range of the shift.
     """
     before = warmth.contact
     secants = new_secant_search(before, FIRST_WARMING, 1.0)
@@ -163,7 +169,7 @@ def heated_step(
         sliding = attempt(dt * float(np.exp(heating.heat.log_rate(assumed))), assumed)
         after = heating.after_step(warmth, sliding, dt)
         excess = assumed - 0.5 * (before + after.contact)
-        secants = next_secant_guess(secants, assumed, excess, TEMPERATURE_TOLERANCE, MIN_WARMING)
+        secants = next_secant_guess(secants, assumed, excess, tolerance, MIN_WARMING)
         if secants.search.ended:
             speed = sliding.moved / heating.steps_per_spacing / dt
             heating.heat.check(after.contact, speed)

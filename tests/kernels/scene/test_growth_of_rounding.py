@@ -38,7 +38,7 @@ ON_LINE = {  # name -> (programme, material, changes of the scene, drive over lo
     "steps of indentation": (
         (Slide(1.0, 6.0),),
         SOLID,
-        {"indentation": ((0.0, 2.0, 2.001, 6.0), (-1.0, -1.0, -0.5, -0.5)), "start": "relaxed"},
+        {"indentation": ((0.0, 2.0, 2.001, 6.0), (0.5, 0.5, 1.0, 1.0)), "start": "relaxed"},
         (),
     ),
     "stick and slip": ((Slide(30.0, 300.0),), SOLID, {"start": "relaxed"}, (0.02,)),
@@ -52,6 +52,7 @@ ON_MAP = {
     "shear": (HOLD, SOLID, {"effects": Effects(shear=SHEAR)}, ()),
     "layer": (SLIDES, SOLID, {"effects": Effects(layer=Layer(4.0, "free", 0.5))}, ()),
     "heat": (SLIDES, PRONY, {"effects": Effects(heat=WARM)}, ()),
+    "drive with shear and heat": (SLIDES, PRONY, {"effects": Effects(SHEAR, heat=WARM)}, (0.5,)),
 }
 SCENES = {
     (on_map, name): (on_map, *case)
@@ -67,7 +68,10 @@ SCENES = {
     ids=[f"{name} of a {'map' if on_map else 'line'}" for on_map, name in SCENES],
 )
 def test_rounding_of_heights_does_not_grow(on_map, programme, material, changes, drive):
-    """Traces agree within the tolerance of the force balance, 1e-5 of their range."""
+    """Traces agree within the tolerance of the force balance, 1e-5 of their range.
+
+    A drive with shear, which can stick, agrees to 1 % of the range.
+    """
     surface = rough(8, M) if on_map else a_line(20)
     scene = a_scene(programme, material, M, **changes)
     run = run_scene_on_half_space if on_map else run_scene
@@ -82,4 +86,5 @@ def test_rounding_of_heights_does_not_grow(on_map, programme, material, changes,
 
     exact, changed = friction(1.0), friction(1.0 + 1e-12)
     assert np.ptp(exact) > 0.0
-    np.testing.assert_allclose(changed, exact, rtol=0.0, atol=1e-5 * np.ptp(exact))
+    tolerance = 1e-2 if drive and "effects" in changes else 1e-5
+    np.testing.assert_allclose(changed, exact, rtol=0.0, atol=tolerance * np.ptp(exact))
