@@ -206,6 +206,8 @@ def recorded_values(record: SliderRecord, last: Moment) -> dict[str, np.ndarray]
     moments[:, known:] = math.nan if record.every else np.array(last)[:, None]
     moments[Moment._fields.index("time")] = record.times
     swing = (tally["max_force"] - tally["min_force"]) / last.normal
+    if not math.isfinite(swing):  # no step ended in the second half of the last leg
+        swing = math.nan
     slips = int(tally["slips"])
     period = (tally["last_slip"] - tally["first_slip"]) / (slips - 1.0) if slips > 1 else math.nan
     numbers = map(np.array, (swing, period, tally["max_speed"]))
