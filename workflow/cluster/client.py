@@ -48,6 +48,7 @@ def open_client(
         "distributed.scheduler.idle-timeout": None,
         "distributed.scheduler.no-workers-timeout": None,
         "distributed.worker.lifetime.duration": None,
+        "distributed.admin.large-graph-warning-threshold": "1GB",  # batches carry measured maps
         "distributed.admin.low-level-log-length": 0,  # otherwise 1000 messages stay in memory
         # By default, event-loop ticks and profiles take a tenth of a core in an idle process.
         "distributed.admin.tick.interval": "1s",
