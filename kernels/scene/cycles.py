@@ -41,16 +41,16 @@ def averaging_window(scene: SceneCase, steps: Steps) -> AveragingWindow | None:
     return AveragingWindow(int(np.argmin(np.abs(ends - begin))), last, np.zeros(3))
 
 
-def cycle_mean(window: AveragingWindow | None) -> dict[str, np.ndarray]:
+def cycle_mean(window: AveragingWindow | None, sheared: bool) -> dict[str, np.ndarray]:
     """Return the mean friction over the mean normal force in a window, by name, in h/dx.
 
-    Its part by shear is the rest beside mu.
+    sheared : whether friction has a part by shear, which is the rest beside mu.
     """
     if window is None:
         return {}
     normal, friction, part = window.sums
     means = np.array([friction, friction - part]) / (normal if normal > 0.0 else np.nan)
-    return dict(zip(CYCLE_MEANS, means, strict=True))
+    return dict(zip(CYCLE_MEANS[: 1 + sheared], means, strict=False))
 
 
 @kernel

@@ -34,6 +34,7 @@ class Recorders:
             self.lengths = ContactLengths(scene.edges * m, np.zeros(bins))
         self.snapshots = frames if "snapshots" in requested else None
         self.window = averaging_window(scene, steps)
+        self.sheared = scene.effects.shear is not None
 
     def record_start(self, track: Any, acting: Forces, d: float, width: float) -> None:
         """Record the trace of the start, if step 0 is requested.
@@ -66,4 +67,4 @@ class Recorders:
             values |= zip(ENERGIES, self.energies.energies, strict=True)
         if self.lengths is not None:
             values["contact_length"] = self.lengths.counts / max(self.recorded.size, 1)
-        return values | cycle_mean(self.window)
+        return values | cycle_mean(self.window, self.sheared)

@@ -149,11 +149,12 @@ def test_a_matrix_of_heights(tmp_path, header):
 
 @pytest.mark.parametrize(("rows", "answer"), [(12, True), (11, False)])
 def test_a_strip_is_no_map(tmp_path, rows, answer):
-    """The square of a half-space would omit more than half of its samples."""
+    """Under a force: a square would omit more than half of the samples."""
     text = f"Width: 12 um\nHeight: {rows / 2} um\nunit = nm\n"
     lines = read(tmp_path, text + "".join(matrix().splitlines(True)[:rows]))
     assert lines.row_spacing == pytest.approx(lines.step)
-    assert is_map(lines) == answer
+    assert is_map(lines, loaded_by_force=True) == answer
+    assert is_map(lines)
 
 
 def test_a_matrix_without_a_step_says_how_to_give_it(tmp_path):
