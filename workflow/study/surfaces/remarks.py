@@ -27,7 +27,7 @@ BARE_REMARK = re.compile(
 )
 SCALE_REMARK = re.compile(
     r"mult|cz|wavelength"
-    r"|(z|height|data|value)?s?[-_ ]*(conversion)?[-_ ]*(scal(e|ing)|factor|multiplier|calibration)"
+    r"|(z|height|data|value)?s?[-_ ]*(conversion[-_ ]*)?(scal(e|ing)|factor|multiplier|calibration)"
     r"[-_ ]*(factor)?( ?[\[(].{0,20})?"  # z scale (nm)
 )
 
