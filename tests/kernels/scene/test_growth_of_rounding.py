@@ -16,6 +16,7 @@ from elastomer_friction.kernels.interface.effects import Effects
 from elastomer_friction.kernels.interface.layer import Layer
 from elastomer_friction.kernels.interface.shear import Bell, ShearLaw
 from elastomer_friction.kernels.scene import run_scene
+from elastomer_friction.workflow.reduce.resolution import MAP_BIAS
 from tests.kernels.half_space.test_friction_heat import WARM
 from tests.kernels.half_space.test_limits import rough
 from tests.kernels.scene.given import KELVIN, PRONY, PULLS, SOLID, a_line, a_scene
@@ -70,7 +71,8 @@ SCENES = {
 def test_rounding_of_heights_does_not_grow(on_map, programme, material, changes, drive):
     """Traces agree within the tolerance of the force balance, 1e-5 of their range.
 
-    A drive with shear, which can stick, agrees to 1 % of the range.
+    With shear, which can stick, a drive may take another sequence of steps: traces then agree
+    within the error that a resolved map states.
     """
     surface = rough(8, M) if on_map else a_line(20)
     scene = a_scene(programme, material, M, **changes)
@@ -86,5 +88,6 @@ def test_rounding_of_heights_does_not_grow(on_map, programme, material, changes,
 
     exact, changed = friction(1.0), friction(1.0 + 1e-12)
     assert np.ptp(exact) > 0.0
-    tolerance = 1e-2 if drive and "effects" in changes else 1e-5
-    np.testing.assert_allclose(changed, exact, rtol=0.0, atol=tolerance * np.ptp(exact))
+    sticks = drive and "effects" in changes
+    tolerance = MAP_BIAS * np.max(np.abs(exact)) if sticks else 1e-5 * np.ptp(exact)
+    np.testing.assert_allclose(changed, exact, rtol=0.0, atol=tolerance)
