@@ -199,8 +199,8 @@ def recorded_values(record: SliderRecord, last: Moment) -> dict[str, np.ndarray]
     if record.every:
         if known == record.times.size:
             raise ValueError(
-                f"trace = {record.every}: the slider takes {tally['steps']} steps, of which "
-                f"{known} can be stored; store fewer of them"
+                f"trace = {record.every}: the slider takes {tally['steps']} steps, but only "
+                f"{known} samples can be stored; give a larger number of steps per sample"
             )
         record.times[known:] = math.nan
     moments[:, known:] = math.nan if record.every else np.array(last)[:, None]

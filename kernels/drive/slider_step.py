@@ -230,8 +230,8 @@ def accept_step(pulled, leg, progress, moved, step):
     known = balance.acceleration, balance.acceleration_time, balance.friction_time
     ends = balance.end, energies
     motion = SliderState(end, place, dt, moved / dt, *known, acting.friction, *ends)
-    # The duration of a step that ends at a sample is no pace: from sample to sample, it would
-    # amplify rounding.
+    # The duration of a step that ends at a sample does not become the pace, which would amplify
+    # rounding from sample to sample.
     pace = max(dt, pulled.hold_growth * progress.pace)
     samples_moved = pulled.steps_per_spacing * abs(moved)
     if dt < pace * samples_moved:

@@ -28,8 +28,7 @@ from .body import HalfSpace
 from .waves import two_sided, wave_numbers
 
 TEMPERATURE_TOLERANCE = 0.5  # K; a step that warms by up to 1 K is not repeated
-# K; the search of a drive needs friction that is a continuous function of the motion:
-DRIVE_TEMPERATURE_TOLERANCE = 1e-4
+DRIVE_TEMPERATURE_TOLERANCE = 1e-4  # K; larger ones let friction jump in the search of a drive
 FIRST_WARMING = 100.0  # K, limit of the first change of an assumed temperature
 SHEAR_TOLERANCE = 1e-3  # K, of the temperature at which shear acts in steady sliding
 MIN_WARMING = 1e-9  # K, smallest change by a secant

@@ -40,9 +40,7 @@ class SceneCase(NamedTuple):
     edges: np.ndarray  # of the bins of contact lengths, shape (bins + 1,), in dx
     frames: np.ndarray  # numbers of the steps with a snapshot, increasing; 0 is the start
     effects: Effects = NO_EFFECTS  # of a half-space
-    slider_steps: int = (
-        0  # with a drive: n, to record every n-th step of the slider; 0: ``recorded``
-    )
+    slider_steps: int = 0  # every n-th step of a pulled slider is recorded; 0: as ``recorded``
 
 
 class Origin(NamedTuple):

@@ -120,7 +120,7 @@ def _output_of(options: argparse.Namespace) -> Path | None:
 
 
 def _name_for_study(out: Path) -> str:
-    """Return the name of a file for a study: relative to a study beside it, else absolute."""
+    """Return the name of a file for a study: relative if a study.toml is in its folder."""
     beside = (out.parent / "study.toml").is_file()
     return out.name if beside else out.resolve().as_posix()
 

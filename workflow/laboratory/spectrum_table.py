@@ -31,7 +31,7 @@ def describe_spectrum(profile: Profile, spectrum: MeasuredSpectrum, fit: Rolloff
     rows = {
         "read as": kind,
         "h": f"{profile.roughness:.4g} m{plus_minus(percent, f'{percent:.0f} %')}",
-        "skewness": f"{with_error(*skewness_of(profile))}",
+        "skewness": with_error(*skewness_of(profile)),
         "H": f"{with_error(*fit.hurst)}, from waves of "
         f"{2.0 * math.pi / fit.first_q:.3g} to {shortest:.3g} m",
         "roll-off": rolloff,

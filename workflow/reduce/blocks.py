@@ -156,10 +156,8 @@ def _legs_at(tasks: list[Task], times: np.ndarray) -> np.ndarray:
     """
     legs = np.full(times[:, 0].shape, np.nan)
     for row, task in enumerate(tasks):
-        ends, known = (
-            np.cumsum([leg_duration(leg) for leg in task.problem.programme]),
-            np.isfinite(times[row, 0]),
-        )
+        ends = np.cumsum([leg_duration(leg) for leg in task.problem.programme])
+        known = np.isfinite(times[row, 0])
         legs[row, known] = np.searchsorted(ends[:-1], times[row, 0, known] * (1.0 - 1e-12))
     return legs
 

@@ -110,8 +110,8 @@ def _facts(plan: Plan, variant: Variant) -> dict[str, str | int | float]:
     if lines.body == plan.study.surface.body:
         facts["body_reason"] = plan.study.body_reason
     if "steady" in plan.study.scene.quantities:
-        own = variant is plan.variants[0]
-        facts["model_ratio_source"] = model_source(plan) if own else NO_RATIO
+        is_comparison = variant is not plan.variants[0]
+        facts["model_ratio_source"] = NO_RATIO if is_comparison else model_source(plan)
     if plan.study.realizations == 1:
         facts["standard_errors"] = lines.single_error
     share = plan.study.force_share(variant.label)

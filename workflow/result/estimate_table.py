@@ -26,8 +26,11 @@ def short_table(data: xr.Dataset) -> list[str]:
     ``model_ratio``, the error of the model, has a standard error alone. A point at which contacts
     are narrower than a sample is marked as unresolved.
     """
-    names = [name for name in ESTIMATES if name in data and np.isfinite(data[name]).any()]
-    if not names or data[names[0]].size > MAX_POINTS:
+    names = [name for name in ESTIMATES if name in data]
+    if not names or data[names[0]].size > MAX_POINTS:  # before any value is read
+        return []
+    names = [name for name in names if np.isfinite(data[name]).any()]
+    if not names:
         return []
     axes = [str(axis) for axis in data[names[0]].dims]
     varied = [axis for axis in axes if data.sizes[axis] > 1] or ["velocity"]

@@ -14,12 +14,8 @@ from ..store import DamagedShard, Store, store_folder
 from ..study import COMMON_AXES, Study
 from ..system import hold
 
-NOT_OF_A_BLOCK = (
-    "halved_steps",
-    "halved_steps_curve",
-    "slip_changes",
-    "tiles",
-)  # parts of a row for errors alone
+# Parts of a row that serve errors alone:
+NOT_OF_A_BLOCK = ("halved_steps", "halved_steps_curve", "slip_changes", "tiles")
 NO_MEANS = ("_error", "_bias", "_replicates")  # ends of names
 
 
