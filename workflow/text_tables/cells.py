@@ -4,7 +4,7 @@ import csv
 import re
 from array import array
 from collections import Counter
-from collections.abc import Iterator
+from contextlib import suppress
 from typing import NamedTuple
 
 import numpy as np
@@ -21,32 +21,32 @@ LEADING_ZERO = re.compile(r"0\d+")  # occurs in the decimals of 1,05, not in int
 # Limits of the sample of lines, from the start and the middle, used to find the delimiter.
 MAX_SAMPLE_LINES, MIN_SAMPLE_LINES, MAX_SAMPLE_CHARACTERS = 250, 20, 50_000
 MAX_SCORED_CELLS = 1000  # of each line of the sample
-END_OF_LINE = re.compile("\r\n|[\n\r\v\f\x1c-\x1e\x85\u2028\u2029]")  # as in str.splitlines
 # Limits of the lines that are not rows, since some patterns take quadratic time.
 MAX_REMARK_CHARACTERS, MAX_TITLE_CHARACTERS, MAX_WORD_CHARACTERS = 10_000, 200, 100_000
 
 
 class Cells(NamedTuple):
-    """Rows of a text and the lines between them. A row takes 24 bytes beside the text."""
+    """Lines of a text and the rows among them."""
 
-    text: str
+    lines: list[str]  # from 1; the first stands for the start of the text
+    rows: "array[int]"  # number of the line of each row
     width: int  # number of cells in each row
-    starts: "array[int]"  # index of the first character of each row
-    ends: "array[int]"  # index after its last character
-    lines: "array[int]"  # line number of each row, from 1
     numeric: list[int]  # indices of the columns that hold numbers
-    above: list[str]  # lines before the first row
-    between: list[tuple[int, list[str]]]  # (index of the next row, lines before it)
     delimiter: str | None
-    plain: bool = True  # whether all cells are numbers with a decimal mark at most
 
     def row(self, number: int) -> list[str]:
         """Return the cells of a row as written, ``width`` in number."""
-        line = self.text[self.starts[number] : self.ends[number]]
-        if self.plain:
-            return split(line, self.delimiter)
-        cells = _trimmed(split(_without_remark(line), self.delimiter))
-        return cells + [""] * (self.width - len(cells))
+        cells = split(_without_remark(self.lines[self.rows[number]]), self.delimiter)
+        return cells[: self.width] + [""] * (self.width - len(cells))
+
+    def gaps(self) -> list[tuple[int, list[str]]]:
+        """Return the lines before the first row, between rows, and after the last one.
+
+        With each, the index of the next row is given. The lines before the first are always given.
+        """
+        ends = np.concatenate([[0], self.rows, [len(self.lines)]])
+        gaps = {0, *np.flatnonzero(np.diff(ends) > 1).tolist()}
+        return [(n, self.lines[ends[n] + 1 : ends[n + 1]]) for n in sorted(gaps)]
 
 
 def split(line: str, delimiter: str | None) -> list[str]:
@@ -55,7 +55,8 @@ def split(line: str, delimiter: str | None) -> list[str]:
         parts = line.split()
         return [word.strip('"') if word.count('"') == 2 else word for word in parts]
     if '"' in line:
-        return [word.strip() for word in next(csv.reader([line.strip()], delimiter=delimiter))]
+        with suppress(csv.Error):  # a cell of 131 072 characters: it is no number
+            return [word.strip() for word in next(csv.reader([line.strip()], delimiter=delimiter))]
     return [word.strip() for word in line.split(delimiter)]
 
 
@@ -75,73 +76,37 @@ def cells_of(text: str) -> Cells:
     numbers. Raises ValueError if there is no row of numbers, or if a row below the first has
     another length.
     """
-    text = END_OF_LINE.sub("\n", text) + "\n"
-    sample = _sample_of(text)
-    delimiter, width = _delimiter_and_width(sample)
-    rows = [_trimmed(split(line, delimiter)) for line in sample]
-    numeric = _numeric_columns([row for row in rows if len(row) <= width], width)
-    starts, ends, numbers = array("q"), array("q"), array("q")
-    cells = Cells(text, width, starts, ends, numbers, numeric, [], [], delimiter)
-    pending: list[str] = []
-    pattern, plain = _plain_row_pattern(delimiter, width if len(numeric) == width else 0), True
-    for number, (start, line) in enumerate(_lines(text), 1):
-        if not pattern.fullmatch(line):  # the fast path for long files
-            if not _is_row(line, number, cells):
-                if line or pending[-1:] != [""]:  # one empty line stands for several
-                    pending.append(line)
-                continue
-            plain = False
-        if not starts:
-            cells.above.extend(pending)
-        elif pending:
-            cells.between.append((len(starts), pending))
-        pending = []
-        starts.append(start)
-        ends.append(start + len(line))
-        numbers.append(number)
-    if not starts:
+    lines = text.splitlines()
+    lines.insert(0, "")
+    delimiter, width, sample = _divided(_sample_of(lines))
+    cells = Cells(lines, array("q"), width, _numeric_columns(sample, width), delimiter)
+    for number, line in enumerate(lines):
+        if _is_row(line, number, cells):
+            cells.rows.append(number)
+    if not cells.rows:
         raise ValueError("holds no row of numbers")
-    cells.between.append((len(starts), pending))
-    cells = cells._replace(plain=plain)
+    stated = sum(map(is_numeral, cells.row(0)))
+    if np.diff(cells.rows[:2]).sum() > 1 and 2 * stated < len(cells.numeric):
+        del cells.rows[0]  # a mostly empty row above a line of titles
     _check_words(cells)
-    _move_head_row(cells)
     return cells
 
 
-def _move_head_row(cells: Cells) -> None:
-    """Move a first row that is mostly empty and stands above a line of titles to the head."""
-    at, titles = cells.between[0]
-    if at == 1 < len(cells.lines) and 2 * sum(map(is_numeral, cells.row(0))) < len(cells.numeric):
-        cells.above.extend([cells.text[cells.starts[0] : cells.ends[0]], *titles])
-        for rows in (cells.starts, cells.ends, cells.lines, cells.between):
-            del rows[0]
-        cells.between[:] = [(row - 1, lines) for row, lines in cells.between]
-
-
-def _lines(text: str) -> Iterator[tuple[int, str]]:
-    """Return the lines of a text with the indices of their first characters."""
-    return ((match.start(1), match[1]) for match in re.finditer("(.*)\n", text))
-
-
-def _sample_of(text: str) -> list[str]:
+def _sample_of(lines: list[str]) -> list[str]:
     """Return lines from the start and the middle of a text that are not empty or comments.
 
     Remarks at their ends are removed.
     """
-    starts, longest = array("q"), 1
-    for start, line in _lines(text):
-        if line.strip() and not is_comment(line):
-            starts.append(start)
-            longest = max(longest, len(line))
+    content = [line for line in lines if line.strip() and not is_comment(line)]
+    longest = max(map(len, content), default=1)
     count = max(MIN_SAMPLE_LINES, min(MAX_SAMPLE_LINES, MAX_SAMPLE_CHARACTERS // longest))
-    middle = max(len(starts) // 2, count)
-    sample = starts[:count] + starts[middle:][:count]
-    return [_without_remark(text[start : text.index("\n", start)]) for start in sample]
+    middle = max(len(content) // 2, count)
+    return [_without_remark(line) for line in content[:count] + content[middle:][:count]]
 
 
 def _check_words(cells: Cells) -> None:
     """Raise ValueError if the lines that are not rows exceed the limits."""
-    sizes = [len(line.strip()) for _, lines in ((0, cells.above), *cells.between) for line in lines]
+    sizes = [len(line.strip()) for _, lines in cells.gaps() for line in lines]
     titles = cells.width * MAX_TITLE_CHARACTERS
     for size, limit, place in (
         (max(sizes, default=0), MAX_REMARK_CHARACTERS + titles, "a line without numbers"),
@@ -151,45 +116,26 @@ def _check_words(cells: Cells) -> None:
             raise ValueError(f"holds {size} characters in {place}, more than {limit}: shorten them")
 
 
-def _plain_row_pattern(delimiter: str | None, width: int) -> re.Pattern[str]:
-    """Return the pattern of a row of `width` plain numbers; for 0 it never matches."""
-    if not width:
-        return re.compile(r"(?!)")
-    mark = r"\." if delimiter == "," else "[.,]"
-    number = rf"[+-]?(?:\d+(?:{mark}\d*)?|{mark}\d+)(?:[eE][+-]?\d+)?"
-    gap, blank = (r"\s+", r"\s*") if delimiter is None else (rf" *{re.escape(delimiter)} *", " *")
-    return re.compile(rf"{blank}{number}(?:{gap}{number}){{{width - 1}}}{blank}")
-
-
 def _is_row(line: str, number: int, table: Cells) -> bool:
     """Return whether a line is a row, not a comment or words. Raises ValueError."""
     if not line.strip() or is_comment(line):
         return False
-    untrimmed = split(_without_remark(line), table.delimiter)
-    cells = _trimmed(untrimmed)
-    numeric_cells = [cells[n] for n in table.numeric if n < len(cells)]
-    numbers = sum(map(is_numeral, numeric_cells))
-    width = table.width
-    first = not table.starts
-    if not numbers or (2 * numbers < len(table.numeric) and not all(map(_is_value, numeric_cells))):
+    cells = split(_without_remark(line), table.delimiter)
+    values = [cells[n] for n in table.numeric if n < len(cells)]
+    numbers, first = sum(map(is_numeral, values)), not table.rows
+    words = not all(is_numeral(cell) or is_missing(cell) for cell in values)
+    if not numbers or (words and (first or 2 * numbers < len(table.numeric))):
         return False
-    short = len(numeric_cells) < len(table.numeric) and len(untrimmed) < width
-    if first and (short or not all(map(_is_value, numeric_cells))):
-        return False
-    if len(cells) > width or (
-        len(untrimmed) < width and (table.delimiter is None or len(untrimmed) < 2)
-    ):
-        if first:
-            return False
+    divided = len(cells) > 1 and table.delimiter is not None
+    fits = not any(cells[table.width :]) and (len(cells) >= table.width or divided)
+    if first:
+        return fits and len(values) == len(table.numeric)
+    if not fits:
         raise ValueError(
-            f"line {number} reads {line.strip()!r:.40}: must hold {counted(width, 'cell')} as the "
-            "rows before it; part the file there if another table begins"
+            f"line {number} reads {line.strip()!r:.40}: must hold {counted(table.width, 'cell')} "
+            "as the rows before it; part the file there if another table begins"
         )
     return True
-
-
-def _is_value(word: str) -> bool:
-    return is_numeral(word) or is_missing(word)
 
 
 def _trimmed(cells: list[str]) -> list[str]:
@@ -200,9 +146,10 @@ def _trimmed(cells: list[str]) -> list[str]:
     return cells[:end]
 
 
-def _delimiter_and_width(sample: list[str]) -> tuple[str | None, int]:
-    """Return the delimiter and the number of cells per row."""
-    best: tuple[int, str | None, int] = (0, None, 1)
+def _divided(sample: list[str]) -> tuple[str | None, int, list[list[str]]]:
+    """Return the delimiter, the number of cells per row, and the cells of a sample of lines."""
+    best: tuple[str | None, int, list[list[str]]] = (None, 1, [])
+    most = 0
     for delimiter in DELIMITERS:
         rows = [_trimmed(split(line, delimiter)) for line in sample]
         if delimiter == "," and _has_decimal_commas(rows):
@@ -214,9 +161,9 @@ def _delimiter_and_width(sample: list[str]) -> tuple[str | None, int]:
             numbers = sum(map(is_numeral, scored))
             score[len(row)] += numbers * (3 * numbers > len(scored)) - 3 * several  # 0 for words
         width, points = max(score.items(), key=lambda item: item[1], default=(1, 0))
-        if points > best[0]:
-            best = (points, delimiter, width)
-    return best[1:]
+        if points > most:
+            most, best = points, (delimiter, width, rows)
+    return best
 
 
 def _has_decimal_commas(rows: list[list[str]]) -> bool:
@@ -231,7 +178,7 @@ def _has_decimal_commas(rows: list[list[str]]) -> bool:
 
 def _numeric_columns(rows: list[list[str]], width: int) -> list[int]:
     """Return the columns that hold a number or a missing value in at least half of the rows."""
-    rows = [row for row in rows if any(map(is_numeral, row)) and 2 * len(row) >= width]
+    rows = [row for row in rows if any(map(is_numeral, row)) and width <= 2 * len(row) <= 2 * width]
     numerals = np.zeros((len(rows), width), dtype=bool)
     missing = np.zeros_like(numerals)
     for n, row in enumerate(rows):

@@ -3,6 +3,7 @@
 import math
 import re
 from collections.abc import Iterable
+from functools import lru_cache
 from typing import NamedTuple
 
 MISSING_WORDS = (
@@ -17,8 +18,11 @@ NUMERAL = re.compile(  # at most one decimal mark and one other mark, or grouped
 NUMERAL_TEXT = r"[-+]?\d[\d.,:]*(?:[eE][-+]?\d+)?"  # in prose
 CLOCK = re.compile(r"(\d{1,3}):([0-5]\d):([0-5]\d(?:[.,]\d+)?)")  # h:min:s
 EXPONENT_MARK = re.compile(r"[eEdD]")
-COMMA_GROUPS = re.compile(r"[+-]?[1-9]\d{0,2}(?:,\d{3})+(?:\.\d*)?")  # 1,234,567.8
-POINT_GROUPS = re.compile(r"[+-]?[1-9]\d{0,2}(?:\.\d{3})+(?:,\d*)?")  # 1.234.567,8
+GROUPS = {  # 1,234,567.8 and 1.234.567,8
+    mark: re.compile(rf"[+-]?[1-9]\d{{0,2}}(?:[{mark}]\d{{3}})+(?:[{other}]\d*)?")
+    for mark, other in (",.", ".,")
+}
+MAX_CACHED_WORDS = 1000
 
 
 class Marks(NamedTuple):
@@ -34,42 +38,55 @@ class Marks(NamedTuple):
         return word.replace(self.decimal, ".").lower().replace("d", "e")
 
     def number(self, word: str) -> float:
-        """Return the value of a word. Raises ValueError if it is not a number."""
-        return float(self.plain(word))
+        """Return the value of a word: NaN if it marks a missing value, infinite if not a number."""
+        if is_missing(word):
+            return math.nan
+        try:
+            return float(self.plain(word))
+        except ValueError:
+            return math.inf
 
 
 def marks_of(words: Iterable[str]) -> Marks:
-    """Return the separators of the numbers of a table.
+    """Return the separators of the numbers among the words of a table.
 
     Raises ValueError if they are ambiguous: 600,362 may be 600.362 or 600362. Numbers such as 0,5
     or 1,234.5 resolve this. A decimal point in another number does not, since the formats of two
     columns may differ.
     """
-    commas, points = set[str](), set[str]()
-    marked = ((",", commas), (".", points))
+    uses: dict[tuple[str, str], str] = {}  # the first number with each use of a mark
     for word in words:
-        for mark, words_with_it in marked:
-            if mark in word:
-                words_with_it.add(EXPONENT_MARK.split(word, maxsplit=1)[0])
-    if not commas:
-        grouped = any(word.count(".") > 1 for word in points)
-        return Marks("," if grouped else ".", "." if grouped else "")
-    if all(map(COMMA_GROUPS.fullmatch, commas)):  # every comma may separate thousands
-        if any("." in word or word.count(",") > 1 for word in commas):
-            return Marks(".", ",")
-        word = min(commas)
-        raise ValueError(
-            f"{word} may be {word.replace(',', '.')} or {word.replace(',', '')}: write decimal "
-            "points and no marks between thousands"
-        )
-    if all(map(POINT_GROUPS.fullmatch, points)):
-        return Marks(",", "." if points else "")
-    raise ValueError(
-        f"holds both {min(commas)} and {min(points)}: write decimal points and no marks between "
-        "thousands"
+        for use in _uses_of_marks(word):
+            uses.setdefault(use, word)
+    advice = "write decimal points and no marks between thousands"
+    # Numbers in which the decimal mark cannot be a point, and those in which it cannot be a comma.
+    commas, points = (
+        uses.get((other, "decimal"), uses.get((mark, "groups"))) for mark, other in (".,", ",.")
     )
+    if commas and points:
+        raise ValueError(f"holds both {commas} and {points}: {advice}")
+    either = uses.get((",", "either"))
+    if either and (",", "decimal") not in uses and (",", "groups") not in uses:
+        raise ValueError(
+            f"{either} may be {either.replace(',', '.')} or {either.replace(',', '')}: {advice}"
+        )
+    decimal, thousands = ",." if commas else ".,"
+    return Marks(decimal, thousands if any(mark == thousands for mark, _ in uses) else "")
 
 
+@lru_cache(maxsize=MAX_CACHED_WORDS)
+def _uses_of_marks(word: str) -> list[tuple[str, str]]:
+    """Return the marks in a number, each as "decimal", as of "groups", or as "either"."""
+    digits = EXPONENT_MARK.split(word, maxsplit=1)[0] if is_numeral(word) else ""
+    grouped = "either" if digits.count(",") + digits.count(".") == 1 else "groups"
+    return [
+        (mark, grouped if groups.fullmatch(digits) else "decimal")
+        for mark, groups in GROUPS.items()
+        if mark in digits
+    ]
+
+
+@lru_cache(maxsize=MAX_CACHED_WORDS)
 def is_numeral(word: str) -> bool:
     """Return whether a word is a number, with any separators."""
     return bool(NUMERAL.fullmatch(word))

@@ -1,6 +1,5 @@
 """Rows of a text file with titles and blocks, before their units are converted."""
 
-import csv
 import re
 from collections.abc import Iterator
 from functools import cached_property
@@ -12,7 +11,7 @@ import numpy as np
 from ..ground import UserError, decoded, foreign_content, is_text, read_plain
 from .cells import Cells, cells_of, is_comment
 from .headers import Title, header_of
-from .numerals import Marks, is_missing, is_numeral, marks_of, seconds_of
+from .numerals import Marks, marks_of, seconds_of
 from .units import unit_of
 
 MAX_LISTED = 12  # columns in one message
@@ -31,21 +30,24 @@ class TextTable:
         self.key, self.name = key, name
         self.row = cells.row  # returns the words of a row as written, always ``width``
         self.width = cells.width  # number of columns, including columns of words
-        self.lines = cells.lines  # line number of each row, from 1
+        self.lines = cells.rows  # line number of each row, from 1
         self.numeric = tuple(cells.numeric)  # indices of the columns of numbers
-        self.delimiter = cells.delimiter
-        self.above = tuple(cells.above)  # lines before the first row
-        self.between = cells.between  # (index of the next row, lines) between blocks
-        self.titles, self.unread = header_of(cells.above, cells.delimiter, self.width)
+        self.delimiter, self.marks = cells.delimiter, marks
+        (_, above), *below = cells.gaps()
+        self.above = tuple(above)  # lines before the first row
+        self.passed_over = tuple(
+            line.strip() for _, lines in below for line in lines if _is_words(line)
+        )  # lines of words below the first row
+        # (index of the next row, lines) between rows
+        self._between = [(at, lines) for at, lines in below if at < len(self.lines)]
+        self.titles, self.unread = header_of(above, cells.delimiter, self.width)
         self._check_blocks()
-        self.plain, self.marks = cells.plain, marks
 
     @cached_property
     def blocks(self) -> tuple[slice, ...]:
         """Return the rows of each block. Lines of words, or empty lines, separate blocks."""
-        inner = [(at, lines) for at, lines in self.between if 0 < at < len(self.lines)]
-        words = [at for at, lines in inner if any(map(_is_words, lines))]
-        blank = [at for at, _ in inner]
+        words = [at for at, lines in self._between if any(map(_is_words, lines))]
+        blank = [at for at, _ in self._between]
         many = len(blank) * MIN_BLOCK_ROWS > len(self.lines)  # e.g. every other line is empty
         starts = [0, *(words if many else blank), len(self.lines)]
         return tuple(slice(a, b) for a, b in pairwise(starts) if b > a)
@@ -53,11 +55,11 @@ class TextTable:
     def block_header(self, block: int) -> tuple[str, ...]:
         """Return the lines before a block; ``above`` for the first block."""
         start = self.blocks[block].start
-        return self.above if not start else tuple(dict(self.between).get(start, ()))
+        return self.above if not start else tuple(dict(self._between).get(start, ()))
 
     def _check_blocks(self) -> None:
         """Raise UserError if titles below the first row state other units or another order."""
-        firsts = {tuple(lines): at for at, lines in self.between[-2::-1] if any(lines)}
+        firsts = {tuple(lines): at for at, lines in self._between[::-1] if any(lines)}
         for lines, at in firsts.items():
             titles = header_of(lines, self.delimiter, self.width).titles
             names = [[title.name for title in header] for header in (titles, self.titles)]
@@ -70,11 +72,6 @@ class TextTable:
                     "other units or another order of columns than those above the first row: part "
                     "the file there"
                 )
-
-    @property
-    def passed_over(self) -> tuple[str, ...]:
-        """Return the lines of words below the first row."""
-        return tuple(line.strip() for _, lines in self.between for line in lines if _is_words(line))
 
     def title(self, column: int) -> Title:
         """Return the title of a column; an empty title if the file has none."""
@@ -89,14 +86,13 @@ class TextTable:
 
         Raises UserError, naming the line, for a word that is not a number.
         """
-        numbers, unread = self._numbers
-        if column in unread:
-            row = unread[column]
+        values = np.ascontiguousarray(self._numbers[:, column])
+        for row in np.flatnonzero(np.isinf(values)).tolist():
             raise UserError(
                 f"{self.key} = {self.name!r}: line {self.lines[row]} reads "
                 f"{' '.join(self.row(row))!r:.40}: must hold a number in column {column}"
             )
-        return np.ascontiguousarray(numbers[:, column])
+        return values
 
     @cached_property
     def clocks(self) -> dict[int, np.ndarray]:
@@ -106,25 +102,12 @@ class TextTable:
         return {n: values for n, values in seconds.items() if np.isfinite(values).all()}
 
     @cached_property
-    def _numbers(self) -> tuple[np.ndarray, dict[int, int]]:
-        """Return the numbers of all columns, shape (rows, width), NaN if missing.
-
-        Also return, for each column with a word that is not a number, the first row with one.
-        """
-        numbers, unread = np.full((len(self.lines), self.width), np.nan), dict[int, int]()
-        plain_number = float if self.marks == Marks() else self.marks.number
+    def _numbers(self) -> np.ndarray:
+        """Return the numbers of all columns, shape (rows, width), as ``Marks.number``."""
+        numbers = np.empty((len(self.lines), self.width))
         for row in range(len(self.lines)):
-            words = self.row(row)
-            if self.plain:
-                numbers[row] = list(map(plain_number, words))
-                continue
-            for column, word in enumerate(words):
-                if not is_missing(word):
-                    try:
-                        numbers[row, column] = self.marks.number(word)
-                    except ValueError:
-                        unread.setdefault(column, row)
-        return numbers, unread
+            numbers[row] = list(map(self.marks.number, self.row(row)))
+        return numbers
 
     @property
     def columns_text(self) -> str:
@@ -163,10 +146,10 @@ def table_of_text(key: str, name: str, text: str) -> TextTable:
     """Return the table of a text. Raises UserError as ``read_text_table`` does."""
     try:
         cells = cells_of(text)
-        rows = map(cells.row, range(len(cells.lines)))
-        numbers = (row[n] for row in rows for n in cells.numeric if is_numeral(row[n]))
-        points_only = cells.plain and (cells.delimiter == "," or "," not in text)
-        marks = Marks() if points_only else marks_of(numbers)
-    except (ValueError, csv.Error) as error:  # csv.Error: a cell in quotes of 131 072 characters
+        rows = map(cells.row, range(len(cells.rows)))
+        marks = Marks()
+        if re.search(r",|\.\d+\.", text):  # not only decimal points
+            marks = marks_of(row[n] for row in rows for n in cells.numeric)
+    except ValueError as error:
         raise UserError(f"{key} = {name!r}: {error}") from None
     return TextTable(key, name, cells, marks)

@@ -31,6 +31,8 @@ def test_marks_of_a_table(words, numbers):
         ("600,362 12", "600,362 may be 600.362 or 600362"),
         ("0.100 600,362", "may be"),
         ("0,5 2.5", "holds both 0,5 and 2.5"),
+        ("0.5 1.234.567", "holds both 1.234.567 and 0.5"),
+        ("0,5 1,234,567", "holds both 0,5 and 1,234,567"),
     ],
 )
 def test_what_can_be_read_in_two_ways_is_refused(words, why):
