@@ -17,7 +17,7 @@ from ..system import make_folder, write_durably
 from .exit_status import DONE
 
 NUMBERS = {  # of an option
-    "--columns": "three numbers from 0, as 0,1,2",
+    "--columns": "whole numbers from 0, as 0,1,2",
     "--temperatures": "numbers in °C, as -20,0,20",
 }
 
@@ -75,7 +75,7 @@ def fit_moduli(
     if start is not None and not 0.0 < start < math.inf:
         raise UserError(f"--from {start:g}: must be greater than zero")
     if columns is not None:
-        _check_columns(columns, (2, 3))
+        _check_columns(columns, least=2)
     given = () if temperatures is None else temperatures
     if not all(map(math.isfinite, given)):
         raise _wrong("--temperatures", ",".join(map(str, given)))
@@ -139,11 +139,13 @@ def _at_one_temperature(
     return None
 
 
-def _check_columns(columns: Sequence[int], counts: tuple[int, ...] = (3,)) -> None:
-    """Raise UserError unless columns are whole numbers from 0, their number one of ``counts``."""
+def _check_columns(columns: Sequence[int], least: int = 3) -> None:
+    """Raise UserError unless columns are ``least`` to three whole numbers from 0."""
     whole = all(isinstance(column, int | np.integer) and column >= 0 for column in columns)
-    if not whole or len(columns) not in counts:
-        raise _wrong("--columns", ",".join(map(str, columns)))
+    if not whole or not least <= len(columns) <= 3:
+        count = "three" if least == 3 else "two or three"
+        given = ",".join(map(str, columns))
+        raise UserError(f"--columns {given}: must be {count} numbers from 0, as 0,1,2")
 
 
 def _parsed(option: str, words: str | None, number: type) -> Any:

@@ -22,7 +22,7 @@ PLACE = ColumnSpec(
 FRICTION = ColumnSpec(
     "a coefficient of friction",
     "number",
-    r"fric|reibung|^(mu|\u03bc|\u00b5)([\W_\d]|$)|coef|cof",
+    r"fric|reib|^(mu|\u03bc|\u00b5)([\W_\d]|$)|coef|cof",
     "1",
 )
 LARGEST_NOISE = 0.05  # largest relative noise of a velocity from differences of displacements

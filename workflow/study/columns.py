@@ -148,8 +148,9 @@ def _column_numbers(table: TextTable, wanted: Sequence[ColumnSpec], option: str)
     missing = [spec for spec in wanted if spec not in numbers]
     free = [column for column in readable if column not in numbers.values()]
     for spec in list(missing):
-        matches = [column for column in free if spec.fits_unit(titles[column])]
-        if len(matches) == 1 and sum(other.family == spec.family for other in missing) == 1:
+        matches = [column for column in free if spec.has_unit(unit_of(titles[column].unit))]
+        fits = len(matches) == 1 and spec.fits_unit(titles[matches[0]])
+        if fits and sum(other.family == spec.family for other in missing) == 1:
             numbers[spec] = matches[0]
             missing.remove(spec)
             free.remove(matches[0])

@@ -22,7 +22,7 @@ from .sweeps import temperatures_of
 FREQUENCIES = ("rad/s", "Hz")
 MODULI = ("Pa", "kPa", "MPa", "GPa")
 INCOMPRESSIBLE = 0.5  # Poisson's ratio of rubber
-LOSS_FACTOR_NAME = r"tan|loss[ _-]*fact|damping"
+LOSS_FACTOR_NAME = r"tan|(loss|verlust)[ _-]*fa[ck]t|damping|d\u00e4mpf"
 PRIME = r"['`\u2032\u2019\u00b4]"  # in various spellings of G'
 DOUBLE_PRIME = rf"({PRIME}{{2}}|[\"\u2033\u201d])"
 FREQUENCY = ColumnSpec(
@@ -43,7 +43,7 @@ LOSS_MODULUS = ColumnSpec(
     "--modulus",
 )
 LOSS_FACTOR = ColumnSpec("tan delta, for G''", "number", LOSS_FACTOR_NAME, "1")
-RELAXATION_TIME = ColumnSpec("a time", "time", r"time|^t([\W_]|$)", "s")
+RELAXATION_TIME = ColumnSpec("a time", "time", r"time|zeit|temps|tiempo|^t([\W_]|$)", "s")
 RELAXATION_MODULUS = ColumnSpec(
     "a relaxation modulus", "pressure", r"modul|relax|^[GE]([\W_]|$)", "Pa", "--modulus"
 )

@@ -56,7 +56,8 @@ def split(line: str, delimiter: str | None) -> list[str]:
         return [word.strip('"') if word.count('"') == 2 else word for word in parts]
     if '"' in line:
         with suppress(csv.Error):  # a cell of 131 072 characters: it is no number
-            return [word.strip() for word in next(csv.reader([line.strip()], delimiter=delimiter))]
+            (cells,) = csv.reader([line.strip()], delimiter=delimiter, skipinitialspace=True)
+            return [word.strip() for word in cells]
     return [word.strip() for word in line.split(delimiter)]
 
 

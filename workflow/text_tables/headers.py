@@ -35,7 +35,9 @@ LINE_PATTERNS = (
     HeaderPattern(r"\|", "x [mm] | z [um]", "bars between titles"),
     HeaderPattern(r";", "x [mm]; z [um]", "semicolons between titles"),
     HeaderPattern(r",", "x [mm], z [um]", "commas between titles"),
-    HeaderPattern(r"(?<=[\])>}])\s+", "Raw x [mm] Raw z [um]", "a bracket ends each title"),
+    HeaderPattern(
+        r"(?<=[\])>}])\s+(?![\[(<{])", "Raw x [mm] Raw z [um]", "a bracket ends each title"
+    ),
     HeaderPattern(
         r"(?<!\s/)(?<!\sin)(?<!\s)\s++(?!/\s|in\s|[\[(<{])(?![^\[(<{]{0,60}[\])>}])",
         "x [mm] z_um",
@@ -58,8 +60,8 @@ TITLE_WITH_BRACKETS = re.compile(
 )
 ARGUMENT = re.compile(r"(?<=\S)\((t|ω|omega|w|f|x|y|q|T|i|a|τ|delta|δ|aT|a_T)\)")  # E(t), G'(ω)
 BRACKETED = re.compile(r"[\[(<{].*[\])>}]")
-COMMENT_MARK = re.compile(r"^\s*(?:#+|!+|//|%(?!\s*[;\t|,]))\s?")  # % may be the first unit
-UNITS_LABEL = re.compile(r"units?\s*[:=]\s*", re.IGNORECASE)  # units: mm, um
+COMMENT_MARK = re.compile(r"^\s*(?:#+|!+|//|%(?!\s*[;\t|,])) ?")  # % may be the first unit
+UNITS_LABEL = re.compile(r"\s*units?\s*[:=]\s*", re.IGNORECASE)  # units: mm, um
 QUANTITY = re.compile(rf"(?<![\w^./-]){NUMERAL_TEXT}\s*[^\s,;]+")  # 0.8 mm
 # Units that are also English words.
 ENGLISH_UNIT_WORDS = frozenset(("in", "day", "days", "turn", "turns", "foot", "feet", "none", "at"))
@@ -88,9 +90,11 @@ def header_of(above: Sequence[str], delimiter: str | None, width: int) -> Header
     last one.
     """
     near = [line for line in above if re.search(r"\w|%", line)][: -MAX_TITLE_LINES - 1 : -1]
+    if sum(line.lstrip().startswith("%") for line in near[:2]) == 2:  # a mark, not a unit
+        return header_of([re.sub(r"^\s*%", "#", line) for line in above], delimiter, width)
     lines = [_cells_of(line, delimiter, width) for line in near]
     named = [_titles_in(cells) for cells in lines]
-    counts = [sum(bool(title.unit) for title in titles) for titles in named]
+    counts = [sum(unit_of(title.unit) is not None for title in titles) for titles in named]
     for place, cells in enumerate(lines):
         beside = [n for n in (place + 1, place - 1) if 0 <= n < len(lines)]
         names_at = next((n for n in beside if named[n]), None)
@@ -108,7 +112,8 @@ def header_of(above: Sequence[str], delimiter: str | None, width: int) -> Header
         pairs = zip(names, units, strict=True)
         titles = (name._replace(unit=unit, stated=True) if unit else name for name, unit in pairs)
         return Header(tuple(titles), _unread_line(above, near, used))
-    best = max((n for n in range(len(named)) if named[n]), key=counts.__getitem__, default=None)
+    names = (n for n in range(len(named)) if any(title.name for title in named[n]))
+    best = max(names, key=counts.__getitem__, default=None)
     if best is not None:
         return Header(named[best], _unread_line(above, near, [near[best]]))
     if near and not is_comment(near[0]) and _may_be_names(near[0], width):
@@ -125,6 +130,8 @@ def _cells_of(line: str, delimiter: str | None, width: int) -> list[str]:
         cells = split(text, delimiter)
         while len(cells) > width and not cells[-1]:
             cells.pop()
+        if len(cells) == width + 1 and not cells[0]:  # a tab behind a comment mark
+            del cells[0]
         if len(cells) > 2 and cells[0].endswith(":"):  # a label of the line
             cells[0] = ""
         short = 2 * len(cells) >= width and _are_units(cells, named=False)
@@ -133,9 +140,16 @@ def _cells_of(line: str, delimiter: str | None, width: int) -> list[str]:
     readings = list[list[str]]()
     for pattern in LINE_PATTERNS:
         cells = [cell.strip(' \t";,|') for cell in re.split(pattern.separator, text.strip())]
-        if len(cells) == width and cells not in readings:
+        if len(cells) == width and cells not in readings and not any(map(_begins_with_unit, cells)):
             readings.append(cells)
     return readings[0] if len(readings) == 1 else []
+
+
+def _begins_with_unit(cell: str) -> bool:
+    """Return whether a cell begins with the unit of the title before it, as "K lg a_T"."""
+    first, _, rest = cell.partition(" ")
+    title = title_of(cell) if rest and unit_of(first) else None
+    return title is not None and not title.unit
 
 
 def _titles_in(cells: list[str]) -> tuple[Title, ...]:
@@ -227,5 +241,5 @@ def _words(line: str) -> list[str]:
 
 
 def _may_be_names(line: str, width: int) -> bool:
-    """Return whether a line may name ``width`` columns: enough words, and not a remark."""
-    return len(_words(line)) >= width and ":" not in line and not _is_remark(line.strip())
+    """Return whether a line may name ``width`` columns, one by "#": it is not a remark."""
+    return len(_words(line)) >= width - 1 and ":" not in line and not _is_remark(line.strip())

@@ -98,7 +98,7 @@ SCALED_UNIT = re.compile(
 )
 CLOCK_UNIT = re.compile(r"h+:m(m|in)?:s+([.,*]\w+)?", re.IGNORECASE)  # of a time of day
 CLOCK_WORDS = ("PM", "AM")  # of a time of day; PM is not picometre
-UNIT_FACTOR = re.compile(r"([^\W\d_]+|[%°#–—-]|1(?!\d))\^?\(?([+-]?\d)?\)?")  # noqa: RUF001
+UNIT_FACTOR = re.compile(r"([^\W\d_]+|[%°]|1(?!\d))\^?\(?([+-]?\d)?\)?")
 
 
 class Unit(NamedTuple):

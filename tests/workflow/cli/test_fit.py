@@ -49,6 +49,13 @@ def test_refusals(capsys, tmp_path, arguments, answer):
     assert answer in refusal(capsys, "fit", str(path), *arguments)
 
 
+@pytest.mark.parametrize("given", ["0", "0,1,2,3"])
+def test_prony_takes_two_or_three_columns(capsys, tmp_path, given):
+    path = str(measured(tmp_path))
+    answer = f"--columns {given}: must be two or three numbers from 0, as 0,1,2"
+    assert answer in refusal(capsys, "prony", path, "--columns", given)
+
+
 OMEGA = np.geomspace(1e-2, 1e4, 40)
 
 

@@ -19,6 +19,7 @@ def read(tmp_path, text, *arguments, **options):
         ("", 1.0, 1.0),
         ("Zeit [min]; v [µm/s]; mu", 60.0, 1e-6),
         ("Zeit [s];Geschwindigkeit [mm/s];Reibungszahl", 1.0, 1e-3),
+        ("Zeit [s];Geschwindigkeit [mm/s];Reibwert [-]", 1.0, 1e-3),
         ("t (s) v (m/s) mu", 1.0, 1.0),
         ("time_ms, velocity_mm_s, friction", 1e-3, 1e-3),
         ("t (us)\tv / mm·s⁻¹\tµ", 1e-6, 1e-3),

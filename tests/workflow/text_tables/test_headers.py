@@ -105,6 +105,7 @@ def test_a_row_of_fewer_units_than_columns_is_refused(units):
         ("T []\ttime (t)\tv [m/s]\tt0 [ms]\tmu [-]", "23\t100\t1\t7\t0.5", None),
         ("time,mu,v\na.u.,%", "100,50,1", None),
         ("v-m/s;time-s;No.--;µ-1", "1;100;7;0.5", None),
+        ("t s, v µm/s, share %, # -", "0.1, 1e6, 50, 1", None),
     ],
 )
 def test_what_stands_between_units_shifts_none(header, row, time):

@@ -121,6 +121,9 @@ def test_a_word_is_refused_in_a_column_that_is_read():
         ("Torque mN m,t s\n0,1\n1,2\n", ["mN m", "s"]),
         ("% % | ms\n% mu | t\n0 | 1\n1 | 2\n", ["%", "ms"]),
         ("# units: counts, um\n0 1\n1 2\n", ["counts", "um"]),
+        ('# x, z\n"um", "nm"\n0, 1\n1, 2\n', ["um", "nm"]),
+        ("% log aT,T\n% ,[K]\n0,1\n1,2\n", ["", "K"]),
+        ("f(x) {Hz} storage {Pa} n loss {Pa}\n1 9 2 3\n2 9 3 4\n", ["Hz", "Pa", "", "Pa"]),
         ("E(t) [Pa],t [s]\n0,1\n1,2\n", ["Pa", "s"]),
     ],
 )
@@ -180,6 +183,8 @@ MODULI = (OMEGA, STORAGE, LOSS)
         ("G' (kPa),G'' (kPa),f (Hz)\n1,2,3\n2,3,4\n", [2, 0, 1], 1e3),
         ("#;T;f;G'';G'\n-;°C;Hz;Pa;kPa\n1;2;3;4;5\n2;3;4;5;6\n", [2, 4, 3], 1e3),
         ("G' (MPa),B (MPa),C (kHz)\n1,2,3\n2,3,4\n", [2, 0, 1], 1e6),
+        ("G'';f (osc);G'\n[kPa];Hz;[kPa]\n3;1;2\n4;2;3\n", [1, 2, 0], 1e3),
+        ("##\tG''\tf\tG'\n#-\tkPa\tHz\tkPa\n1\t3\t1\t2\n2\t4\t2\t3\n", [2, 3, 1], 1e3),
         ("f.Hz|G'-MPa|G''; MPa\n1|2|3\n2|3|4\n", [0, 1, 2], 1e6),
         (
             "Interval and data points:\t1\t2\nInterval data:\tPoint\tf\tG'\tG''\n\t\t\t\t\n"
@@ -230,7 +235,7 @@ def test_columns_and_units_that_are_given():
         ("f storage loss\nHz mm s-1\n1 2 3\n2 3 4\n", "not clear"),
         ("f storage modulus loss\n# N mm-2\n1 2 3\n2 3 4\n", "not clear which"),
         ("# f in lsb storage in Pa loss in Pa\n1 2 3\n2 3 4\n", "not clear"),
-        ("% storage f loss\n% s V \n1 2 3\n2 3 4\n", "not clear what '% s V' says"),
+        ("% storage f loss\n% s V \n1 2 3\n2 3 4\n", "not clear what '. s V' says"),
         ("f,storage foo,loss\n1,2,3\n2,3,4\n", "not clear what 'foo' says"),
         ("f,storage. counts,loss\n1,2,3\n2,3,4\n", "not clear what 'counts' says"),
         ("f,storage.digits,loss\n1,2,3\n2,3,4\n", "not clear what 'digits' says"),
@@ -244,6 +249,7 @@ def test_columns_and_units_that_are_given():
         ("velocities in um/s" + 9 * "\n#" + "\nf G' G''\n1 2 3\n2 3 4\n", "what 'velocities in"),
         ("f,G',G'' in K\n1,2,3,4,5\n2,3,4,5,6\n", "5 columns without names, from 0: it is not"),
         ("nu [1/s],G' [Pa],G'' [Pa]\n1,2,3\n2,3,4\n", "'1/s' may be Hz or rad/s"),
+        ("f, Hz storage, MPa loss\n1 2 3\n2 3 4\n", "not clear which"),
     ],
 )
 def test_what_the_file_does_not_say_is_refused(text, words):
