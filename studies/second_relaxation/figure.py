@@ -29,6 +29,7 @@ CAPTION = (
 )
 HEATED, FLASH, COLD = "", "flash", "cold"
 STYLES = {HEATED: "-", FLASH: "--", COLD: ":"}
+NAMES = {HEATED: "contact and block heat", FLASH: "contact heats", COLD: "no heating"}
 TENTH = 0.1  # further share of the friction that the block takes at the second distance
 
 
@@ -69,6 +70,8 @@ def draw(groups: Groups) -> Figure:
                 slide = _slide(groups[name], velocity, middle)
                 _history(axes[0, 1], slide, "trace_contact_temperature", line, colour)
         axes[0, 0].plot([], [], color=colour, label=f"{with_unit(velocity, 'm/s')} × 3")
+    for name, line in STYLES.items():
+        axes[0, 1].plot([], [], line, color="0.3", label=NAMES[name])
     axes[0, 0].set(ylabel="coefficient of friction $\\mu$", title="(a) friction")
     axes[0, 1].set(ylabel="temperature (°C)", title="(b) contact temperature")
     _distances(axes[1, 0], groups, velocities, pressures)
@@ -130,7 +133,7 @@ def _background(ax: Axes, groups: Groups, velocities: np.ndarray, pressure: floa
         ax.plot(slid, added[inside], color=colour)
         ax.plot(slid, uniform[inside] / effusivity, ":", color=colour)
     ax.set(xscale="log", yscale="log", xlabel="distance since the step (m)")
-    ax.set(ylabel="rise of temperature (K)", title="(d) temperature added by the block")
+    ax.set(ylabel="rise of temperature (K)", title="(d) added by the block; dotted: theory")
 
 
 def _warmed(flux: np.ndarray, time: np.ndarray) -> float:

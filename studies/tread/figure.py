@@ -15,15 +15,15 @@ from elastomer_friction.workflow.result import Groups
 CAPTION = (
     "Friction of a tread rubber on a rough surface under a nominal pressure, over the speed: its "
     "sum with frictional heating at several temperatures (a); its viscoelastic and shear parts at "
-    "the middle temperature, hot (filled) and cold (open), with Persson's theory of the "
-    "viscoelastic part, cold (dotted) (b); real contact area, hot (filled) and cold (open) (c); "
+    "the middle temperature, hot (discs) and cold (squares), with Persson's theory of the "
+    "viscoelastic part, cold (dotted) (b); real contact area, hot (discs) and cold (squares) (c); "
     "and mean temperature of the contact over that of the scene (d). All heat enters the rubber, "
     "an upper bound."
 )
 HOT, COLD = "", "cold"
 FORMS: dict[str, dict[str, Any]] = {
     HOT: {"marker": "o", "ls": "-"},
-    COLD: {"marker": "o", "ls": "--", "mfc": "white"},
+    COLD: {"marker": "s", "ls": "--"},
 }
 PARTS = {"mu_1_viscoelastic": ("viscoelastic", "#0072B2"), "mu_1_shear": ("shear", "#D55E00")}
 

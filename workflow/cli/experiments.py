@@ -3,6 +3,7 @@
 import argparse
 import inspect
 import math
+import re
 import tomllib
 from collections.abc import Sequence
 from pathlib import Path
@@ -20,6 +21,7 @@ NUMBERS = {  # of an option
     "--columns": "whole numbers from 0, as 0,1,2",
     "--temperatures": "numbers in °C, as -20,0,20",
 }
+SURFACE_OPTIONS = ("columns", "units", "step", "gaps", "spikes", "detrend", "periodic")
 
 
 class FittedMaterial(dict[str, Any]):
@@ -191,9 +193,13 @@ def run_spectrum(options: argparse.Namespace) -> int:
         "file": options.file,
         "columns": words and [int(word) if word.strip().isdecimal() else word for word in words],
         "units": options.units and options.units.split(","),
-        **{key: getattr(options, key) for key in ("step", "gaps", "spikes", "detrend", "periodic")},
+        **{key: getattr(options, key) for key in SURFACE_OPTIONS[2:]},
     }
-    profile = read_measured_surface({key: value for key, value in given.items() if value})
+    try:
+        profile = read_measured_surface({key: value for key, value in given.items() if value})
+    except UserError as error:  # names the keys of a study, of which these are options here
+        keys = rf"surface\.({'|'.join(SURFACE_OPTIONS)})\b"
+        raise UserError(re.sub(keys, r"--\1", str(error))) from None
     spectrum = laboratory.spectrum_of(profile)
     longest = profile.measured_length / (1.5 if options.detrend == "parabola" else 1.0)
     fit = laboratory.fit_rolloff(spectrum, 2.0 * math.pi / longest)

@@ -30,7 +30,8 @@ def run_law(options: argparse.Namespace) -> int:
     if out and out.exists() and out.samefile(path):
         raise UserError(f"--out {out}: is the input of the law; choose another file")
     if not options.write:
-        print(*_description(reduced_law), sep="\n")
+        errors = [f"  {rms:.2g} rms  {motion}" for motion, rms in reduced_law.validity.motions]
+        print(*reduced_law.told(), *errors, sep="\n")
         return DONE
     exported = law.export(reduced_law, options.write, (out or path).stem)
     if not out:
@@ -38,14 +39,8 @@ def run_law(options: argparse.Namespace) -> int:
         return DONE
     make_folder(out.parent)
     write_durably(out, exported.content)
-    print(*_description(reduced_law), f"{out}: {exported.description}", sep="\n")
+    print(*reduced_law.told(), f"{out}: {exported.description}", sep="\n")
     return DONE
-
-
-def _description(reduced_law: "Law | LoadLaw") -> list[str]:
-    """Return the description of a law, with its rms error for each motion."""
-    errors = [f"  {rms:.2g} rms  {motion}" for motion, rms in reduced_law.validity.motions]
-    return [*reduced_law.told(), *errors]
 
 
 def _read(options: argparse.Namespace) -> tuple[Path, "Law | LoadLaw"]:

@@ -151,10 +151,8 @@ def _realizations(plan: Plan) -> Iterator[str]:
     study, block_size = plan.study, plan.study.realizations_per_block
     total = plan.records * block_size
     if not any(variant.goals for variant in plan.variants):
-        requested = study.realizations_requested
-        rounded = f" ({requested} rounded up)" if requested < study.realizations else ""
         whole = "in all" if plan.other_body is None else "in all, with those of the other body"
-        yield f"realizations {study.realizations} each{rounded}, {total} {whole}"
+        yield f"realizations {study.realizations_in_words}, {total} {whole}"
         return
     yield f"realizations {total} in all, predicted; rounds add more until the accuracy is met"
     for variant in plan.variants:
@@ -225,7 +223,8 @@ def _steep_slopes(plan: Plan) -> Iterator[str]:
         lines, roughness = variant.lines, max(variant.study.grid["roughness"])
         problems = [task.problem for task in variant.tasks]
         slopes = [line_slope(p, lines.normalisation) * p.elements for p in problems]
-        if warning := slope_warning(float(max(slopes)) * roughness / lines.length):
+        period = lines.length if lines.profile is None else lines.profile.length
+        if warning := slope_warning(float(max(slopes)) * roughness / period):
             yield f"warning     {variant.label or 'study'}: {warning}"
 
 

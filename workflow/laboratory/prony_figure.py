@@ -34,6 +34,7 @@ def _figure_of_moduli(measured: Moduli, fit: PronyFit, master: MasterCurve | Non
     figure, axes = plt.subplots(1, panels, figsize=(0.6 + 3.4 * panels, 3.0), squeeze=False)
     _moduli(axes[0, 0], measured, fit)
     if master:
+        axes[0, 0].set_title("(a) moduli and fit")
         _shifts_of_sweeps(axes[0, 1], master)
     note = "Bars show one standard error of the shifts." if master else ""
     write_below(figure, f"Lines show the fit of {len(fit.branches)} branches.", note)
@@ -64,7 +65,6 @@ def _moduli(ax: Axes, measured: Moduli, fit: PronyFit) -> None:
         ax.figure.colorbar(points, ax=ax, label="temperature of the sweep (°C)")
     over = "time (s)" if measured.over_time else "frequency $\\omega$ (rad/s)"
     ax.set(xscale="log", yscale="log", xlabel=over, ylabel="modulus (MPa)")
-    ax.set_title("(a) moduli and fit")
     ax.legend(loc="best")
 
 

@@ -38,7 +38,8 @@ def _figure_of(spectrum: MeasuredSpectrum, fit: RolloffFit) -> Figure:
     left.set(xscale="log", yscale="log", xlabel="$q$ (1/m)", ylabel=f"${name}$ ({unit})")
     left.set_ylim(0.3 * max(bins.density.min(), 1e-4 * fit.model.min()))
     left.set_title("(a) power spectrum")
-    legend_in_room(left, 0.3, ncols=2, markerscale=4.0)
+    opaque = {"frameon": True, "framealpha": 1.0, "edgecolor": "none"}  # over the roll-off
+    legend_in_room(left, 0.3, ncols=2, markerscale=4.0, **opaque)
     right.plot(2.0 * np.pi / spectrum.q[shown], spectrum.slopes()[shown], "-", color="k")
     right.set(xscale="log", yscale="log", xlabel="shortest wave (m)", ylabel="rms slope")
     right.set_title("(b) slope of all waves that are longer")

@@ -162,7 +162,10 @@ class FittedLaw(ABC):
 
 
 def _array_text(value: Any) -> str:
-    return np.array2string(np.asarray(value), precision=4, separator=", ").replace("\n", "")
+    """Return a number, or an array in brackets, with four digits each."""
+    if np.ndim(value) == 0:
+        return f"{value:.4g}"
+    return f"[{', '.join(map(_array_text, value))}]"
 
 
 def _json_value(value: Any) -> Any:

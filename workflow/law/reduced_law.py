@@ -45,6 +45,10 @@ class Compared(NamedTuple):
     rms: float  # of law - mu
     largest: float  # of |law - mu|
 
+    def __repr__(self) -> str:
+        """Return the name and the errors in one line, without the arrays."""
+        return f"{self.name}: {self.rms:.2g} rms, {self.largest:.2g} at most"
+
 
 @dataclass(frozen=True)
 class Law(FittedLaw):

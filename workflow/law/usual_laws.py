@@ -117,15 +117,17 @@ READABLE_LAWS: dict[str, type[Law | LoadLaw]] = {**LAWS_BY_KIND, LoadLaw.kind: L
 
 
 def read_law(source: str | Path) -> Law | LoadLaw:
-    """Return the law in a JSON text, or in the file at a Path.
+    """Return the law in a JSON text, or in the file at a path.
+
+    source : text that begins with a bracket is JSON; other text is a path.
 
     Raises UserError for text that does not describe a law.
     """
     text: str | bytes
-    if isinstance(source, Path):
-        place, text = str(source), read_whole(source)
-    else:
+    if isinstance(source, str) and source.lstrip().startswith(("{", "[")):
         place, text = "the text", source
+    else:
+        place, text = str(source), read_whole(Path(source))
     try:
         content = json.loads(text)
         law_class: type[Law | LoadLaw] = READABLE_LAWS[content["kind"]]

@@ -270,7 +270,12 @@ SCENES = {
     "drive_swing": Variable(
         "largest minus smallest force of the drive over F_N", SLOPE_SCALE, comment=SLIP_COMMENT
     ),
-    "slip_period": Variable("period of stick and slip", TIME_SCALE, "s", comment=SLIP_COMMENT),
+    "slip_period": Variable(
+        "period of stick and slip",
+        TIME_SCALE,
+        "s",
+        comment=f"{SLIP_COMMENT}; NaN: a line slips fewer than two times there",
+    ),
     "peak_velocity": Variable(
         "highest velocity of the line", SPEED_SCALE, "m s-1", comment=SLIP_COMMENT
     ),

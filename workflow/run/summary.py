@@ -91,11 +91,21 @@ class Summary:
         if self.batches:
             rows += [
                 f"body: {plan.study.body_choice}",
+                *self._rounded(plan),
                 self._where(),
                 self._memory(plan),
                 *self._costliest(plan),
             ]
         return rows + self.estimates
+
+    def _rounded(self, plan: Plan) -> list[str]:
+        """Return a line on a number of realizations that was rounded up, else none."""
+        study = plan.study
+        if study.realizations <= study.realizations_requested or any(
+            variant.goals for variant in plan.variants
+        ):
+            return []
+        return [f"realizations: {study.realizations_in_words}"]
 
     def _where(self) -> str:
         """Return a line with the shares of the workers' core time, counted from their start."""

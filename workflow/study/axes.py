@@ -55,7 +55,7 @@ ROWS = (
     Axis("normal_force", "N", "normal force F_N"),
     Axis("spacing", "m", "element spacing dx"),
     Axis("roughness", "m", "rms roughness h"),
-    Axis("velocity", "m s-1", "sliding velocity v1 before the jump"),
+    Axis("velocity", "m s-1", "sliding velocity v1"),
     Axis("velocity_step", "1", "relative velocity jump dv/v1"),
     Axis("prescribed_indentation", "m", "prescribed indentation d over the mean line"),
     Axis("temperature", "degree_Celsius", "temperature of the elastomer", "material"),

@@ -128,6 +128,16 @@ class Study(AnyStudy):
         return self.realizations // self.realizations_per_block
 
     @property
+    def realizations_in_words(self) -> str:
+        """The number of realizations of a point, with the reason if it was rounded up."""
+        if self.realizations <= self.realizations_requested:
+            return f"{self.realizations} each"
+        return (
+            f"{self.realizations} each ({self.realizations_requested} rounded up to {self.blocks} "
+            f"blocks of {self.realizations_per_block})"
+        )
+
+    @property
     def shape(self) -> tuple[int, ...]:
         """Shape of the grid."""
         return tuple(len(values) for values in self.grid.values())

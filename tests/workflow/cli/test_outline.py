@@ -3,6 +3,7 @@
 import json
 import re
 
+import numpy as np
 import pytest
 
 from elastomer_friction.workflow.cli import run_options
@@ -46,7 +47,7 @@ def test_plan_is_a_short_table_in_a_fixed_order(capsys, study):
         (
             ["study.realizations=10"],
             "realizations",
-            r"realizations 12 each \(10 rounded up\), 192 in all",
+            r"realizations 12 each \(10 rounded up to 3 blocks of 4\), 192 in all",
         ),
         (
             ["numerics.accuracy=0.05"],
@@ -150,3 +151,30 @@ def test_the_plan_states_the_shear_and_a_surface_without_a_cutoff(tmp_path):
         lines = outline_grid(small_study(*own, *cutoff), tmp_path / "small.nc")[0]
         assert sum(line.startswith("shear       ") and "100000 Pa" in line for line in lines) == 2
         assert sum(line.startswith("warning     ") for line in lines) == count
+
+
+MAP = """
+[material]
+shear_modulus = 1e7
+relaxation_time = 1e-3
+[surface]
+file = "map.txt"
+step = 1e-5
+units = ["m", "m"]
+[grid]
+normal_pressure = 1e5
+velocity = 0.1
+[scene]
+quantities = ["steady"]
+"""
+
+
+@pytest.mark.parametrize(("height", "warned"), [(2.3e-5, True), (1.4e-5, False)])
+def test_a_mirrored_map_has_the_slope_of_the_measured_one(tmp_path, capsys, height, warned):
+    x = 2.0 * np.pi * np.arange(64) / 8.0
+    np.savetxt(tmp_path / "map.txt", height * np.add.outer(np.cos(x), np.cos(x)))
+    study = tmp_path / "study.toml"
+    study.write_text(MAP, encoding="utf-8")
+    for periodic in ("none", "mirror"):
+        table = facts(output(capsys, "plan", str(study), "--set", f"surface.periodic={periodic}"))
+        assert ("warning" in table) == warned

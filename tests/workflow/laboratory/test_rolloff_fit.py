@@ -39,9 +39,9 @@ def piece(seed, shape=(512,), waves=WAVES, cut=np.inf, noise=0.0, copies=4):
 def fitted(z):
     step = LENGTH / z.shape[-1]
     if z.ndim == 2:
-        profile = map_of_lines(FILE, Lines(z, step, "", step), "line", "mirror")
+        profile = map_of_lines(FILE, Lines(z, step, "", "", step), "line", "mirror")
     else:
-        profile = profile_of_lines(FILE, Lines(z[None], step, ""), "line", "mirror")
+        profile = profile_of_lines(FILE, Lines(z[None], step, "", ""), "line", "mirror")
     return fit_rolloff(spectrum_of(profile), 2.0 * np.pi / LENGTH)
 
 
@@ -136,9 +136,9 @@ def test_a_written_spectrum_has_the_height_of_the_map(capsys, tmp_path):
 @pytest.mark.parametrize(
     ("arguments", "answer"),
     [
-        (["--detrend", "cubic"], "surface.detrend = 'cubic'"),
-        (["--columns", "0,7"], "surface.columns = [0, 7]"),
-        (["--step", "-1"], "surface.step = -1.0"),
+        (["--detrend", "cubic"], "--detrend = 'cubic'"),
+        (["--columns", "0,7"], "--columns = [0, 7]"),
+        (["--step", "-1"], "--step = -1.0"),
         ([], "too few"),
     ],
 )

@@ -97,6 +97,7 @@ def test_json_keeps_every_bit(tmp_path):
     law = LAW.with_validity(Validity(fastest=0.1, motions=(("one", 1 / 3),), held_out="nothing"))
     path = tmp_path / "law.json"
     path.write_text(law.to_json())
+    assert read(str(path)).to_json() == law.to_json()
     again = read(path)
     assert isinstance(again, MemoryLaw)
     assert again.to_json() == law.to_json()

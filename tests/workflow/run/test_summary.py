@@ -83,6 +83,13 @@ def test_a_run_says_what_was_read_of_a_file_of_lines():
     assert not any(line.startswith("lines: ") for line in Summary().lines(PLAN))
 
 
+def test_a_run_states_realizations_that_were_rounded_up():
+    done = dataclasses.replace(counted([0.0] * 6), tasks={})
+    said = done.lines(small_plan("study.realizations=5"))
+    assert "realizations: 8 each (5 rounded up to 2 blocks of 4)" in said
+    assert not any(line.startswith("realizations") for line in done.lines(PLAN))
+
+
 def test_a_point_of_measured_lines_names_no_hurst_exponent():
     point = {"hurst": float("nan"), "velocity": 0.1}
     assert point_in_words(point) == "velocity=0.1"

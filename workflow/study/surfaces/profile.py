@@ -82,7 +82,8 @@ def profile_of_lines(file: LineFile, lines: Lines, detrend: str, periodic: str) 
     """Return the prepared lines of a file. Raises UserError, one line that names key and file."""
     levelled = level(lines.heights, detrend)
     check_not_flat(f"{KEY} = {file.name!r}", levelled, lines.heights)
-    notes, hint = f"{lines.notes}; {_preparation_text(detrend, periodic)}", ""
+    read = f"{file.name}: {lines.size}, {lines.notes}"
+    notes, hint = f"{read}; {_preparation_text(detrend, periodic)}", ""
     if spike_count := spikes(levelled):
         hint = f"; {spike_count} samples stand out as spikes"
         notes += f"{hint}, kept"
@@ -119,11 +120,11 @@ def map_of_lines(file: LineFile, lines: Lines, detrend: str, periodic: str) -> P
     check_not_flat(prefix, levelled[None], square[None])
     assumed = " (row distance assumed equal)" if lines.row_spacing is None else ""
     cut = "" if rows == samples else f", the middle of {rows} x {samples}"
-    notes = (
-        f"{lines.notes}; map of {side} x {side}{cut}, pitch {lines.step:.4g} m{assumed}; "
-        f"{detrend} removed, {periodic}"
-    )
     whole = make_periodic(make_periodic(levelled, periodic).T, periodic).T
+    notes = (
+        f"{file.name}: map of {side} x {side}{cut}, pitch {lines.step:.4g} m{assumed}, "
+        f"{lines.notes}; {_map_preparation_text(detrend, periodic, len(whole))}"
+    )
     return _measured_profile(file, whole[None], lines.step, periodic, notes)
 
 
@@ -263,6 +264,17 @@ def _preparation_text(detrend: str, periodic: str) -> str:
         "end",
     }
     return f"{removed} removed from each line, which is {made[periodic]}"
+
+
+def _map_preparation_text(detrend: str, periodic: str, side: int) -> str:
+    """Return the preparation of a map with ``side`` samples a side in words."""
+    removed = {"none": "nothing", "line": "tilt"}.get(detrend, detrend)
+    made = {
+        "none": "taken as one period",
+        "mirror": f"mirrored to {side} x {side}",
+        "taper": f"brought to its mean over {TAPER_SHARE:.0%} of each side",
+    }
+    return f"{removed} removed, {made[periodic]}"
 
 
 def _read_only_profile(heights: np.ndarray, length: float, copies: int, notes: str) -> Profile:

@@ -45,7 +45,8 @@ class Lines(NamedTuple):
 
     heights: np.ndarray  # shape (lines, n)
     step: float  # m, between samples
-    notes: str
+    size: str  # number of lines and samples, in words
+    notes: str  # units, columns and repairs, in words
     row_spacing: float | None = None  # m, of the rows of a map; None: not stated
 
 
@@ -106,11 +107,9 @@ def lines_of(file: LineFile, raw: RawLines) -> Lines:
         heights = heights[:, ::-1]
     distance = f"{abs(step):.6g} m apart{' in the mean' if raw.x is not None else ''}"
     units = f"heights in {unit}, units {'as given' if file.units else 'as the file names them'}"
-    first = (
-        f"{file.name}: {counted(len(heights), 'line')} of {samples} samples, {distance}, {units}"
-    )
-    notes = "; ".join(filter(None, (first, raw.description, gap_note, spike_note)))
-    return Lines(heights, abs(step), notes, raw.row_spacing)
+    size = f"{counted(len(heights), 'line')} of {samples} samples, {distance}"
+    notes = "; ".join(filter(None, (units, raw.description, gap_note, spike_note)))
+    return Lines(heights, abs(step), size, notes, raw.row_spacing)
 
 
 def _check_positions(prefix: str, x: np.ndarray | None) -> None:

@@ -134,8 +134,8 @@ def _lines_of_grid(
     along, across = (y, x) if grid.turned else (x, y)
     units = (_unit(file, table, along), _unit(file, table, z))
     description = (
-        f"map of points: rows along column {_label(table, along)}, one per value of column "
-        f"{_label(table, across)}, heights in column {_label(table, z)}"
+        f"map of points in columns {_label(table, along)}, {_label(table, across)}, heights in "
+        f"{_label(table, z)}"
     )
     precisions = _precisions(table, along)[grid.first]
     rows = row_spacing(grid.rows, file.units[0] if file.units else table.title(across).unit)
@@ -238,6 +238,11 @@ def _unclear_columns(file: LineFile, table: TextTable) -> UserError:
     """Return the error for columns that the file does not determine, with example settings."""
     columns = list(table.numeric[:2])
     units = [table.title(n).unit for n in columns]
+    if any(unit.startswith("1/") for unit in units):
+        return UserError(
+            f"{KEY} = {file.name!r}: holds {table.columns_text}: a power spectrum, as its units "
+            f'state; give surface.spectrum = {{file = "{file.name}", kind = "2D"}} in its place'
+        )
     units = [
         unit if metres(unit) else default for unit, default in zip(units, ("mm", "um"), strict=True)
     ]

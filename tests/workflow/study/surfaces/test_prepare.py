@@ -151,7 +151,8 @@ def test_lines_are_in_metres():
     found = lines()
     np.testing.assert_array_equal(found.heights, Z * 1e-6)
     assert found.step == 1e-3
-    assert "f: 2 lines of 10 samples, 0.001 m apart in the mean, heights in um" in found.notes
+    assert found.size == "2 lines of 10 samples, 0.001 m apart in the mean"
+    assert found.notes.startswith("heights in um")
 
 
 def test_every_line_has_its_unit():

@@ -246,3 +246,8 @@ def test_units_that_are_given_go_before_what_the_file_says(tmp_path):
     lines = read(tmp_path, f"x (furlong),z (V)\n{rows(X, Z[0])}", units=("mm", "nm"))
     np.testing.assert_allclose(lines.heights, Z[:1] * 1e-9)
     assert lines.step == pytest.approx(0.5e-3)
+
+
+def test_a_power_spectrum_is_not_read_as_heights(tmp_path):
+    with pytest.raises(UserError, match=r'give surface\.spectrum = .file = "f\.dat"'):
+        read(tmp_path, "q (1/m),C(q) (m^4)\n1,3\n2,2\n4,1\n8,1\n16,1\n")
