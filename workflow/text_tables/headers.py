@@ -112,8 +112,8 @@ def header_of(above: Sequence[str], delimiter: str | None, width: int) -> Header
         pairs = zip(names, units, strict=True)
         titles = (name._replace(unit=unit, stated=True) if unit else name for name, unit in pairs)
         return Header(tuple(titles), _unread_line(above, near, used))
-    names = (n for n in range(len(named)) if any(title.name for title in named[n]))
-    best = max(names, key=counts.__getitem__, default=None)
+    of_names = (n for n in range(len(named)) if any(title.name for title in named[n]))
+    best = max(of_names, key=counts.__getitem__, default=None)
     if best is not None:
         return Header(named[best], _unread_line(above, near, [near[best]]))
     if near and not is_comment(near[0]) and _may_be_names(near[0], width):

@@ -66,7 +66,9 @@ def test_columns_by_their_names_or_as_they_are_given(tmp_path, header):
     np.testing.assert_array_equal(found.values, VALUES)
 
 
-@pytest.mark.parametrize("name", ["tan delta", "tan(delta)", "loss factor", "Verlustfaktor", "damping"])
+@pytest.mark.parametrize(
+    "name", ["tan delta", "tan(delta)", "loss factor", "Verlustfaktor", "tanD", "damping"]
+)
 def test_a_loss_factor_is_the_ratio_of_the_moduli(tmp_path, name):
     rows = "".join(
         f"{w};{v.real};{v.imag / v.real}\n" for w, v in zip((0.1, 1, 10, 100), VALUES, strict=True)
