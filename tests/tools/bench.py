@@ -38,6 +38,13 @@ from elastomer_friction.kernels import (
     steady_sliding,
 )
 from elastomer_friction.kernels.drive import Drive, run_pulled
+from elastomer_friction.kernels.half_space.scenes import run_scene_on_half_space
+from elastomer_friction.kernels.half_space.surface import Surface, ring_amplitudes
+from elastomer_friction.kernels.heat.heat import Heat
+from elastomer_friction.kernels.interface.effects import Effects
+from elastomer_friction.kernels.interface.layer import BONDED, Layer
+from elastomer_friction.kernels.interface.shear import Bell, ShearLaw
+from elastomer_friction.kernels.rheology.time_shift import Wlf
 from elastomer_friction.studies.stability.probe import random_line
 from tests.tools.rivals.compiled import Compiled
 from tests.tools.rivals.rows import (
@@ -71,6 +78,16 @@ EFFECTS = {
     "steady states, jump": Quantities(True, True, False),
     EVERYTHING: Quantities(),
     "the same, indentation rate dropped": Quantities(indentation_rate=False),
+}
+MAP_ELEMENTS, MAP_BRANCHES = 64, (1, 5, 13)  # of a side of a map, and of the material on it
+SHEAR = ShearLaw(Bell(1.0, SPEED, 1.2))
+HEAT = Heat(0.4, 0.5, 0.0, Wlf(8.86, 101.6, 20.0), 20.0, 0.01)  # no step warms by 1 K
+MAP_EFFECTS = {
+    "none": Effects(),
+    "shear": Effects(shear=SHEAR),
+    "heat": Effects(heat=HEAT),
+    "shear, heat of a block": Effects(shear=SHEAR, heat=HEAT._replace(block=5.0)),
+    "layer": Effects(layer=Layer(10.0, BONDED, 0.5)),
 }
 CREEP = str(Path(__file__).parents[2] / "docs" / "creep.toml")
 TASKS = {  # name: modules that it needs, arguments of the command
@@ -184,6 +201,25 @@ def print_effects_of_scenes() -> None:
         print(f"| {name} | {seconds[name] / seconds[other]:.2f} | {other} |")
 
 
+def print_effects_on_maps() -> None:
+    """Print the cost of a slide on a half-space with every effect, over that without effects."""
+    side, legs = MAP_ELEMENTS * M, (Slide(SPEED, 32.0),)
+    print(f"\nWhat effects cost on a half-space ({side}^2 samples, K branches)\n")
+    print("| effects |", " | ".join(f"K = {count}" for count in MAP_BRANCHES), "|")
+    print("|---|" + "---|" * len(MAP_BRANCHES))
+    amplitudes = ring_amplitudes(HURST, MAP_ELEMENTS)
+    surface = Surface.drawn(np.random.default_rng(1), amplitudes, MAP_ELEMENTS, M)
+    columns = []
+    for count in MAP_BRANCHES:
+        scene = a_scene(legs, branches(count))
+        scenes = [scene._replace(effects=effects) for effects in MAP_EFFECTS.values()]
+        runs = [partial(run_scene_on_half_space, surface, scene) for scene in scenes]
+        seconds = in_turns(runs, TURNS, ONCE)
+        columns.append([f"{value / seconds[0]:.2f}" for value in seconds])
+    for name, ratios in zip(MAP_EFFECTS, zip(*columns, strict=True), strict=True):
+        print(f"| {name} |", " | ".join(ratios), "|", flush=True)
+
+
 def run_lines(lines: list[Line], case: Case, quantities: Quantities) -> None:
     """Run a velocity step on all lines."""
     for line in lines:
@@ -215,6 +251,7 @@ def main() -> None:
     print_tasks()
     print_effects_of_steps()
     print_effects_of_scenes()
+    print_effects_on_maps()
     print_drives()
 
 
