@@ -4,12 +4,13 @@ import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from functools import partial
-from typing import Any, NamedTuple, Protocol
+from typing import Any
 
 import numpy as np
 
 from ..given_motion import distances_between_turns, finely
 from ..ground import UserError
+from .cross_validation import HeldOut, Search, cross_validated
 from .fitted_law import Validity
 from .load_law import MIN_LOADS, LoadLaw
 from .memory_law import MemoryLaw
@@ -24,7 +25,7 @@ from .residuals import (
     root_mean_square,
     row_residuals,
 )
-from .transients import MAX_VELOCITY_CHANGE, Transient, motions_of
+from .transients import MAX_VELOCITY_CHANGE, Transient, motions_of, rest_durations
 from .usual_laws import LAWS_BY_KIND
 from .usual_search import UsualSearch
 
@@ -36,9 +37,7 @@ RESTING_SPEED = 0.1  # relative to the slowest speed; contacts age below it as t
 SLOW_SAMPLES = 0.02  # share of the moving samples below the slowest speed
 STATELESS_RESIDUAL = 5e-3  # relative rms residual below which mu depends on the velocity alone
 MIN_SCALE = 1e-300  # lower bound of a divisor
-FOLDS = 4  # of the cross-validation
-SAME_SPEED = 0.1  # relative difference of speeds or rests that count as equal
-FIRST_EVALUATIONS, FOLD_EVALUATIONS = 60, 15  # evaluations of the residuals, at most
+MAX_EVALUATIONS = 60  # of the residuals in a fit
 MAXIMA_OVER_LOADS = (  # fields of Validity
     "rms",
     "largest",
@@ -47,20 +46,6 @@ MAXIMA_OVER_LOADS = (  # fields of Validity
     "model_error",
     "shortest_stroke",
 )
-
-
-class Search(Protocol):
-    """Search for the law of one kind."""
-
-    def fit(self, masks: Masks, max_evaluations: int, start: Any = None) -> tuple[Law, Any]:
-        """Return the law that fits the masked rows best, and a start for further fits."""
-
-
-class HeldOut(NamedTuple):
-    """Residuals on held-out motions or folds, and their description."""
-
-    residuals: list[np.ndarray]
-    description: str
 
 
 def fit_law(
@@ -122,14 +107,14 @@ def _fit_one_load(
     _check_samples(motions, masks)
     mu_scale = root_mean_square(masked_friction(motions, masks))
     stateless = MemorySearch(motions, speeds, 0)
-    residuals = masked_residuals(stateless.fit(masks, FIRST_EVALUATIONS)[0], motions, masks)
+    residuals = masked_residuals(stateless.fit(masks, MAX_EVALUATIONS)[0], motions, masks)
     left = root_mean_square(residuals) / max(mu_scale, MIN_SCALE)
     search: Search = stateless
     if kind != MemoryLaw.kind:
         search = UsualSearch(motions, speeds, kind)
     elif states and (left > STATELESS_RESIDUAL or start is not None):
         search = MemorySearch(motions, speeds, states)
-    law, parameters = search.fit(masks, FIRST_EVALUATIONS, start)
+    law, parameters = search.fit(masks, MAX_EVALUATIONS, start)
     evidence = ""
     if isinstance(search, MemorySearch) and isinstance(law, MemoryLaw):
         names, evidence = origins(motions, search.responses(law))
@@ -138,7 +123,7 @@ def _fit_one_load(
         errors = masked_residuals(law, others, known_friction(others))
         held_out = HeldOut(errors, "; ".join(motion.name for motion in others))
     else:
-        held_out = _cross_validated(search, motions, masks, parameters)
+        held_out = cross_validated(search, motions, masks, parameters)
     validity = replace(
         _validity(law, motions, masks, speeds),
         usual=mu_scale,
@@ -238,7 +223,7 @@ def _validity(law: Law, motions: Sequence[Transient], masks: Masks, speeds: np.n
     return Validity(
         slowest=float(speeds[1]),
         fastest=float(speeds[-1]),
-        longest_rest=max(float(_rest_durations(motion).max()) for motion in motions),
+        longest_rest=max(float(rest_durations(motion).max()) for motion in motions),
         normal_force=motions[0].normal_force,
         temperature=motions[0].temperature,
         shift=motions[0].shift,
@@ -296,63 +281,3 @@ def _check_samples(motions: Sequence[Transient], masks: Masks) -> None:
         )
     if all(np.ptp(motion.velocity) == 0.0 for motion in motions):
         raise UserError("there is nothing to fit: the velocity never changes")
-
-
-def _cross_validated(
-    search: Search, motions: Sequence[Transient], masks: Masks, start: Any
-) -> HeldOut:
-    """Return the residuals on each fold by a fit to the other folds."""
-    parts, description = _parts_to_hold_out(motions)
-    residuals: list[np.ndarray] = []
-    for fold in range(FOLDS):
-        fitted_masks = [mask.copy() for mask in masks]
-        for k, rows in parts[fold::FOLDS]:
-            fitted_masks[k][rows] = False
-        law, _ = search.fit(fitted_masks, FOLD_EVALUATIONS, start)
-        held_masks = [mask & ~fitted for mask, fitted in zip(masks, fitted_masks, strict=True)]
-        residuals.append(np.concatenate(masked_residuals(law, motions, held_masks)))
-    return HeldOut(residuals, description)
-
-
-def _parts_to_hold_out(
-    motions: Sequence[Transient],
-) -> tuple[list[tuple[int, np.ndarray]], str]:
-    """Return the parts (motion, rows) that are held out in turn, and their description.
-
-    Parts are segments, sorted by speed so that folds have similar speeds, or quarters if there are
-    few segments. A segment with a unique extreme of speed or rest stays in every fit.
-    """
-    parts = [(k, rows) for k, motion in enumerate(motions) for _, rows in motion.parts()]
-    if len(parts) < FOLDS + 2:
-        parts = [(k, part) for k, rows in parts for part in np.array_split(rows, FOLDS)]
-        return parts, "each quarter of the samples in turn, by a fit to the others"
-    speed = [float(np.mean(np.abs(motions[k].velocity[rows]))) for k, rows in parts]
-    durations = [_rest_durations(motion) for motion in motions]
-    # A jump after a rest occupies two rows.
-    rest = [float(durations[k][max(rows[0] - 2, 0) : rows[0]].max(initial=0)) for k, rows in parts]
-    unique = {
-        _unique_extreme(speed, np.argmin),
-        _unique_extreme(speed, np.argmax),
-        _unique_extreme(rest, np.argmax),
-    }
-    parts = [parts[k] for k in np.argsort(speed, kind="stable") if k not in unique]
-    return parts, (
-        f"each quarter of {len(parts)} segments in turn, by a fit to the others; segments with the "
-        "extreme speeds or the longest rest stay in every fit"
-    )
-
-
-def _rest_durations(motion: Transient) -> np.ndarray:
-    """Return the time (s) for which the motion has been at rest, for every row."""
-    durations = np.zeros(motion.time.size)
-    resting = (motion.velocity[1:] == 0.0) & (motion.velocity[:-1] == 0.0)
-    for k in np.flatnonzero(resting):
-        durations[k + 1] = durations[k] + motion.time[k + 1] - motion.time[k]
-    return durations
-
-
-def _unique_extreme(values: Sequence[float], extreme: Callable) -> int | None:
-    """Return the index of the extreme value, or None if another value is about equal."""
-    k = int(extreme(values))
-    others = np.delete(values, k)
-    return k if (np.abs(others - values[k]) > SAME_SPEED * abs(values[k])).all() else None

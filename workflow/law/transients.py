@@ -168,3 +168,12 @@ def _check_distance(
             f"{name}: the velocities of its trace miss {100 * missing / distance:.2g} % of the "
             "distance: its samples are too coarse; increase numerics.samples"
         )
+
+
+def rest_durations(motion: Transient) -> np.ndarray:
+    """Return the time (s) for which the motion has been at rest, for every row."""
+    durations = np.zeros(motion.time.size)
+    resting = (motion.velocity[1:] == 0.0) & (motion.velocity[:-1] == 0.0)
+    for k in np.flatnonzero(resting):
+        durations[k + 1] = durations[k] + motion.time[k + 1] - motion.time[k]
+    return durations
