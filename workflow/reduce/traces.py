@@ -1,23 +1,21 @@
-"""Estimates of programmes of motion: traces, energies, peaks, healing, loops, rate and state.
+"""Estimates of velocity steps and programmes: peaks, rate and state, traces, energies.
 
 Without a dashpot friction does not jump with the velocity. The peak and its time then correspond
-to the direct effect of an experiment. In a loop, mu' and mu'' are the amplitudes of
-mu(t) = ... + mu' sin(2 pi f t) + mu'' cos(2 pi f t), in phase with the superposed displacement
-A sin(2 pi f t) and with its velocity.
+to the direct effect of an experiment.
 """
 
-import math
 from collections.abc import Callable
-from itertools import pairwise
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 
-from ...kernels import ENERGIES, MOTION_TRACES, Hold, Oscillation, Programme, Slide
+from ...kernels import ENERGIES, MOTION_TRACES
 from ...kernels.drive import DRIVE_ENERGIES, SLIP_EVENTS, SLIPS
-from ...kernels.motion.legs import leg_duration
 from .blocks import PROGRAMME_TRACES, TRACE_ESTIMATES, Blocks, Estimates, columns, enter
+from .extremum import extremum
+from .healing import healing
 from .jackknife import replicates, standard_error
+from .loop import loop
 from .rate_state import STATE_LAWS, RateState, fit_rate_state
 
 CHANGE_TRACES = ("trace_mu", "trace_indentation")  # their changes within a leg are also estimates
@@ -224,118 +222,3 @@ def _store_by_task(
         results.append(estimator(programme, *(trace[task][:, sampled] for trace in traces)))
     for name, values in columns(results)._asdict().items():
         enter(estimates, name, values)
-
-
-class Healing(NamedTuple):
-    """Friction around the last hold, for the mean trace and its replicates, shape (replicates,)."""
-
-    static_peak: np.ndarray  # mu at the peak after the hold
-    healing: np.ndarray  # static peak minus mu before the hold
-    mu_end_of_hold: np.ndarray
-    peak_distance: np.ndarray  # slid since the end of the hold, in dx
-
-
-def last_hold(programme: Programme) -> tuple[int, float] | None:
-    """Return the index of the last hold before a slide, and the speed of the slide, or None."""
-    holds = [
-        (k, after.speed)
-        for k, (before, after) in enumerate(pairwise(programme))
-        if isinstance(before, Hold) and isinstance(after, Slide)
-    ]
-    return holds[-1] if holds else None
-
-
-def healing(
-    programme: Programme, legs: np.ndarray, distance: np.ndarray, mu: np.ndarray
-) -> Healing:
-    """Return the friction around the last hold of a programme, NaN without a hold.
-
-    legs : of the samples, shape (1, samples). distance (dx), mu : shape (replicates, samples),
-    the mean trace first.
-    """
-    hold = last_hold(programme)
-    nothing = np.full(len(mu), np.nan)
-    if hold is None:
-        return Healing(nothing, nothing, nothing, nothing)
-    k, speed = hold
-    held, slid = legs[0] == k, legs[0] == k + 1
-    before = np.flatnonzero(legs[0] < k)  # the last one ends the leg before the hold
-    if not (held.any() and slid.any() and before.size):
-        return Healing(nothing, nothing, nothing, nothing)
-    end = np.flatnonzero(held)[-1]
-    slipped = np.abs(distance[0, slid] - distance[0, end])
-    peak, where = extremum(slipped, mu[:, slid], float(np.sign(speed)))
-    return Healing(peak, peak - mu[:, before[-1]], mu[:, end], where)
-
-
-class Loop(NamedTuple):
-    """Loop of the last cycle, for the mean trace and its replicates, shape (replicates,)."""
-
-    loop_work: np.ndarray  # in 4 G L h^2
-    mu_in_phase: np.ndarray
-    mu_quadrature: np.ndarray
-
-
-def loop(programme: Programme, times: np.ndarray, mu: np.ndarray, force: np.ndarray) -> Loop:
-    """Return the loop of the last cycle of the last oscillation, NaN without an oscillation.
-
-    times (tau), mu, force (4 G L h^2/dx) : shape (replicates, samples), the mean trace first.
-    Integrals over the cycle use the trapezoidal rule over the mean times.
-    """
-    oscillations = [(k, leg) for k, leg in enumerate(programme) if isinstance(leg, Oscillation)]
-    nothing = np.full(len(mu), np.nan)
-    if not oscillations:
-        return Loop(nothing, nothing, nothing)
-    k, leg = oscillations[-1]
-    begin = sum(leg_duration(before) for before in programme[:k])
-    end, period = begin + leg_duration(leg), 1.0 / leg.frequency
-    time = times[0]
-    cycle = (time > end - period * (1.0 + 1e-9)) & (time <= end * (1.0 + 1e-12))
-    at = time[cycle]
-    if at.size < 4:
-        return Loop(nothing, nothing, nothing)
-    omega = 2.0 * math.pi * leg.frequency
-    phase = omega * (at - begin)
-    weight = _trapezoids(at, period)
-    speed = leg.speed + leg.amplitude * omega * np.cos(phase)
-    share = 2.0 / period * weight
-    return Loop(
-        force[:, cycle] @ (weight * speed),
-        mu[:, cycle] @ (share * np.sin(phase)),
-        mu[:, cycle] @ (share * np.cos(phase)),
-    )
-
-
-def _trapezoids(time: np.ndarray, period: float) -> np.ndarray:
-    """Return the trapezoidal weights of the samples of one period, shape (samples,)."""
-    gaps = np.diff(time, append=time[0] + period)
-    return 0.5 * (gaps + np.roll(gaps, 1))
-
-
-def extremum(place: np.ndarray, curves: np.ndarray, sign: float) -> tuple[np.ndarray, np.ndarray]:
-    """Return the value and place of the maximum (sign 1) or minimum (-1) of each curve.
-
-    place : times or distances, increasing, shape (samples,). curves : shape (replicates, samples).
-    The extremum is that of a parabola through the extreme sample and its neighbours, or the sample
-    itself at an end. NaN for a curve with NaN.
-    """
-    extrema = np.full((2, len(curves)), np.nan)
-    for row, curve in enumerate(curves):
-        if np.isfinite(curve).all():
-            extrema[:, row] = _highest(place, sign * curve)
-    return sign * extrema[0], extrema[1]
-
-
-def _highest(x: np.ndarray, y: np.ndarray) -> tuple[float, float]:
-    """Return value and place of the maximum of samples."""
-    k = int(np.argmax(y))
-    if not 0 < k < y.size - 1:
-        return float(y[k]), float(x[k])
-    before, after = x[k] - x[k - 1], x[k + 1] - x[k]
-    fall, rise = (y[k] - y[k - 1]) / before, (y[k + 1] - y[k]) / after
-    bend = (rise - fall) / (before + after)  # not positive, as y[k] is the largest
-    if bend == 0.0:
-        return float(y[k]), float(x[k])
-    slope = fall + bend * before  # of the parabola at x[k]
-    shift = -slope / (2.0 * bend)
-    return float(y[k] + 0.5 * slope * shift), float(x[k] + shift)

@@ -9,14 +9,10 @@ from hypothesis import strategies as st
 
 from elastomer_friction.kernels import Hold, Oscillation, Slide
 from elastomer_friction.workflow.reduce.blocks import Blocks
-from elastomer_friction.workflow.reduce.traces import (
-    extremum,
-    healing,
-    last_hold,
-    loop,
-    reduce_programmes,
-    reduce_steps,
-)
+from elastomer_friction.workflow.reduce.extremum import extremum
+from elastomer_friction.workflow.reduce.healing import healing, last_hold
+from elastomer_friction.workflow.reduce.loop import loop
+from elastomer_friction.workflow.reduce.traces import reduce_programmes, reduce_steps
 
 
 @given(st.floats(0.06, 0.94), st.floats(-3.0, 3.0), st.sampled_from([1.0, -1.0]))
