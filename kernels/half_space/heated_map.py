@@ -9,9 +9,8 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from ..body.step import accept, attempt, end_leg, forces, patch_width
+from ..body.step import Forces, accept, attempt, end_leg, forces, patch_width
 from ..drive.sticking import static_force
-from ..model.friction import mean_slope
 from ..rheology.law import MIN_MAGNITUDE, law_of
 from ..rheology.time_shift import ZERO_CELSIUS
 from .body import Body
@@ -23,7 +22,7 @@ from .heating import (
     Warmth,
     heated_step,
 )
-from .moved_map import MapState, MovedMap, slopes_in_step
+from .moved_map import MapState, MovedMap
 from .patches import samples_per_patch
 from .shear_force import static_shear
 
@@ -80,7 +79,7 @@ TEMPERATURE_TRACES = ("trace_contact_temperature", "trace_flash_temperature")
 class HeatedAttempt(NamedTuple):
     """Step of a HeatedMap that is not accepted yet."""
 
-    shear: float  # part of friction over the normal force, in h/dx
+    acting: Forces  # with the shear
     warmth: Warmth  # after the step
     temperature: float  # in the step, °C
     direction: float  # of this motion, or of the last one at rest
@@ -142,27 +141,30 @@ def _attempt(body, state, law, step):
         law.law = law_of(body.moved.form, duration)
         attempted = attempt(body.moved, state.moved._replace(passes=passes), law.law, step)
         passes = attempted.passes
-        _, (p, *_), offset = attempted.attempted
-        mu, shear = mean_slope(p, slopes_in_step(body.moved, offset, law.law, step)), 0.0
+        acting, shear = forces(body.moved, attempted, law.law, step), 0.0
         if body.heating.law is not None:
-            area = forces(body.moved, attempted, law.law, step).contact_fraction
-            shear = body.heating.shear(area, speed or at_rest, temperature)
-        whole = math.floor(after)
-        return SlidingContact((attempted, shear), p, mu + shear, after - before, after - whole)
+            shear = body.heating.shear(acting.contact_fraction, speed or at_rest, temperature)
+        p, moved = attempted.attempted.contact.p, after - before
+        result = attempted, _with_friction(acting, shear)
+        return SlidingContact(result, p, acting.mu + shear, moved, after - math.floor(after))
 
     tolerance = DRIVE_TEMPERATURE_TOLERANCE if body.recorded is None else TEMPERATURE_TOLERANCE
     sliding, warmth, temperature = heated_step(
         body.heating, state.warmth, law.dt, attempt_at, tolerance
     )
-    moved, shear = sliding.result
-    attempted = HeatedAttempt(shear, warmth, temperature, direction, step.number)
+    moved, acting = sliding.result
+    attempted = HeatedAttempt(acting, warmth, temperature, direction, step.number)
     return state._replace(moved=moved, attempted=attempted)
 
 
 @forces.register(HeatedMap)
 def _forces(body, state, law, step):
-    acting = forces(body.moved, state.moved, law.law, step)
-    return acting._replace(friction=acting.friction + acting.normal * state.attempted.shear)
+    return state.attempted.acting
+
+
+def _with_friction(acting: Forces, shear: float) -> Forces:
+    """Add shear to the friction force; shear : over the normal force, in h/dx."""
+    return acting._replace(friction=acting.friction + acting.normal * shear)
 
 
 @static_force.register(HeatedMap)

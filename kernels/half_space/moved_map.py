@@ -169,16 +169,11 @@ def _attempt(body, state, law, step):
     return state._replace(passes=passes, attempted=AttemptedContact(w, contact, offset))
 
 
-def slopes_in_step(body: MovedMap, offset: int, law: Any, step: Move) -> np.ndarray:
-    """Return the slopes at the instant when the force of a step acts; offset : after the step."""
-    before, after = (body.slopes_over(place, offset) for place in (step.before, step.after))
-    return after + law.lag * (before - after)
-
-
 @forces.register(MovedMap)
 def _forces(body, state, law, step):
     _, contact, offset = state.attempted
-    weight = slopes_in_step(body, offset, law, step)
+    before, after = (body.slopes_over(place, offset) for place in (step.before, step.after))
+    weight = after + law.lag * (before - after)  # at the instant when the force acts
     moved = body.position(step.after) - body.position(step.before)
     # Pressures jump only at samples passed in this step.
     sudden = jump_weight(body.spectrum, moved / step.dt) * min(abs(moved), 1.0)
