@@ -10,7 +10,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ..ground import UserError
+from ..ground import UserError, counted
 from ..study import ColumnSpec, describe_columns, find_column, select_columns
 from ..text_tables import TextTable, read_text_table, unit_of
 
@@ -26,6 +26,7 @@ FRICTION = ColumnSpec(
     "1",
 )
 LARGEST_NOISE = 0.05  # largest relative noise of a velocity from differences of displacements
+MIN_PLACES = 3  # displacements for a second difference
 WIDEST = 12  # largest number of samples per difference of displacements
 
 
@@ -132,6 +133,8 @@ def _differenced(path: Path, t: np.ndarray, place: np.ndarray) -> tuple[np.ndarr
 
     The number limits the noise of the velocity, as known from second differences of ``place``.
     """
+    if place.size < MIN_PLACES:
+        raise UserError(f"fit {path}: holds {counted(place.size, 'row')}: a fit needs {MIN_PLACES}")
     step = float(np.median(np.abs(np.diff(place))))
     noise = float(np.median(np.abs(np.diff(place, 2)))) / (0.6745 * np.sqrt(6.0))
     width = max(int(np.ceil(np.sqrt(2.0) * noise / (LARGEST_NOISE * step))), 1) if step else 1

@@ -33,7 +33,8 @@ def missing_code(values: np.ndarray, repeated: bool = True) -> Code | None:
         plausible = value in CODES or (repeated and count > 1) or abs(value) > 1e29
         low, middle, high = np.percentile(others, (5.0, 50.0, 95.0))
         spread = high - low or abs(middle)
-        distance = abs(value - middle) / spread if spread else 0.0
+        with np.errstate(over="ignore"):  # infinite beside a spread near zero
+            distance = abs(value - middle) / spread if spread else 0.0
         if plausible and distance > MIN_CODE_DISTANCE:
             return Code(float(value), count, float(distance))
     return None

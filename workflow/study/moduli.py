@@ -99,6 +99,7 @@ def read_moduli(
     """
     table = read_text_table("prony", path)
     if columns is None:
+        _check_pairs(table)
         table = _with_sweeps_in_blocks(table, temperatures)
     selected = _moduli_columns(table, frequency, modulus, columns)
     if start is not None and len(selected) > 2:
@@ -129,6 +130,18 @@ def read_moduli(
         omega, measured = _decade_means(omega, measured)
         description.append(f"means over 1/{MEANS_PER_DECADE} of a decade of time: {omega.size}")
     return Moduli(omega, measured, tuple(description), temperature)
+
+
+def _check_pairs(table: TextTable) -> None:
+    """Raise UserError for several tests side by side whose pairs of columns are named alike."""
+    names = [table.title(column).name for column in range(table.width)]
+    pairs = table.width // 2
+    if pairs > 1 and names[0] != names[1] and names == names[:2] * pairs:
+        raise UserError(
+            f"prony = {table.name!r}: holds {pairs} pairs of columns {names[0]!r}, {names[1]!r}, "
+            "as of several tests: give one of time and relaxation modulus with --columns 0,1, or "
+            "put sweeps below one another with --temperatures; J of a creep test is no modulus"
+        )
 
 
 def _are_young_moduli(table: TextTable, moduli: Sequence[Column]) -> bool:

@@ -87,8 +87,8 @@ def cells_of(text: str) -> Cells:
     if not cells.rows:
         raise ValueError("holds no row of numbers")
     stated = sum(map(is_numeral, cells.row(0)))
-    if np.diff(cells.rows[:2]).sum() > 1 and 2 * stated < len(cells.numeric):
-        del cells.rows[0]  # a mostly empty row above a line of titles
+    if np.diff(cells.rows[:2]).sum() > 1 and 2 * stated <= len(cells.numeric):
+        del cells.rows[0]  # a half empty row above a line of titles
     _check_words(cells)
     return cells
 

@@ -173,7 +173,7 @@ def title_of(cell: str) -> Title | None:
         name, unit = text[: match.start()], text[match.end() :]
         if match[0] == "_":
             unit = re.sub("_per_|_", "/", unit)
-        is_number = match[0] in ("-", ".") and unit == "1"  # Height-1 is a name
+        is_number = unit == "1" and (match[0] in "-._" or match[0].isspace())  # Height-1, Set 1
         if name and unit_of(unit) and not is_number and not re.match(r"/|in\s", unit):
             return Title(name, unit, TITLE_PATTERNS[(match.lastindex or 1) - 1].stated)
     return Title(text)

@@ -57,6 +57,11 @@ def test_times_of_day_are_seconds(tmp_path, header, form):
     np.testing.assert_allclose(found.velocity, 1e-3)
 
 
+def test_two_displacements_are_too_few(tmp_path):
+    with pytest.raises(UserError, match="holds 2 rows: a fit needs 3"):
+        read(tmp_path, "t [s],x [mm],mu\n0,1,0.5\n1,2,0.5\n")
+
+
 @pytest.mark.parametrize(
     ("header", "form", "words"),
     [

@@ -87,6 +87,14 @@ def test_young_s_moduli_are_divided_and_that_is_said(tmp_path, names):
     assert "divided by 2 (1 + nu) = 2.5" in found.description[1]
 
 
+@pytest.mark.parametrize("first", ["Set 1,,Set 2,", "600,,1200,"])
+def test_pairs_of_columns_of_several_tests_are_named(tmp_path, first):
+    rows = "".join(f"{n},{9 - n},{n + 0.1},{9 - n}\n" for n in range(1, 6))
+    with pytest.raises(UserError, match=r"holds 2 pairs of columns 'X', 'Y', .* --columns 0,1"):
+        read(tmp_path, f"{first}\nX,Y,X,Y\n{rows}")
+    assert read(tmp_path, f"{first}\nX,Y,X,Y\n{rows}", columns=(2, 3)).over_time
+
+
 def test_rows_in_which_a_value_is_missing_are_passed_over_and_counted(tmp_path):
     found = read(tmp_path, ROWS + "1e3 5.0 nan\n")
     np.testing.assert_array_equal(found.values, VALUES)

@@ -37,6 +37,8 @@ def uniform_step(key: str, name: str, x: np.ndarray, precision: np.ndarray) -> f
 
 def is_uniform(x: np.ndarray, precision: np.ndarray) -> bool:
     """Return whether values ascend or descend in equal steps, like positions and unlike heights."""
+    if x.size < 2:
+        return False
     step, _, even = _fitted_step(x, precision)
     return bool(even and abs(step) > 0.0 and np.all(np.diff(x) * step >= 0.0))
 

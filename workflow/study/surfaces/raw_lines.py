@@ -13,6 +13,7 @@ from .positions import uniform_step
 KEY = "surface.file"
 MIN_SAMPLES = 8
 MAX_MAP_ASPECT = 2  # of the sides of a map; others are strips
+MAX_STEP = 0.1  # m, from sample to sample; a longer one is in another unit
 SPIKE_SLOPE = 3.0  # from one sample to the next; source: ISO 13473-1:2019, 7.5
 
 
@@ -83,8 +84,8 @@ def lines_of(file: LineFile, raw: RawLines) -> Lines:
     """Return lines in m, with equal steps and without gaps.
 
     Raises UserError for missing samples, unless surface.gaps states their treatment, for spikes at
-    gaps, unless surface.spikes does, for missing units, for too few samples, and for positions that
-    are not uniform.
+    gaps, unless surface.spikes does, for missing units, for too few samples, for a step above
+    MAX_STEP, and for positions that are not uniform.
     """
     prefix = f"{KEY} = {file.name!r}"
     _check_positions(prefix, raw.x)
@@ -97,6 +98,11 @@ def lines_of(file: LineFile, raw: RawLines) -> Lines:
     if raw.x is not None:
         step = uniform_step(KEY, file.name, raw.x, raw.precision) * of_positions
     assert step is not None
+    if abs(step) > MAX_STEP:
+        raise UserError(
+            f"{prefix}: samples are {abs(step):.4g} m apart: must be at most {MAX_STEP:g} m; give "
+            "surface.units, or the heights as text with the step that the instrument states"
+        )
     if len(of_lines) != len(raw.heights):  # one unit for all lines
         of_lines = of_lines[:1] * len(raw.heights)
     in_metres = np.array(of_lines[: len(heights)])[:, None]

@@ -58,6 +58,18 @@ def test_columns_are_those_that_the_header_names(tmp_path, header, columns):
     assert lines.step == pytest.approx(0.5e-6)
 
 
+@pytest.mark.parametrize(
+    ("text", "words"),
+    [
+        ("x [m]\tz [um]\n" + rows(X, Z[0], separator="\t"), "samples are 0.5 m apart: must be at"),
+        ("0.5\t0.75\n", "1 samples per line: needs at least 8"),
+    ],
+)
+def test_implausible_lines_are_refused(tmp_path, text, words):
+    with pytest.raises(UserError, match=words):
+        read(tmp_path, text, units=("m", "um"))
+
+
 def test_the_stylus_line_is_read_as_it_is():
     lines = read_lines(LineFile(RESOURCES / "stylus-line.csv", "stylus-line.csv"))
     assert lines.heights.shape == (1, 9600)
