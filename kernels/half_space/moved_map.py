@@ -10,7 +10,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from ..body.step import Forces, Move, accept, attempt, end_leg, forces, patch_width
+from ..body.step import Forces, accept, attempt, end_leg, forces, patch_width
 from ..drive.sticking import static_force
 from ..interface.shear import ShearLaw
 from ..model.friction import mean_slope
