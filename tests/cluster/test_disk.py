@@ -96,6 +96,20 @@ def test_a_folder_that_is_not_flushed_and_a_status_that_is_not_written_are_repor
     assert said(".*the run continues.*", run.lines()) == 1
 
 
+@pytest.mark.parametrize("which", ["each", pytest.param("all", marks=pytest.mark.exhaustive)])
+def test_each_call_to_the_disk_fails_in_turn(disk, tmp_path, which):
+    command = [sys.executable, "-m", "tests.cluster.failing_calls", disk.library, tmp_path, which]
+    environment = os.environ | {"LD_PRELOAD": str(disk.library)}
+    done = subprocess.run(
+        list(map(str, command)), cwd=ROOT, env=environment, capture_output=True, text=True
+    )
+    assert done.returncode == 0, done.stderr[-2000:]
+    assert (
+        said("case 0", done.stdout.splitlines()) > 10
+    )  # some calls are repeated, or do not matter
+    assert said("case 2", done.stdout.splitlines()) > 10
+
+
 def test_signals_of_batch_systems_and_terminals_keep_what_is_finished(begun, undisturbed):
     run = begun(stopping=True)
     for number, module in (signal.SIGTERM, "tests.cluster.stopping"), (signal.SIGHUP, "workflow"):

@@ -2,7 +2,10 @@
 
    Each line of DISK_FAULTS is "CALL ERRNO PREFIX FLAG": the call fails with this error on files with
    a path that begins with PREFIX, while the file FLAG exists. CALL is open, read, write, fsync (of a
-   file), fsyncdir (fsync of a folder) or flock. */
+   file), fsyncdir (fsync of a folder), ftruncate or flock.
+
+   Also calls number disk_first to disk_last of those on files below the folder disk_counted fail with
+   disk_errno; disk_calls counts them. A process sets these variables by ctypes. */
 #define _GNU_SOURCE
 #include <dlfcn.h>
 #include <errno.h>
@@ -15,10 +18,24 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+long disk_calls, disk_first, disk_last;
+int disk_errno;
+char disk_counted[512];
+
+static int counted(const char *path) {
+    size_t length = strlen(disk_counted);
+    if (!length || strncmp(path, disk_counted, length)) return 0;
+    long call = __sync_add_and_fetch(&disk_calls, 1);
+    if (call < disk_first || call > disk_last) return 0;
+    errno = disk_errno;
+    return 1;
+}
+
 static int refused(const char *call, const char *path) {
     const char *rule = getenv("DISK_FAULTS");
     char name[16], prefix[512], flag[512];
     int number;
+    if (counted(path)) return 1;
     while (rule && sscanf(rule, "%15s %d %511s %511s", name, &number, prefix, flag) == 4) {
         if (!strcmp(name, call) && !strncmp(path, prefix, strlen(prefix)) && !access(flag, F_OK)) {
             errno = number;
@@ -53,6 +70,10 @@ ssize_t pwrite64(int file, const void *from, size_t count, off64_t at) {
 
 ssize_t read(int file, void *to, size_t count) {
     return refused_at("read", file) ? -1 : REAL(read)(file, to, count);
+}
+
+int ftruncate64(int file, off64_t size) {
+    return refused_at("ftruncate", file) ? -1 : REAL(ftruncate64)(file, size);
 }
 
 int fsync(int file) {

@@ -6,11 +6,12 @@ Only this module knows that a result is netCDF.
 import contextlib
 import json
 import os
+import shutil
 import sys
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from pathlib import Path
 from threading import Lock
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import IO, TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
@@ -21,6 +22,7 @@ from ..study import AnyStudy
 from ..system import program, replacing, unreadable
 
 if TYPE_CHECKING:  # slow to import, and not needed by plan and status
+    import netCDF4
     import xarray as xr
 
 SUFFIX = ".nc"
@@ -29,7 +31,9 @@ REQUIRED_ATTRIBUTES = {"study", "code", "seed", "source"}  # attributes that eve
 # Exceptions of a script that reads an unsuitable result or a damaged variable.
 BROKEN = (AttributeError, LookupError, MemoryError, OSError, RuntimeError, TypeError, ValueError)
 SETTINGS_WITHOUT_EFFECT = ("cluster.",)  # prefixes of settings that do not affect numbers
-DISK_PROBE_BYTES = 2**20  # written beyond the size of the file, to test whether the disk is full
+PROBE_BYTES = 2**20  # written to test whether the disk is full
+COPIED_BYTES = 2**20  # at a time
+CACHE_BYTES = 2**20  # of HDF5 for each variable that is written; its 2**26 add up
 MAX_LISTED_SETTINGS = 5
 
 
@@ -50,23 +54,52 @@ def write_datasets(path: Path, datasets: Mapping[str, "xr.Dataset"]) -> None:
     """
     from xarray.backends import NetCDF4DataStore
 
-    with replacing(path) as aside:
-        try:
+    with replacing(path) as aside, os.fdopen(os.memfd_create("result"), "w+b") as content:
+        with _created(aside) as file:
+            _redirect(aside, content)
             for label, dataset in datasets.items():
                 if label:  # CF allows Conventions at the root only
                     dataset = dataset.assign_attrs()
                     dataset.attrs.pop("Conventions", None)
-                mode, group = "a" if label else "w", label or None
-                # Without this lock to_netcdf would import dask's scheduler to obtain one.
-                store = NetCDF4DataStore.open(str(aside), mode, group=group, lock=Lock())
-                with contextlib.closing(store):
-                    dataset.dump_to_store(store, encoding=_encoding(dataset))
-        except (OSError, RuntimeError) as error:
-            # On a full disk HDF5 reports "Permission denied" or nothing. A plain write of more
-            # bytes raises the true error.
-            size = aside.stat().st_size if aside.exists() else 0
-            aside.write_bytes(bytes(size + DISK_PROBE_BYTES))
-            raise RuntimeError(str(error)) from error
+                group = file.createGroup(label) if label else file
+                # Without this lock the store would import dask's scheduler to obtain one.
+                store = NetCDF4DataStore(group, lock=Lock())
+                dataset.dump_to_store(store, encoding=_encoding(dataset))
+        content.seek(0)
+        with aside.open("wb") as complete:
+            shutil.copyfileobj(content, complete, COPIED_BYTES)
+
+
+@contextlib.contextmanager
+def _created(path: Path) -> Iterator["netCDF4.Dataset"]:
+    """Create a netCDF file. Raises OSError, or RuntimeError if HDF5 gives no reason."""
+    import netCDF4
+
+    usual = netCDF4.get_chunk_cache()  # bytes for each variable, and further numbers
+    netCDF4.set_chunk_cache(CACHE_BYTES)
+    try:
+        with netCDF4.Dataset(path, "w") as file:
+            yield file
+    except PermissionError as error:
+        # So HDF5 reports a full disk. A plain write raises the true error.
+        path.write_bytes(bytes(PROBE_BYTES))
+        raise RuntimeError(str(error)) from error
+    finally:
+        netCDF4.set_chunk_cache(*usual)
+
+
+def _redirect(path: Path, content: IO[bytes]) -> None:
+    """Move a new file, which HDF5 has open, to memory: ``content`` receives all further writes.
+
+    HDF5 ends the process (SIGSEGV) if its last writes to a disk fail. The memory files of netCDF4
+    itself contain the time and forget the order of the variables.
+    """
+    content.write(path.read_bytes())
+    content.flush()
+    for descriptor in Path("/proc/self/fd").iterdir():
+        with contextlib.suppress(FileNotFoundError):  # that of the folder itself is closed
+            if descriptor.samefile(path):
+                os.dup2(content.fileno(), int(descriptor.name), inheritable=False)
 
 
 def _encoding(dataset: "xr.Dataset") -> dict[str, Any]:

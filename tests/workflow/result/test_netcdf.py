@@ -89,21 +89,11 @@ def test_failed_write_keeps_the_old_file_and_leaves_nothing(tmp_path, monkeypatc
     assert list(tmp_path.iterdir()) == [path]
 
 
-def test_the_error_of_a_full_disk_is_reported_instead_of_that_of_hdf5(
-    tmp_path, monkeypatch, dataset
-):
-    def refuse(*_, **__):
-        raise PermissionError(errno.EACCES, "Permission denied")
-
-    monkeypatch.setattr(type(dataset), "dump_to_store", refuse)
-    with pytest.raises(UserError, match=r"cannot be written: .*Permission denied") as error:
-        write_datasets(tmp_path / "small.nc", {"": dataset})
-    assert isinstance(error.value.__cause__, RuntimeError)  # the run retries it
+def test_the_error_of_a_full_disk_is_reported_instead_of_that_of_hdf5(tmp_path, dataset):
     with mounted(tmp_path / "disk", "64k") as disk:
         fill(disk)
         with pytest.raises(UserError, match=r"cannot be written: No space left on device$"):
             write_datasets(disk / "small.nc", {"": dataset})
-    assert list(tmp_path.iterdir()) == [tmp_path / "disk"]
 
 
 @pytest.mark.parametrize("place", ["folder", "nowhere/small.nc"])
