@@ -8,6 +8,7 @@ import json
 import os
 import shutil
 import sys
+import tempfile
 from collections.abc import Iterator, Mapping
 from pathlib import Path
 from threading import Lock
@@ -54,7 +55,7 @@ def write_datasets(path: Path, datasets: Mapping[str, "xr.Dataset"]) -> None:
     """
     from xarray.backends import NetCDF4DataStore
 
-    with replacing(path) as aside, os.fdopen(os.memfd_create("result"), "w+b") as content:
+    with replacing(path) as aside, _memory_file() as content:
         with _created(aside) as file:
             _redirect(aside, content)
             for label, dataset in datasets.items():
@@ -88,18 +89,26 @@ def _created(path: Path) -> Iterator["netCDF4.Dataset"]:
         netCDF4.set_chunk_cache(*usual)
 
 
+def _memory_file() -> IO[bytes]:
+    """Return a file in memory, or elsewhere than on Linux a temporary one."""
+    if hasattr(os, "memfd_create"):
+        return os.fdopen(os.memfd_create("result"), "w+b")
+    return tempfile.TemporaryFile()
+
+
 def _redirect(path: Path, content: IO[bytes]) -> None:
-    """Move a new file, which HDF5 has open, to memory: ``content`` receives all further writes.
+    """Let the descriptor by which HDF5 has opened a new file write to ``content`` instead.
 
     HDF5 ends the process (SIGSEGV) if its last writes to a disk fail. The memory files of netCDF4
     itself contain the time and forget the order of the variables.
     """
     content.write(path.read_bytes())
     content.flush()
-    for descriptor in Path("/proc/self/fd").iterdir():
-        with contextlib.suppress(FileNotFoundError):  # that of the folder itself is closed
-            if descriptor.samefile(path):
-                os.dup2(content.fileno(), int(descriptor.name), inheritable=False)
+    for entry in Path("/dev/fd").iterdir():
+        descriptor = int(entry.name)
+        with contextlib.suppress(OSError):  # that of the folder itself is closed
+            if os.path.samestat(os.fstat(descriptor), path.stat()):
+                os.dup2(content.fileno(), descriptor, inheritable=False)
 
 
 def _encoding(dataset: "xr.Dataset") -> dict[str, Any]:
