@@ -8,6 +8,7 @@ from elastomer_friction.studies.fig4 import claims as fig4
 from elastomer_friction.studies.fig5 import claims as fig5
 from elastomer_friction.studies.fig6 import claims as fig6
 from elastomer_friction.studies.fig7 import claims as fig7
+from elastomer_friction.studies.fig7_half_space import claims as fig7_half_space
 from elastomer_friction.studies.fig8 import claims as fig8
 from elastomer_friction.studies.grid6d import claims as grid6d
 from elastomer_friction.workflow.kinetic_law import jump_between, normalised_jump
@@ -62,6 +63,16 @@ def test_plateau_and_interpolation(level, verdict):
     actual = fig6.interpolation({"fig6": jumps(level)})
     assert (actual.verdict, actual.error) == (verdict, "0.1 % a point")
     assert fig6.plateau({"fig6": jumps(1.05 * level)}).verdict == verdict
+
+
+@pytest.mark.parametrize(("level", "holds"), [(1.0, True), (0.65, False)])
+def test_the_plateau_on_a_half_space(level, holds):
+    """A level 35 % below the paper's is no plateau of the paper."""
+    data = jumps(level)
+    alpha = xr.zeros_like(data.hurst)
+    data = data.assign(alpha=alpha, alpha_error=alpha, alpha_bias=alpha)
+    actual = fig7_half_space.plateau_on_half_space({"fig7_half_space": data})
+    assert actual.verdict.startswith("holds" if holds else "not found")
 
 
 def test_interpolation_names_the_worst_point():

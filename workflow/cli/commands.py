@@ -168,6 +168,10 @@ def _verify(options: argparse.Namespace) -> int:
     """Verify a store; return exit status 3 if a fault is found."""
     folder = options.what
     if not Path(folder).is_dir():
+        try:
+            find_study(folder)
+        except UserError as error:
+            raise UserError(f"verify {folder}: is not a folder of results, and {error}") from None
         folder = store_folder(result_file(Path(options.out), read_study(options.what)))
     verification = Verification(_store_in(str(folder)))
     print("\n".join(verification.lines()))

@@ -125,6 +125,8 @@ def read_scene(study: str, scale: str | None, settings: list[str], quantities: l
     name, path, tables, _ = _located_tables(study, scale, settings)
     if "measure" in tables:
         raise UserError(f"{study}: measures the program itself; choose a study that has a scene")
+    if "programme" not in as_table("scene", tables.get("scene", {})):
+        raise UserError(f"{study}: has no motion over time; add a [[scene.programme]]")
     tables.pop("compare", None)
     for table, extra in (
         ("study", {"realizations": 1, "realizations_per_block": 1}),
