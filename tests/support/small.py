@@ -133,6 +133,7 @@ FILES = {  # contents of the files beside small.toml, by name
     "tiny.csv": "0.1, 1\n0.2, 2\n",
     "unknown_branch.csv": "modulus [Pa], time [s]\n5e6, nan\n1e7, 1\n",
     "words.csv": "time velocity\n",
+    "minus.csv": "temperature (°C), -log a_T\n50, 1.5\n20, 0\n0, -2\n",
     "shifts.csv": "temperature (°C), log a_T\n50, -1.5\n20, 0\n0, 2\n",
     "shear.csv": "velocity (mm/s), shear stress (MPa)\n1, 2\n10, 3\n",
     "shear_falling.csv": "velocity (m/s), stress (Pa)\n1, 2\n1, 3\n",

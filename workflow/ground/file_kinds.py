@@ -5,11 +5,14 @@ CLEAN_BYTES = 4096  # bytes at the start of a text that hold no control characte
 CONTROL_SHARE = 1e-3  # maximum share of control characters in the bytes of a text
 UNPACK = "unpack it and name one file"
 EXPORT = "export its heights as text"
+EXPORT_TABLE = "export the table as text"
+MESH = "a mesh: export a height map or points x y z"
 SAVE_AS_TEXT = "save the sheet as CSV"
 PICTURE = f"a picture, which has no heights in metres: {EXPORT}"
 FOREIGN_SIGNATURES = {  # first bytes, bytes that must follow, content and remedy
     (b"PK\x03\x04", b"xl/"): f"an Excel workbook: {SAVE_AS_TEXT}",
     (b"PK\x03\x04", b"[Content_Types].xml"): f"an Excel workbook: {SAVE_AS_TEXT}",
+    (b"PK\x03\x04", b"opendocument.spreadsheet"): f"a spreadsheet: {SAVE_AS_TEXT}",
     (b"PK\x03\x04", b""): f"a zip archive: {UNPACK}",
     (b"\xd0\xcf\x11\xe0", b""): "an Excel 97 workbook or another OLE file: save it as text",
     (b"\x1f\x8b", b""): f"a gzip archive: {UNPACK}",
@@ -20,11 +23,18 @@ FOREIGN_SIGNATURES = {  # first bytes, bytes that must follow, content and remed
     (b"\x89PNG", b""): PICTURE,
     (b"\xff\xd8\xff", b""): PICTURE,
     (b"GIF8", b""): PICTURE,
-    (b"ply", b"element face"): "a mesh: export a height map or points x y z",
-    (b"solid", b"facet"): "a mesh: export a height map or points x y z",
+    (b"ply", b"element face"): MESH,
+    (b"solid", b"facet"): MESH,
+    (b"#VRML", b""): MESH,
+    (b"OFF\n", b""): MESH,
     (b"DSCOMPRESSED", b""): "a compressed Surf file: save it uncompressed",
     (b"Gwyddion Simple Field", b""): f"a field of Gwyddion: {EXPORT}",
-    (b"{", b'":'): "JSON: export the table as text",
+    (b"{", b'":'): f"JSON: {EXPORT_TABLE}",
+    (b"[", b'":'): f"JSON: {EXPORT_TABLE}",
+    (b"<?xml", b""): f"XML: {EXPORT_TABLE}",
+    (b"<!DOCTYPE", b""): f"a web page: {EXPORT_TABLE}",
+    (b"<html", b""): f"a web page: {EXPORT_TABLE}",
+    (b"%PDF-", b""): f"a PDF: {EXPORT_TABLE}",
 }
 MAX_SIGNATURE_BYTES = 4096  # that are searched
 

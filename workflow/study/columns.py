@@ -198,10 +198,8 @@ def _unclear_columns(table: TextTable, wanted: Sequence[ColumnSpec], option: str
     remedy = option
     if option.startswith("--"):
         units = {spec.option: spec.unit or spec.default for spec in wanted if spec.option}
-        example = ",".join(map(str, table.numeric[: len(wanted)]))
-        remedy = " ".join(
-            [f"{option} {example}", *(f"{key} {unit}" for key, unit in units.items())]
-        )
+        example = " " + ",".join(map(str, table.numeric[: len(wanted)])) if wanted[1:] else ""
+        remedy = " ".join([f"{option}{example}", *(f"{key} {unit}" for key, unit in units.items())])
     return UserError(
         f"{table.key} = {table.name!r}: holds {table.columns_text}, from 0: it is not clear which "
         f"holds {names}; give {remedy}"

@@ -2,7 +2,7 @@
 
 import math
 import re
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from functools import lru_cache
 from typing import NamedTuple
 
@@ -74,16 +74,15 @@ def marks_of(words: Iterable[str]) -> Marks:
     return Marks(decimal, thousands if any(mark == thousands for mark, _ in uses) else "")
 
 
-@lru_cache(maxsize=MAX_CACHED_WORDS)
-def _uses_of_marks(word: str) -> list[tuple[str, str]]:
-    """Return the marks in a number, each as "decimal", as of "groups", or as "either"."""
-    digits = EXPONENT_MARK.split(word, maxsplit=1)[0] if is_numeral(word) else ""
-    grouped = "either" if digits.count(",") + digits.count(".") == 1 else "groups"
-    return [
-        (mark, grouped if groups.fullmatch(digits) else "decimal")
-        for mark, groups in GROUPS.items()
-        if mark in digits
-    ]
+def _uses_of_marks(word: str) -> Iterator[tuple[str, str]]:
+    """Yield the marks in a number, each as "decimal", as of "groups", or as "either"."""
+    digits = EXPONENT_MARK.split(word, maxsplit=1)[0]
+    for mark, groups in GROUPS.items():
+        if mark in digits and is_numeral(word):
+            if not groups.fullmatch(digits):
+                yield mark, "decimal"
+            else:
+                yield mark, "groups" if len(re.findall("[,.]", digits)) > 1 else "either"
 
 
 @lru_cache(maxsize=MAX_CACHED_WORDS)

@@ -147,8 +147,9 @@ def table_of_text(key: str, name: str, text: str) -> TextTable:
     try:
         cells = cells_of(text)
         rows = map(cells.row, range(len(cells.rows)))
+        comma = '"' if cells.delimiter == "," else ","  # in quotes if commas separate cells
         marks = Marks()
-        if re.search(r",|\.\d+\.", text):  # not only decimal points
+        if re.search(rf"{comma}|\.\d+\.", text):  # not only decimal points
             marks = marks_of(row[n] for row in rows for n in cells.numeric)
     except ValueError as error:
         raise UserError(f"{key} = {name!r}: {error}") from None

@@ -50,6 +50,9 @@ def test_archives_and_files_that_are_no_text():
     assert "Excel" in foreign_content(b"PK\x03\x04 [Content_Types].xml")
     assert "mesh" in foreign_content(b"ply\nelement vertex 9\nelement face 4\n")
     assert "picture" in foreign_content(b"\x89PNG\r\n")
+    assert "JSON" in foreign_content(b'[{"x": 1}]')
+    assert "PDF" in foreign_content(b"%PDF-1.4\n1 0 obj\n")
+    assert "web page" in foreign_content(b"<!DOCTYPE html>\n404 1\n")
     assert foreign_content(b"0 1\n") == foreign_content(b"ply\nelement vertex 9\n") == ""
     assert is_text("x (µm)\n0\t1\r\n".encode("latin-1"))
     assert is_text("x\n0 1".encode("utf-16"))

@@ -161,6 +161,7 @@ def test_remarks_blocks_and_what_is_passed_over():
         ("dx=0.5um, unit=nm\n1\n2\n3\n", {"dx": "0.5um", "unit": "nm"}),
         ("XY calibration;277;nm/pixel\n1;2;3;4;5\n2;3;4;5;6\n", {"xy calibration": "277 nm/pixel"}),
         ("Width (µm),20\nUnit,nm\n1,2,3,4,5\n2,3,4,5,6\n", {"width (µm)": "20", "unit": "nm"}),
+        ("Missing value;99\n1 2 3 4 5\n2 3 4 5 6\n", {"missing value": "99"}),
     ],
 )
 def test_remarks_in_one_line_or_in_two_cells(text, remarks):

@@ -58,6 +58,11 @@ def read_shift_table(key: str, path: Path) -> ShiftTable:
         table, (TEMPERATURE_COLUMN, DECADES), None, SHIFT_HEADER_ADVICE
     )
     values, name, read_as = shift.values, shift.title.name, ""
+    if re.match(r"-|1\s*/", name):
+        raise UserError(
+            f"{key} = {path.name!r}: the column {name!r} holds shifts of frequencies: change their "
+            f"sign, and give {SHIFT_HEADER_ADVICE}"
+        )
     if re.match(r"ln", name, re.IGNORECASE):
         values, read_as = values / math.log(10.0), "; these are ln a_T"
     elif re.search(r"^(?!.*(log|lg)).*(a_?T|factor)", name, re.IGNORECASE):

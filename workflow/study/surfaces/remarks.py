@@ -7,7 +7,7 @@ from ...ground import UserError
 from ...text_tables import NUMERAL_TEXT, TextTable, is_numeral, split
 from .raw_lines import KEY, LineFile, metres
 
-REMARK = re.compile(r"([^:=;\t]+)[:=](.*)")  # Width: 96 µm
+REMARK = re.compile(r"([^:=;\t]+)[:=;\t](.*)")  # Width: 96 µm, or its cells
 QUANTITY_TEXT = re.compile(rf"({NUMERAL_TEXT})\s*(\S.*)?")
 PITCH_REMARK = re.compile(
     r"(pitch|step|(sampl\w*|point|data|x|lateral)?[-_ ]*(spacing|step|interval|increment|pitch)"
@@ -26,8 +26,9 @@ BARE_REMARK = re.compile(
     r"[#%/!;\s]*(cell_?size|no_?data_?value|mult|cz|wavelength)\s+(\S.*)", re.IGNORECASE
 )
 SCALE_REMARK = re.compile(
-    r"mult|cz|wavelength"
-    r"|(z|height|data|value)?s?[-_ ]*(conversion[-_ ]*)?(scal(e|ing)|factor|multiplier|calibration)"
+    r"mult|cz|wavelength|skalierung|(z|height)[-_ ]*(gain|sensitivity)"
+    r"|(z|height|data|value|[hz]\w*)?s?[-_ ]*(conversion[-_ ]*)?"
+    r"(scal(e|ing)|fa[ck]tor|multiplier|calibration|lsb|per[-_ ]*(count|lsb|digit|bit))"
     r"[-_ ]*(factor)?( ?[\[(].{0,20})?"  # z scale (nm)
 )
 

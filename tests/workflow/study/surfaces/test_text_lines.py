@@ -203,6 +203,8 @@ def test_a_nearly_square_matrix_is_said_to_be_a_possible_map(tmp_path, shape, he
         ("CZ MM 1.5e-06", "states cz"),
         ("Wavelength = 632.8", "states wavelength"),
         ("zscale = 2", "states zscale"),
+        ("Z-Faktor;2,5", "states z-faktor"),
+        ("Height LSB (nm): 1.5", "states height lsb"),
         ("height conversion factor (-> m)=2.9e-8", "states height conversion factor"),
     ],
 )
