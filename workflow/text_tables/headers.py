@@ -36,7 +36,9 @@ LINE_PATTERNS = (
     HeaderPattern(r";", "x [mm]; z [um]", "semicolons between titles"),
     HeaderPattern(r",", "x [mm], z [um]", "commas between titles"),
     HeaderPattern(
-        r"(?<=[\])>}])\s+(?![\[(<{])", "Raw x [mm] Raw z [um]", "a bracket ends each title"
+        r"(?<=[\])>}])(?<!\([twfx]\))\s+(?![\[(<{])",
+        "Raw x [mm] Raw z [um]",
+        "a bracket ends each title",
     ),
     HeaderPattern(
         r"(?<!\s/)(?<!\sin)(?<!\s)\s++(?!/\s|in\s|[\[(<{])(?![^\[(<{]{0,60}[\])>}])",

@@ -122,6 +122,7 @@ def test_a_word_is_refused_in_a_column_that_is_read():
         ("% % | ms\n% mu | t\n0 | 1\n1 | 2\n", ["%", "ms"]),
         ("# units: counts, um\n0 1\n1 2\n", ["counts", "um"]),
         ('# x, z\n"um", "nm"\n0, 1\n1, 2\n', ["um", "nm"]),
+        ("G(t) counts Elapsed time us\n1 2\n2 3\n", []),
         ("% log aT,T\n% ,[K]\n0,1\n1,2\n", ["", "K"]),
         ("f(x) {Hz} storage {Pa} n loss {Pa}\n1 9 2 3\n2 9 3 4\n", ["Hz", "Pa", "", "Pa"]),
         ("E(t) [Pa],t [s]\n0,1\n1,2\n", ["Pa", "s"]),

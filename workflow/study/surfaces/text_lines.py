@@ -9,7 +9,7 @@ import re
 import numpy as np
 
 from ...ground import UserError, counted
-from ...text_tables import UNREAD_NAME, TextTable, Title, read_text_table, unit_of
+from ...text_tables import UNREAD_NAME, TextTable, Title, is_numeral, read_text_table, unit_of
 from ..columns import count_named
 from .positions import PointGrid, grid_of, is_uniform, precision, repeats
 from .raw_lines import (
@@ -299,4 +299,5 @@ def _label(table: TextTable, column: int) -> str:
 
 def _precisions(table: TextTable, column: int) -> np.ndarray:
     """Return the precision of the written numbers of a column."""
-    return precision(table.marks.plain(word) or "0" for word in table.words(column))
+    words = (word if is_numeral(word) else "0" for word in table.words(column))
+    return precision(map(table.marks.plain, words))

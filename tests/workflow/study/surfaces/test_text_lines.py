@@ -63,6 +63,7 @@ def test_columns_are_those_that_the_header_names(tmp_path, header, columns):
     [
         ("x [m]\tz [um]\n" + rows(X, Z[0], separator="\t"), "samples are 0.5 m apart: must be at"),
         ("0.5\t0.75\n", "1 samples per line: needs at least 8"),
+        ("x;z\n" + rows(["nan", *X[1:]], Z[0], separator=";"), "position of sample 1 is missing"),
     ],
 )
 def test_implausible_lines_are_refused(tmp_path, text, words):
