@@ -103,7 +103,7 @@ def _motion_spec(
     if displacement:
         return PLACE
     if columns is not None:
-        title = table.title(columns[1]) if columns[1] < table.width else table.title(0)
+        title = table.title(columns[1])
         unit, name = unit_of(title.unit), title.name
         family = unit.family if unit else ""
         if re.search(VELOCITY.names, name, re.I) and not title.stated:

@@ -193,9 +193,7 @@ def _moduli_columns(
             find_column(table, LOSS_MODULUS) is None and find_column(table, LOSS_FACTOR) is not None
         )
     else:
-        phase = columns[2] < table.width and bool(
-            re.search(LOSS_FACTOR_NAME, table.title(columns[2]).name, re.I)
-        )
+        phase = bool(re.search(LOSS_FACTOR_NAME, table.title(columns[2]).name, re.I))
     if phase:
         wanted[2] = LOSS_FACTOR
     selected = select_columns(table, wanted, columns)

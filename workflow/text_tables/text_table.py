@@ -74,8 +74,8 @@ class TextTable:
                 )
 
     def title(self, column: int) -> Title:
-        """Return the title of a column; an empty title if the file has none."""
-        return self.titles[column] if self.titles else Title()
+        """Return the title of a column; an empty title if the file, or the column, has none."""
+        return self.titles[column] if column < len(self.titles) else Title()
 
     def words(self, column: int) -> Iterator[str]:
         """Yield the cells of a column as written."""

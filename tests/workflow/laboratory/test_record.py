@@ -57,6 +57,11 @@ def test_times_of_day_are_seconds(tmp_path, header, form):
     np.testing.assert_allclose(found.velocity, 1e-3)
 
 
+def test_a_column_that_the_file_does_not_hold_is_named(tmp_path):
+    with pytest.raises(UserError, match="--columns asks for column 7 of"):
+        read(tmp_path, "t [s],v [mm/s],mu\n0,1,0.5\n1,2,0.5\n", (0, 7, 2))
+
+
 def test_two_displacements_are_too_few(tmp_path):
     with pytest.raises(UserError, match="holds 2 rows: a fit needs 3"):
         read(tmp_path, "t [s],x [mm],mu\n0,1,0.5\n1,2,0.5\n")
