@@ -122,8 +122,9 @@ def _output_of(options: argparse.Namespace) -> Path | None:
 
 
 def _name_for_study(out: Path) -> str:
-    """Return the name of a file for a study: relative if a study.toml is in its folder."""
-    beside = (out.parent / "study.toml").is_file()
+    """Return the name of a file for a study: relative if its folder is that of a study."""
+    folder = out.resolve().parent
+    beside = (folder / "study.toml").is_file() or folder.parent.name == "studies"
     return out.name if beside else out.resolve().as_posix()
 
 

@@ -98,9 +98,12 @@ def test_the_written_branches_are_read_by_a_study(capsys, tmp_path):
     study = small_study(f'material.branches_file="{out}"')
     np.testing.assert_allclose(study.material.branches, BRANCHES, rtol=1e-5)
     (tmp_path / "study.toml").touch()
-    assert 'branches_file = "branches.csv"' in output(
-        capsys, "prony", str(tmp_path / "moduli.txt"), "--out", str(out)
-    )
+    later = tmp_path / "studies" / "mine" / "branches.csv"  # before the file of the study
+    later.parent.mkdir(parents=True)
+    for path in (out, later):
+        assert 'branches_file = "branches.csv"' in output(
+            capsys, "prony", str(tmp_path / "moduli.txt"), "--out", str(path)
+        )
 
 
 def test_the_measurement_is_never_overwritten(capsys, tmp_path):
