@@ -60,6 +60,7 @@ SEPARATOR = re.compile("|".join(f"({pattern.separator})" for pattern in TITLE_PA
 TITLE_WITH_BRACKETS = re.compile(
     r"(.*?)(?:\[([^\[\]]*)\]|\(([^()]*)\)|<([^<>]*)>|\{([^{}]*)\})([^\[\](){}<>]*)"
 )
+REMARK_WITH_UNIT = re.compile(r"[\])]\s*[:;,\t]\s*[-+.\d]")  # Pixel size [µm]: 0.5
 ARGUMENT = re.compile(r"(?<=\S)\((t|ω|omega|w|f|x|y|q|T|i|a|τ|delta|δ|aT|a_T)\)")  # E(t), G'(ω)
 BRACKETED = re.compile(r"[\[(<{].*[\])>}]")
 COMMENT_MARK = re.compile(r"^\s*(?:#+|!+|//|%(?!\s*[;\t|,])) ?")  # % may be the first unit
@@ -186,10 +187,11 @@ def _is_remark(text: str) -> bool:
     return (
         "=" in text
         or text.endswith(":")
+        or bool(REMARK_WITH_UNIT.search(text))
         or any(
             re.fullmatch(NUMERAL_TEXT, one)
             and (unit_of(other.strip(",;")) or other in ("AM", "PM"))
-            for one, other in pairwise(text.split())
+            for one, other in pairwise(re.split(r"[\s:]+|(?<!\d),", text))
         )
     )
 

@@ -7,7 +7,7 @@ from ...ground import UserError
 from ...text_tables import NUMERAL_TEXT, TextTable, is_numeral, split
 from .raw_lines import KEY, LineFile, metres
 
-REMARK = re.compile(r"([^:=;\t]+)[:=;\t](.*)")  # Width: 96 µm, or its cells
+REMARK = re.compile(r"([^:=;,\t]+)[:=;,\t](.*)")  # Width: 96 µm, or its cells
 QUANTITY_TEXT = re.compile(rf"({NUMERAL_TEXT})\s*(\S.*)?")
 PITCH_REMARK = re.compile(
     r"(pitch|step|(sampl\w*|point|data|x|lateral)?[-_ ]*(spacing|step|interval|increment|pitch)"
@@ -23,7 +23,7 @@ UNIT_REMARK = re.compile(r"(value|z|height|data|y)?[-_ ]*(units?|einheit)")
 MISSING_REMARK = re.compile(r"no[-_ ]?data([-_ ]?value)?|missing([-_ ]?value)?")
 # Names whose values follow after blanks.
 BARE_REMARK = re.compile(
-    r"[#%/!;\s]*(cell_?size|no_?data_?value|mult|cz|wavelength)\s+(\S.*)", re.IGNORECASE
+    r"[;\s]*(cell_?size|no_?data_?value|mult|cz|wavelength)[\s:=]+(\S.*)", re.IGNORECASE
 )
 SCALE_REMARK = re.compile(
     r"mult|cz|wavelength|skalierung|(z|height)[-_ ]*(gain|sensitivity)"
@@ -40,7 +40,7 @@ def remarks_of(table: TextTable) -> dict[str, str]:
     a name and its value if the table has another number of columns.
     """
     remarks: dict[str, str] = {}
-    for line in table.above:
+    for line in (line.lstrip("#%/! ") for line in table.above):
         cells = split(line, table.delimiter) if table.delimiter is not None else []
         few = len(cells) == 2 or (len(cells) == 3 and is_numeral(cells[1]))
         if few and len(cells) != table.width and all(cells):
@@ -49,7 +49,7 @@ def remarks_of(table: TextTable) -> dict[str, str]:
             remarks.setdefault(bare[1].lower(), bare[2].strip())
             continue
         for part in re.split(r"[,;\t]\s{0,8}(?=[^\W\d])", line.strip()):
-            match = REMARK.fullmatch(part.lstrip("#%/!; \t").rstrip(" ;,\t"))
+            match = REMARK.fullmatch(part.lstrip("; \t").rstrip(" ;,\t"))
             if match and match[1].strip():
                 remarks.setdefault(match[1].strip().lower(), match[2].strip('" \t'))
     return remarks

@@ -59,6 +59,27 @@ def test_columns_are_those_that_the_header_names(tmp_path, header, columns):
 
 
 @pytest.mark.parametrize(
+    "last", ["Pixel size [mm]: 0,5", "Step (mm)\t0,5", "# Width:12 mm", "Width,12 mm"]
+)
+@pytest.mark.parametrize("comment", ["", "// "])
+def test_the_unit_of_a_remark_is_not_that_of_heights(tmp_path, last, comment):
+    heights = "\n".join(map(str, Z[0])).replace(".", ",")
+    found = read(tmp_path, f"{comment}Z unit: um\n{comment}{last}\n{heights}\n")
+    np.testing.assert_allclose(found.heights, Z[:1] * 1e-6)
+    assert found.step == pytest.approx(5e-4)
+
+
+@pytest.mark.parametrize(
+    "remark", ["NODATA_value = 0", "% NoData,0", "nodata;0", "Missing value: 0"]
+)
+def test_a_stated_code_is_no_height(tmp_path, remark):
+    heights = np.where(np.arange(24) == 5, 0.0, Z + 9.0)
+    text = f"{remark}\nstep = 1 um\nunit = um\n" + rows(*heights.T, separator="\t")
+    with pytest.raises(UserError, match="12 of 288 samples are missing"):
+        read(tmp_path, text)
+
+
+@pytest.mark.parametrize(
     ("text", "words"),
     [
         ("x [m]\tz [um]\n" + rows(X, Z[0], separator="\t"), "samples are 0.5 m apart: must be at"),
@@ -204,6 +225,7 @@ def test_a_nearly_square_matrix_is_said_to_be_a_possible_map(tmp_path, shape, he
         ("CZ MM 1.5e-06", "states cz"),
         ("Wavelength = 632.8", "states wavelength"),
         ("zscale = 2", "states zscale"),
+        ("% zscale, 2", "states zscale"),
         ("Z-Faktor;2,5", "states z-faktor"),
         ("Height LSB (nm): 1.5", "states height lsb"),
         ("height conversion factor (-> m)=2.9e-8", "states height conversion factor"),
