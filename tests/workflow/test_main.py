@@ -53,3 +53,17 @@ def test_a_configuration_of_dask_that_cannot_be_read_is_refused_before_anything_
         assert "the settings of dask: A dask config file at" in line
         assert "UserError" in line or (done.returncode, done.stderr.count("\n")) == (2, 1)
     assert not (tmp_path / "store").exists()
+
+
+LIMITED = """
+import resource, runpy, sys
+resource.setrlimit(resource.RLIMIT_AS, (int(sys.argv.pop(1)), resource.RLIM_INFINITY))
+runpy.run_module("workflow", run_name="__main__")
+"""
+
+
+@pytest.mark.parametrize("size", [150_000_000, 350_000_000])
+def test_a_limit_of_memory_below_that_of_the_packages_is_refused_before_they_load(size):
+    done = python("-c", LIMITED, str(size), "plan", "fig2")
+    assert (done.returncode, done.stderr.count("\n")) == (2, 1)
+    assert f"ulimit -v = {size // 1024}: must be at least" in done.stderr

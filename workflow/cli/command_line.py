@@ -3,6 +3,7 @@
 import argparse
 import os
 import re
+import resource
 import sys
 import tempfile
 from collections.abc import Callable, Sequence
@@ -14,6 +15,8 @@ from ..system import TEMPORARY_ERRORS, program, version_of
 from .exit_status import RESUMABLE, WRONG
 
 LAW_FORMATS = ("c", "fortran", "fmu", "json")  # written by `law`
+MIN_ADDRESS_BYTES = 700 * 2**20  # address space in which all packages load
+NOT_MAPPED = "failed to map segment|[Cc]annot allocate memory"  # by the loader of libraries
 MAX_FAILURES = 10  # problems that may fail in a run, by default
 PRONY_FORMATS = ("study", "abaqus", "ansys")  # printed by `prony`
 
@@ -38,7 +41,10 @@ def main(arguments: list[str] | None = None) -> int:
         for part in error.errors:
             print(f"error: {part}{part.place}", file=sys.stderr)
         return WRONG
-    except MemoryError:
+    except (MemoryError, SystemError, ImportError) as error:
+        # Extension modules also fail with SystemError, or cannot be mapped into memory.
+        if isinstance(error, ImportError) and not re.search(NOT_MAPPED, str(error)):
+            raise
         remedy = "free some of it, or reduce the grid; what is stored is kept"
         print(f"error: the memory of this machine is full: {remedy}", file=sys.stderr)
         return WRONG
@@ -54,7 +60,10 @@ def main(arguments: list[str] | None = None) -> int:
 
 
 def _check_surroundings(words: Sequence[str]) -> None:
-    """Raise UserError for paths that are not UTF-8, and without a folder for temporary files."""
+    """Raise UserError for non-UTF-8 paths, no folder for temporary files, or too little memory.
+
+    Below MIN_ADDRESS_BYTES OpenBLAS waits forever for memory while it is loaded.
+    """
     for text in (*words, str(Path.cwd())):
         try:
             text.encode()
@@ -65,6 +74,10 @@ def _check_surroundings(words: Sequence[str]) -> None:
     except FileNotFoundError as error:
         message = f"TMPDIR: {error.strerror}; set it to a folder that can be written"
         raise UserError(message) from error
+    limit, _ = resource.getrlimit(resource.RLIMIT_AS)
+    if resource.RLIM_INFINITY != limit < MIN_ADDRESS_BYTES:
+        least = f"must be at least {MIN_ADDRESS_BYTES // 1024} KiB; raise it in the shell"
+        raise UserError(f"ulimit -v = {limit // 1024}: {least}")
 
 
 class OneLineParser(argparse.ArgumentParser):

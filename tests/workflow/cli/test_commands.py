@@ -36,6 +36,8 @@ def test_second_ctrl_c_ends_with_the_status_of_an_interruption(capsys, study, mo
     ("error", "line"),
     [
         (MemoryError(), "memory of this machine is full: free some"),
+        (SystemError("error return without exception set"), "memory of this machine is full"),
+        (ImportError("a.so: failed to map segment from shared object"), "machine is full"),
         (OSError(errno.EIO, "Input/output error", "a.nc"), "a.nc: Input/output error; what is st"),
         (OSError(errno.ENFILE, "Too many open files"), "a file: Too many open files; what is st"),
     ],
