@@ -148,7 +148,7 @@ def test_a_study_is_animated_without_its_comparisons(tmp_path):
     [
         ([CREEP, "--out", "creep.avi"], "creep.avi: must end in .gif or .mp4"),
         ([CREEP, "--set", "grid.normal_force=[0.1, 0.2]"], "must be one value in a scene"),
-        (["fig7"], '"trace": needs a [[scene.programme]]'),
+        (["fig7"], "has no motion over time; add a [[scene.programme]]"),
         (["stability"], "stability: measures the program itself"),
     ],
 )
