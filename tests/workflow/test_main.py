@@ -67,3 +67,13 @@ def test_a_limit_of_memory_below_that_of_the_packages_is_refused_before_they_loa
     done = python("-c", LIMITED, str(size), "plan", "fig2")
     assert (done.returncode, done.stderr.count("\n")) == (2, 1)
     assert f"ulimit -v = {size // 1024}: must be at least" in done.stderr
+
+
+@pytest.mark.parametrize("setting", ["CONNECT=0s", "TCP=soon"])
+def test_settings_of_dask_with_which_no_worker_starts_are_refused(tmp_path, setting):
+    name, value = f"DASK_DISTRIBUTED__COMM__TIMEOUTS__{setting}".split("=")
+    words = ["run", write_study(tmp_path), "--out", str(tmp_path), "--workers", "1"]
+    done = python("-m", "workflow", *words, "--set", "study.realizations=4", **{name: value})
+    assert done.returncode == 2, done.stderr
+    assert "Traceback" not in done.stderr
+    assert "; correct the settings of dask" in done.stderr.splitlines()[-1]

@@ -85,7 +85,13 @@ def _local_cluster(loop: IOLoop, count: int, dashboard: bool) -> Iterator[LocalC
         options: dict[str, Any] = {"n_workers": count, "threads_per_worker": 1}
         options |= {"scheduler_kwargs": scheduler_options, "local_directory": folder}
         options |= {"loop": loop, "security": security, "silence_logs": logging.CRITICAL}
-        with dask.config.set(pages), LocalCluster(**options) as local:
+        with dask.config.set(pages), contextlib.ExitStack() as stack:
+            try:
+                local = stack.enter_context(LocalCluster(**options))
+            except (LookupError, RuntimeError, TypeError, ValueError) as error:
+                reason = " ".join(str(error).split())
+                remedy = "correct the settings of dask (DASK_…, dask.yaml)"
+                raise UserError(f"local workers cannot be started: {reason}; {remedy}") from error
             # Replace any nanny that gave up because its worker was killed during a restart.
             local.adapt(minimum=count, maximum=count, interval=ADAPT_INTERVAL)
             yield local
