@@ -19,8 +19,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-DEVIATIONS = 3.0  # standard errors up to which a difference counts as chance, in all modules
-WINDOW = 5.0  # largest lag of the sum, in integrated autocorrelation times
+MAX_CHANCE_ERRORS = 3.0  # standard errors up to which a difference counts as chance, in all modules
+MAX_LAG_TIMES = 5.0  # largest lag of the sum, in integrated autocorrelation times
 
 
 class Estimate(NamedTuple):
@@ -55,7 +55,7 @@ def correlation_factor(residual: np.ndarray) -> float:
     if not covariance[0] > 0.0:
         return 1.0
     sums = 2.0 * np.cumsum(covariance / covariance[0]) - 1.0
-    ends = np.flatnonzero(np.arange(n) >= 0.5 * WINDOW * sums)
+    ends = np.flatnonzero(np.arange(n) >= 0.5 * MAX_LAG_TIMES * sums)
     last = int(ends[0]) if ends.size else n - 1
     return max(float(sums[last]) * (1.0 + (2 * last + 1) / n), 1.0)
 

@@ -14,10 +14,10 @@ from .step_fit import StepFit
 from .together import Fit, Rates, friction_after, predicted_jump
 
 STEPS_PER_ROW = 3
-MOST_STEPS = 12  # largest number of steps drawn
-MOST_SAMPLES = 4000  # approximate number of samples drawn, if a step has more
+MAX_DRAWN_STEPS = 12  # largest number of steps drawn
+MAX_DRAWN_SAMPLES = 4000  # approximate number of samples drawn, if a step has more
 EQ_6, AGEING = COLOURS[4], COLOURS[0]
-MEASURED = "0.6"
+MEASURED_COLOUR = "0.6"
 
 
 def draw_fit(fit: Fit, path: Path) -> list[Picture]:
@@ -27,7 +27,7 @@ def draw_fit(fit: Fit, path: Path) -> list[Picture]:
 
 def figure_of(fit: Fit) -> Figure:
     """Return the figure of a fit."""
-    steps = list(zip(fit.steps, fit.ageing, strict=True))[:MOST_STEPS]
+    steps = list(zip(fit.steps, fit.ageing, strict=True))[:MAX_DRAWN_STEPS]
     rows = math.ceil(len(steps) / STEPS_PER_ROW)
     several = fit.rates is not None and len(fit.steps) > 1
     heights = [2.0, 0.8] * rows + [2.2] * several
@@ -46,20 +46,24 @@ def figure_of(fit: Fit) -> Figure:
         _jumps(figure.add_subplot(last[1]), fit)
     figure.axes[0].legend(loc="best", fontsize=6)
     count = len(fit.steps)
-    drawn = f"The first {MOST_STEPS} of {count} steps are drawn. " if count > MOST_STEPS else ""
+    drawn = (
+        f"The first {MAX_DRAWN_STEPS} of {count} steps are drawn. "
+        if count > MAX_DRAWN_STEPS
+        else ""
+    )
     write_below(figure, f"{drawn}Bars show one standard error, correlated noise counted as it is.")
     return figure
 
 
 def _step(upper: Axes, lower: Axes, fit: StepFit, ageing: StepFit) -> None:
     step = fit.step
-    every = slice(None, None, max(1, step.time.size // MOST_SAMPLES))
+    every = slice(None, None, max(1, step.time.size // MAX_DRAWN_SAMPLES))
     t = step.time[every]
     # Samples before the step are drawn at the mean time interval of those after it.
     before = -np.arange(step.before.size, 0, -1) * (step.time[-1] / step.time.size)
     shown = before > -0.3 * step.time[-1]
-    upper.plot(before[shown], step.before[shown], ".", ms=1.0, color=MEASURED)
-    upper.plot(t, step.after[every], ".", ms=1.0, color=MEASURED, label="measured")
+    upper.plot(before[shown], step.before[shown], ".", ms=1.0, color=MEASURED_COLOUR)
+    upper.plot(t, step.after[every], ".", ms=1.0, color=MEASURED_COLOUR, label="measured")
     upper.plot(before[shown], np.full(int(shown.sum()), fit.mu_1.value), "-", color=EQ_6)
     for fitted, colour, style, label in (
         (ageing, AGEING, "--", "Dieterich"),

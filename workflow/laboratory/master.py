@@ -13,7 +13,7 @@ from .sentences import shown
 from .shift_fit import ShiftFit, fit_shifts
 from .superposition import Superposition, superposed
 
-LARGEST_RESIDUAL = 0.15  # largest relative rms residual of G* that is accepted
+MAX_RMS_RESIDUAL = 0.15  # largest relative rms residual of G* that is accepted
 
 
 class Shifting(NamedTuple):
@@ -60,7 +60,7 @@ def master_curve(name: str, measured: Moduli, options: Shifting) -> MasterCurve:
         fit = fit_shifts(temperatures, shift.decades, shift.covariance, reference, options.law)
     except ValueError as error:
         raise UserError(f"prony {name}: {error}") from None
-    if shift.rms > LARGEST_RESIDUAL:
+    if shift.rms > MAX_RMS_RESIDUAL:
         raise UserError(
             f"prony {name}: no shifts bring the sweeps onto one curve: "
             f"the residual is {100 * shift.rms:.2g} % of the moduli. a_T alone does not describe "
@@ -102,7 +102,7 @@ def _shift_lines(
             line += f", log10 b_T = {shown(Estimate(up, other))}"
         lines.append(line)
     if options.vertical:
-        lines.append("a study knows no b_T: its moduli are those at the reference")
+        lines.append("a study has no key for b_T: its moduli are those at the reference")
     return lines
 
 
@@ -124,9 +124,9 @@ def _law_texts(at: str, fit: ShiftFit) -> tuple[str, str]:
         assert isinstance(law, ShiftTable)
         rows = [f"[{t:g}, {decades:.5g}]" for t, decades in law.rows]
         text = (
-            "shifts: the table itself, linear in between; no law is close to all of them. A study "
+            "shifts: the table itself, linear in between, as no law fits all of them. A study "
             "reads the same table from a text file by the key shifts_file"
         )
         return text, f"shifts = [{', '.join(rows)}]"
-    beware = "" if fit.holds else ", more than its error: take --law shifts"
-    return f"{text}; it misses the shifts by {fit.worst:.2g} decades at most{beware}", key
+    warning = "" if fit.holds else ", more than its error: use --law shifts"
+    return f"{text}; it deviates from the shifts by up to {fit.worst:.2g} decades{warning}", key

@@ -10,16 +10,16 @@ from typing import NamedTuple
 import numpy as np
 
 from ..ground import UserError, counted
-from .estimate import DEVIATIONS, noise_of
+from .estimate import MAX_CHANCE_ERRORS, noise_of
 from .record import Record
 
-LEAST_CHANGE = 0.02  # smallest detected change of log velocity
-LEAST_SAMPLES = 12  # smallest number of samples of a stretch
-CHANCE = 5.0  # standard errors by which the means of two stretches must differ
-LARGEST_SHARE_OF_NOISE = 0.05  # largest relative standard error of a velocity
+MIN_LOG_VELOCITY_CHANGE = 0.02  # smallest detected change of log velocity
+MIN_STRETCH_SAMPLES = 12  # smallest number of samples of a stretch
+MIN_MEAN_ERRORS = 5.0  # standard errors by which the means of two stretches must differ
+MAX_VELOCITY_ERROR = 0.05  # largest relative standard error of a velocity
 MIN_SIGN_SHARE = 0.2  # of the samples of a stretch, with friction of the other sign
-SMOOTH = 3.0  # s over the noise; the scale of velocities is linear below s
-SLOWEST = 1e-9  # smallest s over the largest speed, for velocities without noise
+LINEAR_NOISE_RATIO = 3.0  # s over the noise; the scale of velocities is linear below s
+MIN_LINEAR_SHARE = 1e-9  # smallest s over the largest speed, for velocities without noise
 
 
 class MeasuredStep(NamedTuple):
@@ -97,8 +97,8 @@ def _sliding(record: Record) -> list[_Stretch]:
     for where in stretches:
         mean, scatter = float(v[where].mean()), float(v[where].std(ddof=1))
         error = scatter / np.sqrt(v[where].size)
-        known = mean != 0.0 and error <= LARGEST_SHARE_OF_NOISE * abs(mean)
-        still = abs(mean) <= DEVIATIONS * error and error <= LARGEST_SHARE_OF_NOISE * fastest
+        known = mean != 0.0 and error <= MAX_VELOCITY_ERROR * abs(mean)
+        still = abs(mean) <= MAX_CHANCE_ERRORS * error and error <= MAX_VELOCITY_ERROR * fastest
         if not known and not still:
             raise UserError(
                 f"fit {record.name}: the velocity scatters by {scatter:.2g} m/s about {mean:.3g} "
@@ -116,7 +116,7 @@ def _on_scale(v: np.ndarray) -> np.ndarray:
     slow = np.flatnonzero((np.abs(v) <= np.median(moving)) & (v != 0.0))
     changes = np.diff(v[slow])[np.diff(slow) == 1]
     noise = noise_of(changes) if changes.size else 0.0
-    return np.arcsinh(v / max(SMOOTH * noise, SLOWEST * float(moving.max())))
+    return np.arcsinh(v / max(LINEAR_NOISE_RATIO * noise, MIN_LINEAR_SHARE * float(moving.max())))
 
 
 def _step_between(
@@ -129,10 +129,10 @@ def _step_between(
     start, end = 0.5 * (last + first), after.stop
     if window is not None:
         end = min(end, int(np.searchsorted(t, start + window, side="right")))
-    if end - after.start < LEAST_SAMPLES:
+    if end - after.start < MIN_STRETCH_SAMPLES:
         raise UserError(
             f"fit {name}: {max(end - after.start, 0)} samples within {window:g} s of the step; a "
-            f"fit needs {LEAST_SAMPLES}: give a longer --window"
+            f"fit needs {MIN_STRETCH_SAMPLES}: give a longer --window"
         )
     half = slice((before.start + before.stop) // 2, before.stop)
     reverse = friction[before].mean() < 0.0 and friction[after].mean() < 0.0
@@ -168,8 +168,8 @@ def _no_step(record: Record, stretches: list[_Stretch]) -> str:
     }
     known = next((f"; {motion}" for motion, holds in motions.items() if holds), "")
     return (
-        f"fit {record.name}: holds no velocity step: no two stretches of {LEAST_SAMPLES} "
-        f"samples or more at velocities {100 * LEAST_CHANGE:g} % apart{known}"
+        f"fit {record.name}: holds no velocity step: no two stretches of {MIN_STRETCH_SAMPLES} "
+        f"samples or more at velocities {100 * MIN_LOG_VELOCITY_CHANGE:g} % apart{known}"
     )
 
 
@@ -193,12 +193,15 @@ def constant_stretches(values: np.ndarray) -> list[slice]:
     for part in sorted(done, key=lambda part: part.start):
         samples = values[part]
         place = np.linspace(-0.5, 0.5, samples.size)
-        most = max(LEAST_CHANGE, DEVIATIONS * noise / np.sqrt(place @ place))
-        if samples.size >= LEAST_SAMPLES and abs(place @ samples / (place @ place)) < most:
+        most = max(MIN_LOG_VELOCITY_CHANGE, MAX_CHANCE_ERRORS * noise / np.sqrt(place @ place))
+        if samples.size >= MIN_STRETCH_SAMPLES and abs(place @ samples / (place @ place)) < most:
             parts.append(part)
     joined: list[slice] = []
     for part in parts:
-        if joined and abs(values[part].mean() - values[joined[-1]].mean()) < LEAST_CHANGE:
+        if (
+            joined
+            and abs(values[part].mean() - values[joined[-1]].mean()) < MIN_LOG_VELOCITY_CHANGE
+        ):
             joined[-1] = slice(joined[-1].start, part.stop)
         else:
             joined.append(part)
@@ -215,5 +218,5 @@ def _cut(values: np.ndarray, noise: float) -> int | None:
     difference = (sums[-1] - sums[:-1]) / (n - left) - sums[:-1] / left
     weight = left * (n - left) / n
     best = int(np.argmax(weight * difference**2))
-    least = max(LEAST_CHANGE, CHANCE * noise / np.sqrt(weight[best]))
+    least = max(MIN_LOG_VELOCITY_CHANGE, MIN_MEAN_ERRORS * noise / np.sqrt(weight[best]))
     return best + 1 if abs(difference[best]) > least else None

@@ -18,17 +18,21 @@ import numpy as np
 from scipy.interpolate import BSpline, make_interp_spline
 from scipy.optimize import least_squares, nnls
 
-PER_DECADE = 8  # times per decade of the dense grid
+GRID_TIMES_PER_DECADE = 8  # times per decade of the dense grid
 TIME_MARGIN = 10.0  # factor by which times extend beyond the inverse frequencies
-LOSS = 1.1  # growth of the rms residual allowed for fewer branches
-SMALL = 1e-2  # rms residual that needs no improvement
-DEVIATIONS = 3.0  # standard errors
-ROUNDING = 1e-4  # of the rms residual: error due to the spacing of the grid of times
-LIKE = 1.1  # largest ratio of the bounds at which the relaxed modulus counts as determined
-NEGLIGIBLE = 1e-10  # size of a combination of values, over the largest one
+MAX_RMS_GROWTH = 1.1  # growth of the rms residual allowed for fewer branches
+GOOD_RMS = 1e-2  # rms residual that needs no improvement
+BOUND_ERRORS = 3.0  # standard errors
+GRID_RMS_ERROR = 1e-4  # of the rms residual: error due to the spacing of the grid of times
+MAX_BOUND_RATIO = (
+    1.1  # largest ratio of the bounds at which the relaxed modulus counts as determined
+)
+MIN_COMBINATION = 1e-10  # size of a combination of values, over the largest one
 SPLINE_DEGREE = 7
-NONE = 1e-6  # relaxed modulus, over its upper bound, up to which it counts as zero
-SCAN = np.linspace(0.0, 1.0, 41)  # trial values of the relaxed modulus over the largest one
+ZERO_RELAXED_SHARE = 1e-6  # relaxed modulus, over its upper bound, up to which it counts as zero
+RELAXED_TRIALS = np.linspace(
+    0.0, 1.0, 41
+)  # trial values of the relaxed modulus over the largest one
 
 
 # Function of omega t_b or t_b/t; returns the share of g_b in G* or G(t), and d share/d ln t_b.
@@ -55,6 +59,7 @@ class PronyFit(NamedTuple):
     rms: float  # of the relative residual
     worst: float  # largest relative residual
     residual: np.ndarray  # size of the relative residual at each frequency, shape (n,)
+    loss_residual: np.ndarray  # of G'' relative to it; 0 without G'', shape (n,)
     dense: float  # rms of the relative residual with all times of the dense grid
     slowest: float  # s, time beyond which every relaxation counts as complete
     least: float  # least, most : bounds of the relaxed modulus
@@ -63,7 +68,7 @@ class PronyFit(NamedTuple):
     @property
     def determined(self) -> bool:
         """Return whether the bounds of the relaxed modulus differ by at most a tenth."""
-        return self.most <= LIKE * self.least
+        return self.most <= MAX_BOUND_RATIO * self.least
 
 
 def fit_prony(omega: np.ndarray, moduli: np.ndarray, branches: int | None = None) -> PronyFit:
@@ -84,18 +89,21 @@ def fit_prony(omega: np.ndarray, moduli: np.ndarray, branches: int | None = None
     grid = grid_of_times(omega, TIME_MARGIN)
     best = solved(data, grid)[1]
     least, most = _bounds(data, grid, best)
-    if most > LIKE * least:
+    if most > MAX_BOUND_RATIO * least:
         least, most = _bounds(data, grid_of_times(omega, TIME_MARGIN**2), best)
-    allowed, discarded = max(LOSS * best, SMALL), 0.0
+    allowed, discarded = max(MAX_RMS_GROWTH * best, GOOD_RMS), 0.0
     times, series, rms = _few(data, grid, allowed, branches)
-    if series[0] <= NONE * most:
+    if series[0] <= ZERO_RELAXED_SHARE * most:
         discarded = 0.5 * most
         measured = measured._replace(moduli=measured.moduli - discarded)
         data = data._replace(wanted=data.wanted - discarded * data.relaxed)
         times, series, rms = _few(data, grid, allowed, branches)
     positive = series[1:] > 0.0
     misfit = measured.weighted(times)[0] @ series - measured.wanted
-    residual = np.linalg.norm(misfit.reshape(-1, omega.size), axis=0)  # over both parts of G*
+    parts = misfit.reshape(-1, omega.size)  # of G*
+    residual = np.linalg.norm(parts, axis=0)
+    loss = np.imag(moduli)
+    share = np.divide(np.abs(moduli), loss, where=loss > 0.0, out=np.zeros(omega.size))
     pairs = zip((unit * series[1:][positive]).tolist(), times[positive].tolist(), strict=True)
     relaxed = discarded + float(series[0])
     within = rms <= allowed  # if false, branches are too few to determine the relaxed modulus
@@ -105,6 +113,7 @@ def fit_prony(omega: np.ndarray, moduli: np.ndarray, branches: int | None = None
         rms=rms,
         worst=float(residual.max()),
         residual=residual,
+        loss_residual=np.abs(parts[-1]) * share,
         dense=best,
         slowest=float(grid[-1]),
         least=unit * (min(least, relaxed) if within else least),
@@ -170,10 +179,10 @@ class CondensedModuli(NamedTuple):
 
 def condensed(data: MeasuredModuli) -> CondensedModuli:
     """Return the combinations of values; the curves agree with the shares to about 1e-9."""
-    grid = grid_of_times(data.omega, TIME_MARGIN**2, 2 * PER_DECADE)
+    grid = grid_of_times(data.omega, TIME_MARGIN**2, 2 * GRID_TIMES_PER_DECADE)
     columns = np.column_stack([data.wanted, data.weighted(grid)[0]])
     basis, sizes, _ = np.linalg.svd(columns / np.linalg.norm(columns, axis=0), full_matrices=False)
-    wanted, relaxed, *shares = (basis[:, sizes > NEGLIGIBLE * sizes[0]].T @ columns).T
+    wanted, relaxed, *shares = (basis[:, sizes > MIN_COMBINATION * sizes[0]].T @ columns).T
     curves = make_interp_spline(np.log(grid), np.array(shares), SPLINE_DEGREE)
     return CondensedModuli(relaxed, wanted, curves, data.size, data.wanted.size)
 
@@ -184,7 +193,9 @@ def measured_moduli(omega: np.ndarray, moduli: np.ndarray) -> MeasuredModuli:
     return MeasuredModuli(omega, moduli, np.abs(moduli), shares)
 
 
-def grid_of_times(omega: np.ndarray, beyond: float, per_decade: int = PER_DECADE) -> np.ndarray:
+def grid_of_times(
+    omega: np.ndarray, beyond: float, per_decade: int = GRID_TIMES_PER_DECADE
+) -> np.ndarray:
     """Return the dense grid of times, up to ``beyond`` / (lowest frequency)."""
     first, last = 1.0 / (TIME_MARGIN * omega.max()), beyond / omega.min()
     return np.geomspace(first, last, int(np.ceil(per_decade * np.log10(last / first))) + 1)
@@ -223,7 +234,7 @@ def _merged(grid: np.ndarray, moduli: np.ndarray) -> np.ndarray:
     """Merge adjacent grid times with nonzero moduli, over at most half a decade."""
     runs: list[list[int]] = []
     for i in np.flatnonzero(moduli > 0.0).tolist():
-        if runs and i == runs[-1][-1] + 1 and len(runs[-1]) < PER_DECADE // 2:
+        if runs and i == runs[-1][-1] + 1 and len(runs[-1]) < GRID_TIMES_PER_DECADE // 2:
             runs[-1].append(i)
         else:
             runs.append([i])
@@ -291,8 +302,8 @@ def _bounds(data: CondensedModuli, grid: np.ndarray, best: float) -> tuple[float
 
     There the sum of squares exceeds its minimum by nine times the mean square.
     """
-    allowed = best * np.sqrt(1.0 + DEVIATIONS**2 / data.values) + ROUNDING
+    allowed = best * np.sqrt(1.0 + BOUND_ERRORS**2 / data.values) + GRID_RMS_ERROR
     top = 1.05 * float(np.min(data.size))
-    tried = top * SCAN
+    tried = top * RELAXED_TRIALS
     fits = [relaxed for relaxed in tried if solved(data, grid, relaxed)[1] <= allowed]
     return (float(min(fits)), float(max(fits))) if fits else (np.inf, 0.0)

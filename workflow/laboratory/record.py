@@ -25,9 +25,9 @@ FRICTION = ColumnSpec(
     r"fric|reib|^(mu|\u03bc|\u00b5)([\W_\d]|$)|coef|cof",
     "1",
 )
-LARGEST_NOISE = 0.05  # largest relative noise of a velocity from differences of displacements
+MAX_VELOCITY_NOISE = 0.05  # largest relative noise of a velocity from differences of displacements
 MIN_PLACES = 3  # displacements for a second difference
-WIDEST = 12  # largest number of samples per difference of displacements
+MAX_DIFFERENCE_SAMPLES = 12  # largest number of samples per difference of displacements
 
 
 class Record(NamedTuple):
@@ -137,8 +137,8 @@ def _differenced(path: Path, t: np.ndarray, place: np.ndarray) -> tuple[np.ndarr
         raise UserError(f"fit {path}: holds {counted(place.size, 'row')}: a fit needs {MIN_PLACES}")
     step = float(np.median(np.abs(np.diff(place))))
     noise = float(np.median(np.abs(np.diff(place, 2)))) / (0.6745 * np.sqrt(6.0))
-    width = max(int(np.ceil(np.sqrt(2.0) * noise / (LARGEST_NOISE * step))), 1) if step else 1
-    if width > WIDEST:
+    width = max(int(np.ceil(np.sqrt(2.0) * noise / (MAX_VELOCITY_NOISE * step))), 1) if step else 1
+    if width > MAX_DIFFERENCE_SAMPLES:
         raise UserError(
             f"fit {path}: displacements scatter by {noise:.2g} m, beside {step:.2g} m from sample "
             "to sample: smooth them, or give the commanded velocity"

@@ -5,8 +5,8 @@ from statistics import fmean
 
 from ..ground import counted, with_error
 from .estimate import Estimate
-from .step_fit import NEITHER, NOTHING, POOR, StepFit
-from .together import APART, Fit, Rates
+from .step_fit import NEITHER_TEXT, NO_RELAXATION_TEXT, POOR_RESIDUAL_RATIO, StepFit
+from .together import MIN_LOG_SPEED_GAP, Fit, Rates
 
 MIN_TIMING_SHARE = 0.5  # of the variance of a jump, by the moment of the step
 OPTIONS = {"tau": "--relaxation-time", "H": "--hurst", "q_max": "--q-max"}
@@ -61,13 +61,17 @@ def _step(fit: StepFit, least: float) -> list[str]:
         if fit.levelled:
             then = "this drift is subtracted before and after the step"
         lines.append(_line("before the step", f"{sentence}; {then}"))
-    poor = f"the residual is {times:.2g} times the noise: {NEITHER}" if times > POOR else ""
+    poor = (
+        f"the residual is {times:.2g} times the noise: {NEITHER_TEXT}"
+        if times > POOR_RESIDUAL_RATIO
+        else ""
+    )
     for why in dict.fromkeys(fit.why.values()):
         names = [NAMES[name] for name in fit.why if fit.why[name] == why]
-        reason = poor if poor and why == NOTHING else why
+        reason = poor if poor and why == NO_RELAXATION_TEXT else why
         lines.append(_line("not determined", f"{_listed(names)}: {reason}"))
-    if poor and NOTHING not in fit.why.values():
-        lines.append(_line("beware", poor))
+    if poor and NO_RELAXATION_TEXT not in fit.why.values():
+        lines.append(_line("warning", poor))
     return lines
 
 
@@ -123,12 +127,14 @@ def _open(fit: Fit, rates: Rates, names: list[str]) -> list[str]:
         if rates.speeds == 1:
             why = "one speed determines one rate; measure at several, or give the known values"
         else:
-            why = "other values describe these rates as well; measure at lower and higher speeds, "
-            why += "on both sides of v_2 tau q_max = 1, or give the known values"
+            why = (
+                "other values fit these rates equally well; measure at lower and higher speeds, on "
+            )
+            why += "both sides of v_2 tau q_max = 1, or give the known values"
         options = ", ".join(OPTIONS[name] for name in names)
         lines.append(_line("not determined", f"{_listed(names)}: {why} ({options})"))
     if not fit.slope.known:
-        why = "the jumps are in proportion to friction, whatever the slope; measure faster"
+        why = "the jumps are proportional to friction for any slope; measure at higher speeds"
         lines.append(_line("not determined", f"the rms slope: {why}"))
     return lines
 
@@ -156,7 +162,7 @@ def _steady(fit: Fit) -> list[tuple[float, float]]:
     both += [(estimate.step.v2, estimate.mu_2) for estimate in fit.steps]
     groups: list[list[tuple[float, float]]] = []
     for v, mu in sorted((v, mu.value) for v, mu in both if mu.known and mu.value > 0.0):
-        if groups and math.log(v / groups[-1][0][0]) < APART:
+        if groups and math.log(v / groups[-1][0][0]) < MIN_LOG_SPEED_GAP:
             groups[-1].append((v, mu))
         else:
             groups.append([(v, mu)])

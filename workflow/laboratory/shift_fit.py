@@ -19,11 +19,11 @@ from ...kernels import (
     inverse_temperature,
 )
 
-POLES = np.log(np.geomspace(1.0, 2000.0, 80))  # log of K below the coldest sweep: trial T_0
+LOG_POLES = np.log(np.geomspace(1.0, 2000.0, 80))  # log of K below the coldest sweep: trial T_0
 MIN_TEMPERATURES = {"wlf": 4, "arrhenius": 3}  # two more than there are constants
-KNOWN_TO = 1e-3  # decades, added in quadrature to the error of a shift
-CLOSE = 0.05  # decades: allowed deviation of a law from a shift with a small error
-DEVIATIONS = 3.0  # standard errors: allowed deviation of a law from a shift
+SHIFT_ROUNDING_DECADES = 1e-3  # decades, added in quadrature to the error of a shift
+CLOSE_DECADES = 0.05  # decades: allowed deviation of a law from a shift with a small error
+MAX_SHIFT_ERRORS = 3.0  # standard errors: allowed deviation of a law from a shift
 
 
 class ShiftFit(NamedTuple):
@@ -34,7 +34,7 @@ class ShiftFit(NamedTuple):
     decades: np.ndarray  # log10 a_T of each sweep, 0 at the reference; shape (sweeps,)
     worst: float  # decades: largest deviation of the law from a shift
     scatter: float  # sum of squares over variances, per degree of freedom
-    holds: bool  # whether every shift is met within CLOSE or DEVIATIONS errors
+    holds: bool  # whether every shift is met within CLOSE_DECADES or MAX_SHIFT_ERRORS errors
 
 
 def fit_shifts(
@@ -83,7 +83,7 @@ class _Weighted(NamedTuple):
 
 def _weighted(covariance: np.ndarray) -> _Weighted:
     free = np.diag(covariance) > 0.0
-    weighting = covariance[np.ix_(free, free)] + KNOWN_TO**2 * np.eye(int(free.sum()))
+    weighting = covariance[np.ix_(free, free)] + SHIFT_ROUNDING_DECADES**2 * np.eye(int(free.sum()))
     return _Weighted(
         free, np.linalg.cholesky(np.linalg.inv(weighting)).T, np.sqrt(np.diag(covariance))
     )
@@ -100,7 +100,7 @@ def _wlf_fit(
         column = weighting.off(-above / (coldest + np.exp(log_pole) + above))
         return float(wanted @ wanted - (column @ wanted) ** 2 / (column @ column))
 
-    near = POLES[np.argmin([squares(pole) for pole in POLES[1:-1]]) + np.arange(3)]
+    near = LOG_POLES[np.argmin([squares(pole) for pole in LOG_POLES[1:-1]]) + np.arange(3)]
     c2 = coldest + float(np.exp(minimize_scalar(squares, bounds=near[[0, 2]], method="bounded").x))
     column = weighting.off(-above / (c2 + above))
     c1 = float(column @ wanted / (column @ column))
@@ -136,7 +136,7 @@ def _fit_of(
     off = weighting.off(values - decades)
     scatter = float(off @ off) / (off.size - len(slopes))
     covariance = np.linalg.pinv(slopes @ slopes.T, hermitian=True) * max(scatter, 1.0)
-    close = np.maximum(CLOSE, DEVIATIONS * weighting.errors)
+    close = np.maximum(CLOSE_DECADES, MAX_SHIFT_ERRORS * weighting.errors)
     missed = decades - decades[~weighting.free][0] - (values - values[~weighting.free][0])
     return ShiftFit(
         law=law,

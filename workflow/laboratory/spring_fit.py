@@ -27,12 +27,16 @@ from ..reduce import state_change
 from .estimate import Estimate, correlation_factor, mean
 from .parting import MeasuredStep
 
-STARTS = np.array([0.01, 0.1, 0.5])  # trial values of D_c over the distance slid after the step
-SHARES = np.array([0.5, 2.0])  # trial values of a ln(v2/v1) over the largest change of friction
-LARGEST = 40.0  # largest |ln(v/v1)|
-ACCURACY = 1e-7  # relative tolerance of the integration
-COARSE = 200  # approximate number of samples on which starts are compared
-MOST = 60  # largest number of evaluations in a fit
+LENGTH_TRIALS = np.array(
+    [0.01, 0.1, 0.5]
+)  # trial values of D_c over the distance slid after the step
+DIRECT_EFFECT_TRIALS = np.array(
+    [0.5, 2.0]
+)  # trial values of a ln(v2/v1) over the largest change of friction
+MAX_LOG_VELOCITY = 40.0  # largest |ln(v/v1)|
+INTEGRATION_TOLERANCE = 1e-7  # relative tolerance of the integration
+COARSE_SAMPLES = 200  # approximate number of samples on which starts are compared
+MAX_SPRING_EVALUATIONS = 60  # largest number of evaluations in a fit
 
 
 class Sprung(NamedTuple):
@@ -61,11 +65,13 @@ def fit_behind_spring(step: MeasuredStep, law: str, stiffness: float) -> Sprung:
 
     low, high = _bounds(step)
     starts = [np.clip(p, low, high) for p in _starts(step, before.value)]
-    coarse = max(step.time.size // COARSE, 1)
+    coarse = max(step.time.size // COARSE_SAMPLES, 1)
     start = min(starts, key=lambda p: float(np.sum(residual(p, coarse) ** 2)))
     options = {"bounds": (low, high), "x_scale": "jac", "diff_step": 1e-5}
-    start = least_squares(lambda p: residual(p, coarse), start, max_nfev=MOST, **options).x
-    solution = least_squares(residual, start, max_nfev=MOST, **options)
+    start = least_squares(
+        lambda p: residual(p, coarse), start, max_nfev=MAX_SPRING_EVALUATIONS, **options
+    ).x
+    solution = least_squares(residual, start, max_nfev=MAX_SPRING_EVALUATIONS, **options)
     curve = _curve(solution.x, step, step.time, law, stiffness)
     rest = curve - step.after
     factor = correlation_factor(rest)
@@ -104,8 +110,8 @@ def _starts(step: MeasuredStep, mu_1: float) -> list[np.ndarray]:
     late = float(step.after[-max(step.after.size // 5, 1) :].mean())
     return [
         np.array([mu_1, math.log(a), a - (late - mu_1) / log_ratio, math.log(length), 0.0])
-        for a in SHARES * size
-        for length in STARTS * step.v2 * step.time[-1]
+        for a in DIRECT_EFFECT_TRIALS * size
+        for length in LENGTH_TRIALS * step.v2 * step.time[-1]
     ]
 
 
@@ -117,13 +123,15 @@ def _curve(
     a, length = math.exp(log_a), math.exp(log_length)
 
     def change(_: float, y: np.ndarray) -> list[float]:
-        log_v = min(max((y[0] - b * y[1]) / a, -LARGEST), LARGEST)  # of v/v1
+        log_v = min(max((y[0] - b * y[1]) / a, -MAX_LOG_VELOCITY), MAX_LOG_VELOCITY)  # of v/v1
         v = step.v1 * math.exp(log_v)
         return [stiffness * (step.v2 - v), state_change(law, y[1], log_v) * step.v1 / length]
 
     times = np.maximum(t - moment, 0.0)
     span = (0.0, float(times[-1]))
-    solution = solve_ivp(change, span, [0.0, 0.0], "LSODA", times, rtol=ACCURACY, atol=1e-9)
+    solution = solve_ivp(
+        change, span, [0.0, 0.0], "LSODA", times, rtol=INTEGRATION_TOLERANCE, atol=1e-9
+    )
     if solution.y.shape[1] < t.size:
         return np.full(t.size, 1e3)  # unphysical: return a value far from any data
     return mu_1 + solution.y[0]

@@ -21,34 +21,38 @@ import numpy as np
 from scipy.optimize import least_squares
 
 from ..reduce import step_law
-from .estimate import DEVIATIONS, Estimate, correlation_factor, mean, noise_of
+from .estimate import MAX_CHANCE_ERRORS, Estimate, correlation_factor, mean, noise_of
 from .parting import MeasuredStep
 from .spring_fit import fit_behind_spring
 
-RATES = 80  # number of trial rates
-SLOWEST = 0.1  # smallest rate times the recorded time; slower relaxation is a straight line
-FASTEST = 1.0  # largest rate times the sampling interval; faster relaxation is part of the jump
-STEADY = 0.1  # smallest drift before a step that counts, over the largest change after it
-POOR = 5.0  # residual over noise above which noise does not explain it
-SMALL = 1e-12  # change of friction up to which it counts as rounding
-LARGEST_SHARE = 1.0 / DEVIATIONS  # largest relative standard error of an estimate
+TRIAL_RATES = 80  # number of trial rates
+MIN_RATE_TIMES_SPAN = (
+    0.1  # smallest rate times the recorded time; slower relaxation is a straight line
+)
+MAX_RATE_TIMES_INTERVAL = (
+    1.0  # largest rate times the sampling interval; faster relaxation is part of the jump
+)
+MIN_DRIFT_SHARE = 0.1  # smallest drift before a step that counts, over the largest change after it
+POOR_RESIDUAL_RATIO = 5.0  # residual over noise above which noise does not explain it
+ROUNDED_CHANGE = 1e-12  # change of friction up to which it counts as rounding
+MAX_RELATIVE_ERROR = 1.0 / MAX_CHANCE_ERRORS  # largest relative standard error of an estimate
 
-NOTHING = "nothing relaxes that stands out from the noise"
-TOO_SHORT = "friction still relaxes where the record ends; a longer one is needed"
-TOO_COARSE = "friction relaxes within a few samples; it must be sampled faster"
-TOO_NOISY = "its standard error is more than a third of it"
+NO_RELAXATION_TEXT = "no relaxation exceeds the noise"
+TOO_SHORT_TEXT = "friction still relaxes at the end of the record; record for longer"
+TOO_COARSE_TEXT = "friction relaxes within a few samples; sample faster"
+TOO_NOISY_TEXT = "its standard error is more than a third of it"
 # Estimates that are left undetermined, by the reason why the rate is undetermined.
 OPEN_WITH = {
-    NOTHING: ("mu_2", "amplitude", "rate"),
-    TOO_SHORT: ("mu_2", "amplitude", "rate"),
-    TOO_COARSE: ("jump", "amplitude", "rate"),
-    TOO_NOISY: ("rate",),
+    NO_RELAXATION_TEXT: ("mu_2", "amplitude", "rate"),
+    TOO_SHORT_TEXT: ("mu_2", "amplitude", "rate"),
+    TOO_COARSE_TEXT: ("jump", "amplitude", "rate"),
+    TOO_NOISY_TEXT: ("rate",),
 }
-NEITHER = (
-    "neither law describes it: the machine is soft, or took long to reach the velocity: give its "
-    "--stiffness, or use a stiffer one, which shows the step itself"
+NEITHER_TEXT = (
+    "neither law fits: the machine is soft, or took long to reach the velocity; give its "
+    "--stiffness, or use a stiffer machine"
 )
-UNSURE = "its standard error is more than a third of all that happens"
+UNSURE_TEXT = "its standard error is more than a third of the whole change of friction"
 
 Shape = Callable[[np.ndarray, np.ndarray], tuple[np.ndarray, np.ndarray]]
 
@@ -75,7 +79,7 @@ class Relaxation(NamedTuple):
         values = self.best @ weights
         widths = self.slack * np.sqrt(np.einsum("p,kpq,q->k", weights, self.covariances, weights))
         ends = (values + widths)[self.compatible], (values - widths)[self.compatible]
-        return float((ends[0].max() - ends[1].min()) / (2.0 * DEVIATIONS))
+        return float((ends[0].max() - ends[1].min()) / (2.0 * MAX_CHANCE_ERRORS))
 
 
 def fit_relaxation_curve(t: np.ndarray, values: np.ndarray, shape: Shape) -> Relaxation:
@@ -84,8 +88,8 @@ def fit_relaxation_curve(t: np.ndarray, values: np.ndarray, shape: Shape) -> Rel
     shape : function of p = (b, log k) and t that returns b g(k t) and its derivatives by p, as that
     of ``workflow.reduce.step_law``.
     """
-    fastest = max(FASTEST / (t[1] - t[0]), 2.0 / t[-1])
-    rates = np.geomspace(SLOWEST / t[-1], fastest, RATES)
+    fastest = max(MAX_RATE_TIMES_INTERVAL / (t[1] - t[0]), 2.0 / t[-1])
+    rates = np.geomspace(MIN_RATE_TIMES_SPAN / t[-1], fastest, TRIAL_RATES)
     squares, best, inverse = _fits_at_rates(t, values, shape, rates)
     place = int(np.argmin(squares))
     start = np.array([*best[place], np.log(rates[place])])
@@ -93,9 +97,9 @@ def fit_relaxation_curve(t: np.ndarray, values: np.ndarray, shape: Shape) -> Rel
     residual = _model(t, shape, p)[0] - values
     least = float(residual @ residual)
     factor = correlation_factor(residual)
-    variance = factor * max(least / (t.size - 3), SMALL**2)
+    variance = factor * max(least / (t.size - 3), ROUNDED_CHANGE**2)
     grown = (squares - least) / variance
-    compatible = grown <= DEVIATIONS**2
+    compatible = grown <= MAX_CHANCE_ERRORS**2
     compatible[place] = True
     return Relaxation(
         p=p,
@@ -106,7 +110,7 @@ def fit_relaxation_curve(t: np.ndarray, values: np.ndarray, shape: Shape) -> Rel
         compatible=compatible,
         best=best,
         covariances=variance * inverse,
-        slack=np.sqrt(np.clip(DEVIATIONS**2 - grown, 0.0, None)),
+        slack=np.sqrt(np.clip(MAX_CHANCE_ERRORS**2 - grown, 0.0, None)),
     )
 
 
@@ -169,9 +173,11 @@ class StepFit(NamedTuple):
 
     @property
     def drifts(self) -> bool:
-        """Return whether the drift before the step is significant and not small (STEADY)."""
+        """Return whether the drift before the step is significant (MIN_DRIFT_SHARE)."""
         size = max(abs(self.curve - self.mu_1.value))
-        return abs(self.drift.value) > max(DEVIATIONS * self.drift.error, STEADY * size)
+        return abs(self.drift.value) > max(
+            MAX_CHANCE_ERRORS * self.drift.error, MIN_DRIFT_SHARE * size
+        )
 
     def state(self) -> tuple[Estimate, Estimate, Estimate]:
         """Return a, b and D_c (m) of the law."""
@@ -190,7 +196,7 @@ def fit_step(step: MeasuredStep, law: str = "ruina", stiffness: float | None = N
     reduces the residual. The errors of the estimates then include that of the drift.
     """
     plain = _fitted(step, law, stiffness)
-    if not abs(plain.drift.value) > DEVIATIONS * plain.drift.error:
+    if not abs(plain.drift.value) > MAX_CHANCE_ERRORS * plain.drift.error:
         return plain
     span = float(np.ptp(step.before_time)) * step.before.size / (step.before.size - 1)
     per_second = plain.drift.times(1.0 / span)
@@ -230,7 +236,7 @@ def _with_drift(estimate: Estimate, off: Estimate) -> Estimate:
 def _fitted(step: MeasuredStep, law: str, stiffness: float | None) -> StepFit:
     """Fit one step without subtracting a drift."""
     constant = _constant(step)
-    if np.ptp(step.after) <= SMALL:
+    if np.ptp(step.after) <= ROUNDED_CHANGE:
         return constant
     fit = constant._replace(noise=noise_of(np.diff(step.after)), stiffness=stiffness)
     solution = _stiff(step, law, fit.mu_1) if stiffness is None else _sprung(step, law, stiffness)
@@ -254,14 +260,16 @@ def _sprung(step: MeasuredStep, law: str, stiffness: float) -> dict[str, Any]:
     """Fit a step of a compliant machine; return fields of a StepFit."""
     fit = fit_behind_spring(step, law, stiffness)
     size = float(np.max(np.abs(fit.curve - fit.mu_1.value)))
-    solution = {name: level.if_below(LARGEST_SHARE * size) for name, level in fit.levels.items()}
+    solution = {
+        name: level.if_below(MAX_RELATIVE_ERROR * size) for name, level in fit.levels.items()
+    }
     rate = Estimate(step.v2 / math.exp(fit.log_length.value), fit.log_length.error)
-    rate = rate._replace(error=rate.value * rate.error).if_below(LARGEST_SHARE * rate.value)
-    why = {name: UNSURE for name in solution if not solution[name].known}
-    if rate.known and rate.value * step.time[-1] < SLOWEST:
-        rate, why["rate"] = Estimate(), TOO_SHORT
+    rate = rate._replace(error=rate.value * rate.error).if_below(MAX_RELATIVE_ERROR * rate.value)
+    why = {name: UNSURE_TEXT for name in solution if not solution[name].known}
+    if rate.known and rate.value * step.time[-1] < MIN_RATE_TIMES_SPAN:
+        rate, why["rate"] = Estimate(), TOO_SHORT_TEXT
     elif not rate.known:
-        why["rate"] = TOO_NOISY
+        why["rate"] = TOO_NOISY_TEXT
     how = {"why": why, "factor": fit.factor, "curve": fit.curve, "residual": fit.residual}
     return {**solution, "mu_1": fit.mu_1, "rate": rate, **how}
 
@@ -286,7 +294,7 @@ def _constant(step: MeasuredStep) -> StepFit:
         jump=Estimate(mu_2.value - mu_1.value, mu_1.error),
         amplitude=Estimate(),
         rate=Estimate(),
-        why={"amplitude": NOTHING, "rate": NOTHING},
+        why={"amplitude": NO_RELAXATION_TEXT, "rate": NO_RELAXATION_TEXT},
         drift=_drift(step.before),
         levelled=False,
         noise=0.0,
@@ -301,13 +309,13 @@ def _rate(fit: Relaxation) -> tuple[Estimate, str]:
     """Return the rate and, if it is undetermined, the reason."""
     slow, fast = bool(fit.compatible[0]), bool(fit.compatible[-1])
     if slow and fast:
-        return Estimate(), NOTHING
+        return Estimate(), NO_RELAXATION_TEXT
     if slow or fast:
-        return Estimate(), TOO_SHORT if slow else TOO_COARSE
+        return Estimate(), TOO_SHORT_TEXT if slow else TOO_COARSE_TEXT
     open_to = np.log(fit.rates[fit.compatible])
     share = math.sqrt(fit.covariance[2, 2])
-    if max(share, np.ptp(open_to) / (2.0 * DEVIATIONS)) > LARGEST_SHARE:
-        return Estimate(), TOO_NOISY
+    if max(share, np.ptp(open_to) / (2.0 * MAX_CHANCE_ERRORS)) > MAX_RELATIVE_ERROR:
+        return Estimate(), TOO_NOISY_TEXT
     rate = math.exp(fit.p[2])
     return Estimate(rate, share * rate), ""
 
@@ -334,7 +342,7 @@ def _levels(
         value = float(weights @ fit.p[:2]) - less.value
         late = 0.0 if name == "mu_2" else timing
         solution[name] = Estimate(value, math.hypot(error, less.error, late))
-        if not solution[name].error < LARGEST_SHARE * size:
+        if not solution[name].error < MAX_RELATIVE_ERROR * size:
             solution[name] = Estimate()
-            reasons[name] = UNSURE
+            reasons[name] = UNSURE_TEXT
     return solution, reasons

@@ -7,7 +7,7 @@ ISO 18437-6). Then all shifts are varied together until one Prony series on a de
 describes all sweeps best. G' and G'' are fitted together. The residual contains the misfit of the
 series besides noise, so neither theory of estimate.py applies. Its mean square per degree of
 freedom is taken as the variance of the data, as usual in least squares. Since both shifts move a
-power law in the same way, log10 b_T has a prior of 0 +- LIKELY. The series is eliminated by
+power law in the same way, log10 b_T has a prior of 0 +- LIKELY_DECADES. The series is eliminated by
 variable projection (Kaufman, BIT 15, 49 (1975)).
 
 Two packages with the same purpose were not used. pyvisco 2.1 requires JupyterLab, Voila and
@@ -25,10 +25,12 @@ from scipy.optimize import least_squares
 
 from .prony_fit import TIME_MARGIN, MeasuredModuli, grid_of_times, measured_moduli, solved
 
-MARGIN = 10.0  # factor by which the grid of times allows shifts to leave the first guess
+TIME_GRID_MARGIN = 10.0  # factor by which the grid of times allows shifts to leave the first guess
 TIMES_PER_DECADE = 16  # fine enough not to affect the shifts
-LIKELY = 0.1  # decades: standard deviation of log10 b_T; density times temperature varies by less
-LEVELS = 50  # number of moduli at which distances of sweeps are taken
+LIKELY_DECADES = (
+    0.1  # decades: standard deviation of log10 b_T; density times temperature varies by less
+)
+MODULUS_LEVELS = 50  # number of moduli at which distances of sweeps are taken
 Sweep = tuple[np.ndarray, np.ndarray]  # omega in rad/s, G* (or 1/t, G(t)), shapes (n,)
 
 
@@ -59,7 +61,7 @@ def superposed(
     first = _first_guess(temperatures, sweeps)
     first -= first[reference]
     omega = np.concatenate([w * 10.0**s for (w, _), s in zip(sweeps, first, strict=True)])
-    reach = np.array([omega.min() / MARGIN, omega.max() * MARGIN])
+    reach = np.array([omega.min() / TIME_GRID_MARGIN, omega.max() * TIME_GRID_MARGIN])
     grid = grid_of_times(reach, TIME_MARGIN, TIMES_PER_DECADE)
     moduli = np.concatenate([values for _, values in sweeps])
     unit = float(np.abs(moduli).max())
@@ -84,7 +86,7 @@ def superposed(
 
     prior, p = 0.0, fitted(first[free])
     if vertical:
-        prior = float(np.sqrt(np.mean(projected(p, 0.0)[0] ** 2))) / LIKELY
+        prior = float(np.sqrt(np.mean(projected(p, 0.0)[0] ** 2))) / LIKELY_DECADES
         p = fitted(np.concatenate([p, np.zeros(free.size)]), prior)
     residual, jacobian, branches = projected(p, prior)
     freedom = max(residual.size - branches - p.size, 1)
@@ -132,7 +134,7 @@ def _first_guess(temperatures: np.ndarray, sweeps: Sequence[Sweep]) -> np.ndarra
                 f"{10.0 ** min(cold[-1], warm[-1]):.3g} and from {10.0**low:.3g} Pa: they can be "
                 "shifted by no overlap; measure in between"
             )
-        levels = np.linspace(low, high, LEVELS)
+        levels = np.linspace(low, high, MODULUS_LEVELS)
         distance = np.interp(levels, cold, cold_omega) - np.interp(levels, warm, warm_omega)
         shifts.append(shifts[-1] + float(distance.mean()))
     return np.array(shifts)

@@ -20,19 +20,19 @@ from typing import NamedTuple
 import numpy as np
 
 from ..kinetic_law import jump_between, normalised_jump
-from .estimate import DEVIATIONS, Estimate
+from .estimate import MAX_CHANCE_ERRORS, Estimate
 from .parting import measured_steps, no_steps_of
 from .record import Record
-from .step_fit import LARGEST_SHARE, StepFit, fit_step
+from .step_fit import MAX_RELATIVE_ERROR, StepFit, fit_step
 
-LEAST_ERROR = 1e-3  # smallest relative standard error of a rate or jump
-KINK = 2e-3  # spacing of trial kinks between the measured speeds, in log v
-BEYOND = 14.0  # range of trial kinks beyond the measured speeds, in log v
+MIN_RELATIVE_ERROR = 1e-3  # smallest relative standard error of a rate or jump
+KINK_SPACING = 2e-3  # spacing of trial kinks between the measured speeds, in log v
+KINK_MARGIN = 14.0  # range of trial kinks beyond the measured speeds, in log v
 HURST_FRACTIONS = np.linspace(0.0, 1.0, 9)  # trial values of H, as shares of its range at a kink
-FLAT = 1e-12  # relative size below which a quadratic coefficient counts as zero
-LARGEST_ERROR_OF_H = 0.15
-APART = 0.02  # smallest difference of log v between two speeds
-SLOPES = np.geomspace(1e-2, 1e4, 20_001)  # trial values of grad z over the largest friction
+ZERO_CURVATURE = 1e-12  # relative size below which a quadratic coefficient counts as zero
+MAX_HURST_ERROR = 0.15
+MIN_LOG_SPEED_GAP = 0.02  # smallest difference of log v between two speeds
+TRIAL_SLOPES = np.geomspace(1e-2, 1e4, 20_001)  # trial values of grad z over the largest friction
 
 
 class Known(NamedTuple):
@@ -78,7 +78,7 @@ def fit_rates(fits: list[StepFit], known: Known) -> Rates | None:
         return None
     s = np.log([fit.step.v2 for fit in usable])
     y = np.log([fit.rate.value for fit in usable])
-    share = [max(fit.rate.error / fit.rate.value, LEAST_ERROR) for fit in usable]
+    share = [max(fit.rate.error / fit.rate.value, MIN_RELATIVE_ERROR) for fit in usable]
     w = np.array(share) ** -2.0
     laws = [_kinks(s, y, w, known, below) for below in (False, True)]
     bests = [_best(law, known) for law in laws]
@@ -86,27 +86,29 @@ def fit_rates(fits: list[StepFit], known: Known) -> Rates | None:
     squares, *values = bests[better]
     free = sum(value is None for value in known)
     scatter = max(1.0, squares / max(s.size - free, 1))  # of the rates, at least 1
-    ends = np.concatenate([_within(law, squares + DEVIATIONS**2 * scatter, known) for law in laws])
-    errors = np.ptp(ends, axis=0) / (2.0 * DEVIATIONS)
+    ends = np.concatenate(
+        [_within(law, squares + MAX_CHANCE_ERRORS**2 * scatter, known) for law in laws]
+    )
+    errors = np.ptp(ends, axis=0) / (2.0 * MAX_CHANCE_ERRORS)
     h, q, t = (Estimate(*pair) for pair in zip(values, errors, strict=True))
     exponent, at, rate = _power_law(s, y, w)
     return Rates(
         relaxation_time=_exp(t, known.relaxation_time),
-        hurst=h.if_below(LARGEST_ERROR_OF_H) if known.hurst is None else Estimate(known.hurst, 0.0),
+        hurst=h.if_below(MAX_HURST_ERROR) if known.hurst is None else Estimate(known.hurst, 0.0),
         q_max=_exp(q, known.q_max),
         exponent=exponent,
         at=at,
         rate=rate,
         time_below_one=bool(better),
         squares=squares,
-        speeds=1 + int(np.sum(np.diff(np.sort(s)) > APART)),
+        speeds=1 + int(np.sum(np.diff(np.sort(s)) > MIN_LOG_SPEED_GAP)),
     )
 
 
 def _kinks(s: np.ndarray, y: np.ndarray, w: np.ndarray, known: Known, below: bool) -> _Kinks:
     """Return the sums of squares of one law. below : whether b = 1 below x = 1."""
-    fine = np.arange(s.min() - 0.5, s.max() + 0.5, KINK)
-    far = np.arange(0.5, BEYOND, 0.05)
+    fine = np.arange(s.min() - 0.5, s.max() + 0.5, KINK_SPACING)
+    far = np.arange(0.5, KINK_MARGIN, 0.05)
     c = np.concatenate([s.min() - far[::-1], fine, s.max() + far])
     q_given = None if known.q_max is None else np.full_like(c, np.log(known.q_max))
     if known.relaxation_time is not None:
@@ -127,7 +129,7 @@ def _kinks(s: np.ndarray, y: np.ndarray, w: np.ndarray, known: Known, below: boo
 def _best(law: _Kinks, known: Known) -> tuple[float, float, float, float]:
     """Return the smallest sum of squares and the H, Q and T at this minimum."""
     _, a1, a2 = law.a
-    flat = a2 <= FLAT * a2.max()
+    flat = a2 <= ZERO_CURVATURE * a2.max()
     h = np.clip(np.where(flat, 0.5, -a1 / np.where(flat, 1.0, a2)), 0.0, 1.0)
     if known.hurst is not None:
         h = np.full_like(h, known.hurst)
@@ -140,7 +142,7 @@ def _best(law: _Kinks, known: Known) -> tuple[float, float, float, float]:
 def _within(law: _Kinks, most: float, known: Known) -> np.ndarray:
     """Return extreme H, Q and T with a sum of squares up to ``most``, shape (n, 3)."""
     a0, a1, a2 = law.a
-    steep = np.maximum(a2, FLAT * max(a2.max(), 1.0))
+    steep = np.maximum(a2, ZERO_CURVATURE * max(a2.max(), 1.0))
     room = most - a0 + a1**2 / steep
     half = np.sqrt(np.clip(room, 0.0, None) / steep)
     low, high = (np.clip(-a1 / steep + side * half, 0.0, 1.0) for side in (-1.0, 1.0))
@@ -164,7 +166,7 @@ def _power_law(s: np.ndarray, y: np.ndarray, w: np.ndarray) -> tuple[Estimate, f
     """
     middle, mean = float(w @ s / w.sum()), float(w @ y / w.sum())
     across = float(w @ (s - middle) ** 2)
-    if not across > FLAT * w.sum():
+    if not across > ZERO_CURVATURE * w.sum():
         return Estimate(), float(np.exp(middle)), _exp(Estimate(mean, w.sum() ** -0.5))
     slope = float(w @ ((s - middle) * (y - mean))) / across
     rest = float(w @ (y - mean - slope * (s - middle)) ** 2)
@@ -178,7 +180,7 @@ def _exp(logarithm: Estimate, given: float | None = None) -> Estimate:
     if given is not None:
         return Estimate(given, 0.0)
     value = float(np.exp(np.clip(logarithm.value, -700.0, 700.0)))
-    return Estimate(value, value * logarithm.error).if_below(LARGEST_SHARE * value)
+    return Estimate(value, value * logarithm.error).if_below(MAX_RELATIVE_ERROR * value)
 
 
 def fit_slope(fits: list[StepFit]) -> Estimate:
@@ -192,16 +194,16 @@ def fit_slope(fits: list[StepFit]) -> Estimate:
     log_ratio = np.log([fit.step.ratio for fit in usable])
     mu, after = np.array([(fit.mu_1.value, friction_after(fit)) for fit in usable]).T
     jump, error = np.array([fit.jump for fit in usable]).T
-    error = np.maximum(error, LEAST_ERROR * np.abs(jump))
-    slopes = SLOPES * np.max(mu)
+    error = np.maximum(error, MIN_RELATIVE_ERROR * np.abs(jump))
+    slopes = TRIAL_SLOPES * np.max(mu)
     predicted = jump_between(mu, after, log_ratio, slopes[:, None])
     squares = np.sum(((predicted - jump) / error) ** 2, axis=1)
     least = squares.min()
     scatter = max(1.0, least / max(mu.size - 1, 1))
-    inside = np.log(slopes[squares <= least + DEVIATIONS**2 * scatter])
+    inside = np.log(slopes[squares <= least + MAX_CHANCE_ERRORS**2 * scatter])
     value = float(slopes[np.argmin(squares)])
-    share = float(np.ptp(inside)) / (2.0 * DEVIATIONS)
-    return Estimate(value, value * share).if_below(LARGEST_SHARE * value)
+    share = float(np.ptp(inside)) / (2.0 * MAX_CHANCE_ERRORS)
+    return Estimate(value, value * share).if_below(MAX_RELATIVE_ERROR * value)
 
 
 def friction_after(fit: StepFit) -> float:

@@ -7,7 +7,7 @@ from matplotlib import pyplot as plt
 
 from elastomer_friction.workflow.kinetic_law import KineticLaw
 from elastomer_friction.workflow.laboratory.estimate import Estimate
-from elastomer_friction.workflow.laboratory.figure import MOST_STEPS, draw_fit, figure_of
+from elastomer_friction.workflow.laboratory.figure import MAX_DRAWN_STEPS, draw_fit, figure_of
 from elastomer_friction.workflow.laboratory.sentences import describe, shown
 from elastomer_friction.workflow.laboratory.together import Known, fit_records
 from elastomer_friction.workflow.report.panels import STYLE
@@ -73,12 +73,10 @@ def test_nothing_that_is_not_determined_has_a_number():
     assert len(figure_of(fit).axes) == 4
     lines = describe(fit)
     assert lines[-1] == "no step determines its rate; tau, H and q_max are not determined"
-    assert any(
-        line.endswith("rate: nothing relaxes that stands out from the noise") for line in lines
-    )
+    assert any(line.endswith("rate: no relaxation exceeds the noise") for line in lines)
     assert not any("nan" in line or "relaxation rate" in line for line in lines)
     low = describe(fit_records(records([2e-4, 4e-4], size=1e-6), Known()))
-    assert any("the rms slope: the jumps are in proportion" in line for line in low)
+    assert any("the rms slope: the jumps are proportional" in line for line in low)
 
 
 def test_what_is_given_drift_and_correlated_noise_are_said():
@@ -119,7 +117,9 @@ def test_several_steps_have_their_rates_and_jumps_drawn_with_errors(tmp_path):
 
 
 def test_more_steps_than_fit_on_a_page_are_said():
-    fit = fit_records([record(seed, n=60, span=1.0) for seed in range(MOST_STEPS + 1)], Known())
+    fit = fit_records(
+        [record(seed, n=60, span=1.0) for seed in range(MAX_DRAWN_STEPS + 1)], Known()
+    )
     figure = figure_of(fit)
-    assert len(figure.axes) == 2 * MOST_STEPS + 2
+    assert len(figure.axes) == 2 * MAX_DRAWN_STEPS + 2
     assert figure.get_label().startswith("The first 12 of 13 steps are drawn.")

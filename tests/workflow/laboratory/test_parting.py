@@ -124,7 +124,7 @@ def test_a_drift_that_ends_with_the_step_is_not():
 def test_friction_that_is_constant_is_fitted_without_a_warning(recwarn):
     one = driven([0.1, 0.3])
     text = "\n".join(describe(fit_records([one._replace(friction=0.0 * one.time + 0.5)], Known())))
-    assert "amplitude and rate: nothing relaxes" in text
+    assert "amplitude and rate: no relaxation" in text
     assert not recwarn.list
 
 

@@ -153,3 +153,13 @@ def test_a_flat_loss_has_a_relaxed_modulus_within_a_range_that_holds_the_true_on
     assert fit.least <= 3e5 <= fit.most
     assert 0.0 < fit.shear_modulus <= fit.most
     assert not fit.determined
+
+
+def test_the_residual_of_a_small_loss_is_relative_to_it():
+    """A tenth of a percent of G' is ten times a loss modulus of a ten-thousandth of it."""
+    omega = np.geomspace(1.0, 1e4, 41)
+    moduli = 1e6 * (1.0 + 1e-4j) * np.ones(41)  # no branch has a constant loss angle
+    fit = fit_prony(omega, moduli)
+    assert fit.rms < 1e-3
+    assert fit.loss_residual.max() > 0.5
+    assert fit_prony(omega, moduli.real).loss_residual.max() == 0.0  # a relaxation test

@@ -7,7 +7,7 @@ from scipy.integrate import solve_ivp
 from elastomer_friction.workflow.laboratory.parting import measured_steps
 from elastomer_friction.workflow.laboratory.record import Record
 from elastomer_friction.workflow.laboratory.sentences import describe
-from elastomer_friction.workflow.laboratory.step_fit import NEITHER, fit_step
+from elastomer_friction.workflow.laboratory.step_fit import NEITHER_TEXT, fit_step
 from elastomer_friction.workflow.laboratory.together import Known, fit_records
 
 A, B, LENGTH = 0.01, 0.012, 1e-5  # D_c in m
@@ -82,8 +82,8 @@ def test_a_stiff_spring_is_none():
 
 def test_the_reason_of_a_soft_machine_names_the_option_that_goes_on():
     one = behind_spring("dieterich", 600.0, a=0.02, b=0.015, noise=2e-5)
-    assert "give its --stiffness" in NEITHER
-    assert NEITHER in "\n".join(describe(fit_records([one], Known())))
+    assert "give its --stiffness" in NEITHER_TEXT
+    assert NEITHER_TEXT in "\n".join(describe(fit_records([one], Known())))
     text = "\n".join(describe(fit_records([one], Known(), stiffness=600.0)))
     assert "spring                  600 1/m, of the machine, is part of the fit" in text
-    assert NEITHER not in text
+    assert NEITHER_TEXT not in text

@@ -11,10 +11,10 @@ from elastomer_friction.workflow.laboratory import sentences
 from elastomer_friction.workflow.laboratory.estimate import correlation_factor, mean
 from elastomer_friction.workflow.laboratory.parting import constant_stretches, measured_steps
 from elastomer_friction.workflow.laboratory.step_fit import (
-    NOTHING,
-    TOO_COARSE,
-    TOO_NOISY,
-    TOO_SHORT,
+    NO_RELAXATION_TEXT,
+    TOO_COARSE_TEXT,
+    TOO_NOISY_TEXT,
+    TOO_SHORT_TEXT,
     fit_step,
 )
 from elastomer_friction.workflow.reduce import STATE_LAWS, step_law
@@ -130,10 +130,10 @@ def test_without_noise_the_estimates_are_exact_but_for_the_moment_of_the_step():
 @pytest.mark.parametrize(
     ("options", "why"),
     [
-        ({"jump": 0.02}, NOTHING),
-        ({"rate": 0.05, "size": 1e-4}, TOO_SHORT),
-        ({"rate": 300.0}, TOO_COARSE),
-        ({"size": 3e-2}, {NOTHING, TOO_NOISY, TOO_SHORT, TOO_COARSE}),
+        ({"jump": 0.02}, NO_RELAXATION_TEXT),
+        ({"rate": 0.05, "size": 1e-4}, TOO_SHORT_TEXT),
+        ({"rate": 300.0}, TOO_COARSE_TEXT),
+        ({"size": 3e-2}, {NO_RELAXATION_TEXT, TOO_NOISY_TEXT, TOO_SHORT_TEXT, TOO_COARSE_TEXT}),
     ],
     ids=["no relaxation", "slow", "fast", "noise"],
 )

@@ -62,7 +62,7 @@ def read_branches(
         )
     if columns[0].unit_source == "assumed" and moduli.sum() < MIN_BRANCH_SHARE * relaxed:
         share = 100.0 * moduli.sum() / relaxed
-        description += f"; beware: all branches together are {share:.2g} % of shear_modulus: the "
+        description += f"; warning: all branches together are {share:.2g} % of shear_modulus: the "
         description += "order is taken as modulus, time"
     if YOUNG_NAME.search(columns[0].title.name):
         factor = 2.0 * (1.0 + poisson)
