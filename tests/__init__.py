@@ -2,6 +2,5 @@
 
 import os
 
-from elastomer_friction.workflow.system import THREADS
-
-os.environ.update(THREADS)  # before numpy is imported
+# Before numpy is imported. Tools of this package also run where the program is not installed.
+os.environ |= {f"{library}_NUM_THREADS": "1" for library in ("OMP", "MKL", "OPENBLAS", "NUMBA")}
