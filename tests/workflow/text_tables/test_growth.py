@@ -50,7 +50,7 @@ UNITS = (
 CHARACTERS = 1000
 # Its search in "aaa..." takes the square of the length in steps.
 QUADRATIC = re.compile("(a)*!")
-MAX_RATIO = 12.0  # of the CPU time of a pattern to that of QUADRATIC; the fastest cubic takes 16
+MAX_RATIO = 12.0  # of the CPU time of a pattern to that of QUADRATIC; cubic ones take 16 and more
 TRIES = 3
 TABLE_SECONDS = 60.0  # CPU time after which a table counts as one that does not end
 
@@ -128,9 +128,8 @@ def test_the_time_of_a_pattern_grows_as_the_square_of_the_length_at_most(pattern
             assert any(time < longest for time in tries), f"{unit!r} {end!r}"
 
 
-@pytest.mark.parametrize("pattern", ["a*a*!", r"\w*\w+:"])
-def test_a_cubic_pattern_takes_longer(pattern, longest):
-    assert seconds(re.compile(pattern), "a" * CHARACTERS, 2.0 * longest) > longest
+def test_a_cubic_pattern_takes_longer(longest):
+    assert seconds(re.compile(r"\w*\w+:"), "a" * CHARACTERS, 2.0 * longest) > longest
 
 
 @pytest.mark.parametrize("unit", UNITS)
