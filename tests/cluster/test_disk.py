@@ -104,22 +104,21 @@ def test_each_call_to_the_disk_fails_in_turn(disk, tmp_path, which):
         list(map(str, command)), cwd=ROOT, env=environment, capture_output=True, text=True
     )
     assert done.returncode == 0, done.stderr[-2000:]
-    assert (
-        said("case 0", done.stdout.splitlines()) > 10
-    )  # some calls are repeated, or do not matter
-    assert said("case 2", done.stdout.splitlines()) > 10
+    lines = done.stdout.splitlines()
+    assert said("case 0", lines) > 10  # some calls are repeated, or do not matter
+    assert said("case 2", lines) > 10
 
 
-def test_signals_of_batch_systems_and_terminals_keep_what_is_finished(begun, undisturbed):
+@pytest.mark.parametrize("number", [signal.SIGTERM, signal.SIGHUP])
+def test_signals_of_batch_systems_and_terminals_keep_what_is_finished(begun, undisturbed, number):
     run = begun(stopping=True)
-    for number, module in (signal.SIGTERM, "tests.cluster.stopping"), (signal.SIGHUP, "workflow"):
-        run.wait_for_its_stop()
-        os.kill(run.driver.pid, number)
-        run.go_on()
-        status, lines = run.ended()
-        assert status == 130
-        assert said(".*to resume run again.*", lines[-1:])
-        run.again(module=module)
+    run.wait_for_its_stop()
+    os.kill(run.driver.pid, number)
+    run.go_on()
+    status, lines = run.ended()
+    assert status == 130
+    assert said(".*to resume run again.*", lines[-1:])
+    run.again()
     assert_whole(run, undisturbed)
 
 
