@@ -24,7 +24,7 @@ from .heating import (
 )
 from .moved_map import MapState, MovedMap
 from .patches import samples_per_patch
-from .shear_force import static_shear
+from .shear_force import static_shear, with_shear_share
 
 
 class HeatedForm(NamedTuple):
@@ -145,7 +145,7 @@ def _attempt(body, state, law, step):
         if body.heating.law is not None:
             shear = body.heating.shear(acting.contact_fraction, speed or at_rest, temperature)
         p, moved = attempted.attempted.contact.p, after - before
-        result = attempted, _with_friction(acting, shear)
+        result = attempted, with_shear_share(acting, shear)
         return SlidingContact(result, p, acting.mu + shear, moved, after - math.floor(after))
 
     tolerance = DRIVE_TEMPERATURE_TOLERANCE if body.recorded is None else TEMPERATURE_TOLERANCE
@@ -160,11 +160,6 @@ def _attempt(body, state, law, step):
 @forces.register(HeatedMap)
 def _forces(body, state, law, step):
     return state.attempted.acting
-
-
-def _with_friction(acting: Forces, shear: float) -> Forces:
-    """Add shear to the friction force; shear : over the normal force, in h/dx."""
-    return acting._replace(friction=acting.friction + acting.normal * shear)
 
 
 @static_force.register(HeatedMap)

@@ -27,7 +27,7 @@ from .contact import ElasticContact
 from .heating import Heating, Warmth
 from .hot_sliding import slide_with_heat
 from .patches import real_contact, samples_per_patch
-from .shear_force import static_shear, with_shear
+from .shear_force import static_shear, with_shear, with_shear_share
 from .sliding_body import jump_weight, slide_steadily
 
 
@@ -122,8 +122,7 @@ def moved_map(
         moved = moved._replace(shear=None)
     state = MapState(body.d, body.d, passes, body, None)
     acting = _forces_of(moved, body.p, weight, sudden, speed)
-    acting = acting._replace(friction=acting.friction + acting.normal * shear)
-    return moved, state, acting, warmth
+    return moved, state, with_shear_share(acting, shear), warmth
 
 
 def _carried_body(space: HalfSpace, scene: SceneCase, carried: CarriedBranches) -> tuple[Body, int]:

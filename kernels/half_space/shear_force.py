@@ -18,6 +18,11 @@ def with_shear(
     return acting._replace(friction=acting.friction + sheared * side * acting.contact_fraction)
 
 
+def with_shear_share(acting: Forces, shear: float) -> Forces:
+    """Add a known shear to the friction; shear : over the normal force, in h/dx."""
+    return acting._replace(friction=acting.friction + acting.normal * shear)
+
+
 def static_shear(
     acting: Forces, law: ShearLaw, side: float, temperature: float | None = None
 ) -> float:

@@ -198,7 +198,7 @@ def run_spectrum(options: argparse.Namespace) -> int:
     }
     try:
         profile = read_measured_surface({key: value for key, value in given.items() if value})
-    except UserError as error:  # names the keys of a study, of which these are options here
+    except UserError as error:  # it names keys of a study, which are options of this command
         keys = rf"surface\.({'|'.join(SURFACE_OPTIONS)})\b"
         raise UserError(re.sub(keys, r"--\1", str(error))) from None
     spectrum = laboratory.spectrum_of(profile)

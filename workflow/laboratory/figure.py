@@ -46,11 +46,9 @@ def figure_of(fit: Fit) -> Figure:
         _jumps(figure.add_subplot(last[1]), fit)
     figure.axes[0].legend(loc="best", fontsize=6)
     count = len(fit.steps)
-    drawn = (
-        f"The first {MAX_DRAWN_STEPS} of {count} steps are drawn. "
-        if count > MAX_DRAWN_STEPS
-        else ""
-    )
+    drawn = ""
+    if count > MAX_DRAWN_STEPS:
+        drawn = f"The first {MAX_DRAWN_STEPS} of {count} steps are drawn. "
     write_below(figure, f"{drawn}Bars show one standard error, correlated noise counted as it is.")
     return figure
 

@@ -69,7 +69,7 @@ def describe_material(measured: Moduli, fit: PronyFit, requested: int | None) ->
     if losses.max() > MAX_LOSS_RESIDUAL:
         lines.append(
             f"warning: G'' of the fit differs by {100 * losses.max():.2g} % rms in decade "
-            f"{losses.argmax() + 1}; at these frequencies friction follows G''"
+            f"{losses.argmax() + 1}; friction at these frequencies depends on G''"
         )
     if requested is not None and fit.rms > 2.0 * fit.dense:
         lines.append(

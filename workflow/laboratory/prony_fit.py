@@ -22,17 +22,13 @@ GRID_TIMES_PER_DECADE = 8  # times per decade of the dense grid
 TIME_MARGIN = 10.0  # factor by which times extend beyond the inverse frequencies
 MAX_RMS_GROWTH = 1.1  # growth of the rms residual allowed for fewer branches
 GOOD_RMS = 1e-2  # rms residual that needs no improvement
-BOUND_ERRORS = 3.0  # standard errors
+BOUND_ERRORS = 3.0  # standard errors between the fit and a bound of the relaxed modulus
 GRID_RMS_ERROR = 1e-4  # of the rms residual: error due to the spacing of the grid of times
-MAX_BOUND_RATIO = (
-    1.1  # largest ratio of the bounds at which the relaxed modulus counts as determined
-)
+MAX_BOUND_RATIO = 1.1  # of the bounds of a relaxed modulus that counts as determined
 MIN_COMBINATION = 1e-10  # size of a combination of values, over the largest one
 SPLINE_DEGREE = 7
 ZERO_RELAXED_SHARE = 1e-6  # relaxed modulus, over its upper bound, up to which it counts as zero
-RELAXED_TRIALS = np.linspace(
-    0.0, 1.0, 41
-)  # trial values of the relaxed modulus over the largest one
+RELAXED_TRIALS = np.linspace(0.0, 1.0, 41)  # of the relaxed modulus, over the largest one
 
 
 # Function of omega t_b or t_b/t; returns the share of g_b in G* or G(t), and d share/d ln t_b.
@@ -59,7 +55,7 @@ class PronyFit(NamedTuple):
     rms: float  # of the relative residual
     worst: float  # largest relative residual
     residual: np.ndarray  # size of the relative residual at each frequency, shape (n,)
-    loss_residual: np.ndarray  # of G'' relative to it; 0 without G'', shape (n,)
+    loss_residual: np.ndarray  # |fit - G''|/G'' at each frequency, 0 without G'', shape (n,)
     dense: float  # rms of the relative residual with all times of the dense grid
     slowest: float  # s, time beyond which every relaxation counts as complete
     least: float  # least, most : bounds of the relaxed modulus

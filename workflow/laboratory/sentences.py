@@ -61,11 +61,9 @@ def _step(fit: StepFit, least: float) -> list[str]:
         if fit.levelled:
             then = "this drift is subtracted before and after the step"
         lines.append(_line("before the step", f"{sentence}; {then}"))
-    poor = (
-        f"the residual is {times:.2g} times the noise: {NEITHER_TEXT}"
-        if times > POOR_RESIDUAL_RATIO
-        else ""
-    )
+    poor = ""
+    if times > POOR_RESIDUAL_RATIO:
+        poor = f"the residual is {times:.2g} times the noise: {NEITHER_TEXT}"
     for why in dict.fromkeys(fit.why.values()):
         names = [NAMES[name] for name in fit.why if fit.why[name] == why]
         reason = poor if poor and why == NO_RELAXATION_TEXT else why
@@ -127,10 +125,8 @@ def _open(fit: Fit, rates: Rates, names: list[str]) -> list[str]:
         if rates.speeds == 1:
             why = "one speed determines one rate; measure at several, or give the known values"
         else:
-            why = (
-                "other values fit these rates equally well; measure at lower and higher speeds, on "
-            )
-            why += "both sides of v_2 tau q_max = 1, or give the known values"
+            why = "other values fit these rates equally well; measure at lower and higher speeds, "
+            why += "on both sides of v_2 tau q_max = 1, or give the known values"
         options = ", ".join(OPTIONS[name] for name in names)
         lines.append(_line("not determined", f"{_listed(names)}: {why} ({options})"))
     if not fit.slope.known:

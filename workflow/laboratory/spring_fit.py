@@ -27,12 +27,8 @@ from ..reduce import state_change
 from .estimate import Estimate, correlation_factor, mean
 from .parting import MeasuredStep
 
-LENGTH_TRIALS = np.array(
-    [0.01, 0.1, 0.5]
-)  # trial values of D_c over the distance slid after the step
-DIRECT_EFFECT_TRIALS = np.array(
-    [0.5, 2.0]
-)  # trial values of a ln(v2/v1) over the largest change of friction
+LENGTH_TRIALS = np.array([0.01, 0.1, 0.5])  # of D_c over the distance slid after the step
+DIRECT_EFFECT_TRIALS = np.array([0.5, 2.0])  # of a ln(v2/v1) over the largest change of friction
 MAX_LOG_VELOCITY = 40.0  # largest |ln(v/v1)|
 INTEGRATION_TOLERANCE = 1e-7  # relative tolerance of the integration
 COARSE_SAMPLES = 200  # approximate number of samples on which starts are compared

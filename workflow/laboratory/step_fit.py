@@ -26,12 +26,8 @@ from .parting import MeasuredStep
 from .spring_fit import fit_behind_spring
 
 TRIAL_RATES = 80  # number of trial rates
-MIN_RATE_TIMES_SPAN = (
-    0.1  # smallest rate times the recorded time; slower relaxation is a straight line
-)
-MAX_RATE_TIMES_INTERVAL = (
-    1.0  # largest rate times the sampling interval; faster relaxation is part of the jump
-)
+MIN_RATE_TIMES_SPAN = 0.1  # rate times recorded time; slower relaxation is a straight line
+MAX_RATE_TIMES_INTERVAL = 1.0  # times the sampling interval; faster is part of the jump
 MIN_DRIFT_SHARE = 0.1  # smallest drift before a step that counts, over the largest change after it
 POOR_RESIDUAL_RATIO = 5.0  # residual over noise above which noise does not explain it
 ROUNDED_CHANGE = 1e-12  # change of friction up to which it counts as rounding
@@ -173,7 +169,7 @@ class StepFit(NamedTuple):
 
     @property
     def drifts(self) -> bool:
-        """Return whether the drift before the step is significant (MIN_DRIFT_SHARE)."""
+        """Return whether the drift before a step exceeds its error and MIN_DRIFT_SHARE."""
         size = max(abs(self.curve - self.mu_1.value))
         return abs(self.drift.value) > max(
             MAX_CHANCE_ERRORS * self.drift.error, MIN_DRIFT_SHARE * size

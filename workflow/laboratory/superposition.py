@@ -27,9 +27,7 @@ from .prony_fit import TIME_MARGIN, MeasuredModuli, grid_of_times, measured_modu
 
 TIME_GRID_MARGIN = 10.0  # factor by which the grid of times allows shifts to leave the first guess
 TIMES_PER_DECADE = 16  # fine enough not to affect the shifts
-LIKELY_DECADES = (
-    0.1  # decades: standard deviation of log10 b_T; density times temperature varies by less
-)
+LIKELY_DECADES = 0.1  # standard deviation of log10 b_T; density times temperature varies less
 MODULUS_LEVELS = 50  # number of moduli at which distances of sweeps are taken
 Sweep = tuple[np.ndarray, np.ndarray]  # omega in rad/s, G* (or 1/t, G(t)), shapes (n,)
 

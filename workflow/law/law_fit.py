@@ -37,7 +37,7 @@ RESTING_SPEED = 0.1  # relative to the slowest speed; contacts age below it as t
 SLOW_SAMPLES = 0.02  # share of the moving samples below the slowest speed
 STATELESS_RESIDUAL = 5e-3  # relative rms residual below which mu depends on the velocity alone
 MIN_SCALE = 1e-300  # lower bound of a divisor
-MAX_EVALUATIONS = 60  # of the residuals in a fit
+MAX_FIT_EVALUATIONS = 60  # of the residuals in a fit
 MAXIMA_OVER_LOADS = (  # fields of Validity
     "rms",
     "largest",
@@ -107,14 +107,14 @@ def _fit_one_load(
     _check_samples(motions, masks)
     mu_scale = root_mean_square(masked_friction(motions, masks))
     stateless = MemorySearch(motions, speeds, 0)
-    residuals = masked_residuals(stateless.fit(masks, MAX_EVALUATIONS)[0], motions, masks)
+    residuals = masked_residuals(stateless.fit(masks, MAX_FIT_EVALUATIONS)[0], motions, masks)
     left = root_mean_square(residuals) / max(mu_scale, MIN_SCALE)
     search: Search = stateless
     if kind != MemoryLaw.kind:
         search = UsualSearch(motions, speeds, kind)
     elif states and (left > STATELESS_RESIDUAL or start is not None):
         search = MemorySearch(motions, speeds, states)
-    law, parameters = search.fit(masks, MAX_EVALUATIONS, start)
+    law, parameters = search.fit(masks, MAX_FIT_EVALUATIONS, start)
     evidence = ""
     if isinstance(search, MemorySearch) and isinstance(law, MemoryLaw):
         names, evidence = origins(motions, search.responses(law))

@@ -33,8 +33,8 @@ REQUIRED_ATTRIBUTES = {"study", "code", "seed", "source"}  # attributes that eve
 BROKEN = (AttributeError, LookupError, MemoryError, OSError, RuntimeError, TypeError, ValueError)
 SETTINGS_WITHOUT_EFFECT = ("cluster.",)  # prefixes of settings that do not affect numbers
 PROBE_BYTES = 2**20  # written to test whether the disk is full
-COPIED_BYTES = 2**20  # at a time
-CACHE_BYTES = 2**20  # of HDF5 for each variable that is written; its 2**26 add up
+COPIED_BYTES = 2**20  # copied at a time
+CACHE_BYTES = 2**20  # of HDF5 per variable; the default of 64 MiB each would add up
 MAX_LISTED_SETTINGS = 5
 
 
@@ -82,7 +82,7 @@ def _created(path: Path) -> Iterator["netCDF4.Dataset"]:
         with netCDF4.Dataset(path, "w") as file:
             yield file
     except PermissionError as error:
-        # So HDF5 reports a full disk. A plain write raises the true error.
+        # HDF5 reports a full disk in this way; a plain write raises the true error.
         path.write_bytes(bytes(PROBE_BYTES))
         raise RuntimeError(str(error)) from error
     finally:
@@ -90,7 +90,7 @@ def _created(path: Path) -> Iterator["netCDF4.Dataset"]:
 
 
 def _memory_file() -> IO[bytes]:
-    """Return a file in memory, or elsewhere than on Linux a temporary one."""
+    """Return an open file in memory, or a temporary file on systems without them."""
     if hasattr(os, "memfd_create"):
         return os.fdopen(os.memfd_create("result"), "w+b")
     return tempfile.TemporaryFile()

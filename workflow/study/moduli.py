@@ -139,8 +139,9 @@ def _check_pairs(table: TextTable) -> None:
     if pairs > 1 and names[0] != names[1] and names == names[:2] * pairs:
         raise UserError(
             f"prony = {table.name!r}: holds {pairs} pairs of columns {names[0]!r}, {names[1]!r}, "
-            "as of several tests: give one of time and relaxation modulus with --columns 0,1, or "
-            "put sweeps below one another with --temperatures; J of a creep test is no modulus"
+            "probably of several tests: give one of time and relaxation modulus with --columns "
+            "0,1, or put sweeps below one another with --temperatures; J of a creep test is not a "
+            "modulus"
         )
 
 

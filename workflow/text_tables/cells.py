@@ -28,7 +28,7 @@ MAX_REMARK_CHARACTERS, MAX_TITLE_CHARACTERS, MAX_WORD_CHARACTERS = 10_000, 200, 
 class Cells(NamedTuple):
     """Lines of a text and the rows among them."""
 
-    lines: list[str]  # from 1; the first stands for the start of the text
+    lines: list[str]  # at their line numbers; lines[0] is empty
     rows: "array[int]"  # number of the line of each row
     width: int  # number of cells in each row
     numeric: list[int]  # indices of the columns that hold numbers
@@ -55,7 +55,7 @@ def split(line: str, delimiter: str | None) -> list[str]:
         parts = line.split()
         return [word.strip('"') if word.count('"') == 2 else word for word in parts]
     if '"' in line:
-        with suppress(csv.Error):  # a cell of 131 072 characters: it is no number
+        with suppress(csv.Error):  # a cell of 131 072 characters is not a number
             (cells,) = csv.reader([line.strip()], delimiter=delimiter, skipinitialspace=True)
             return [word.strip() for word in cells]
     return [word.strip() for word in line.split(delimiter)]
@@ -79,7 +79,7 @@ def cells_of(text: str) -> Cells:
     """
     lines = text.splitlines()
     lines.insert(0, "")
-    delimiter, width, sample = _divided(_sample_of(lines))
+    delimiter, width, sample = _best_division(_sample_of(lines))
     cells = Cells(lines, array("q"), width, _numeric_columns(sample, width), delimiter)
     for number, line in enumerate(lines):
         if _is_row(line, number, cells):
@@ -147,7 +147,7 @@ def _trimmed(cells: list[str]) -> list[str]:
     return cells[:end]
 
 
-def _divided(sample: list[str]) -> tuple[str | None, int, list[list[str]]]:
+def _best_division(sample: list[str]) -> tuple[str | None, int, list[list[str]]]:
     """Return the delimiter, the number of cells per row, and the cells of a sample of lines."""
     best: tuple[str | None, int, list[list[str]]] = (None, 1, [])
     most = 0

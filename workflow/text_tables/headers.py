@@ -245,5 +245,5 @@ def _words(line: str) -> list[str]:
 
 
 def _may_be_names(line: str, width: int) -> bool:
-    """Return whether a line may name ``width`` columns, one by "#": it is not a remark."""
+    """Return whether a line (not a remark) has words for all ``width`` columns, or all but "#"."""
     return len(_words(line)) >= width - 1 and ":" not in line and not _is_remark(line.strip())

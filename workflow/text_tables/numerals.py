@@ -75,7 +75,7 @@ def marks_of(words: Iterable[str]) -> Marks:
 
 
 def _uses_of_marks(word: str) -> Iterator[tuple[str, str]]:
-    """Yield the marks in a number, each as "decimal", as of "groups", or as "either"."""
+    """Yield (mark, use) for the marks in a number; the use is "decimal", "groups" or "either"."""
     digits = EXPONENT_MARK.split(word, maxsplit=1)[0]
     for mark, groups in GROUPS.items():
         if mark in digits and is_numeral(word):

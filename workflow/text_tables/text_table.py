@@ -147,7 +147,8 @@ def table_of_text(key: str, name: str, text: str) -> TextTable:
     try:
         cells = cells_of(text)
         rows = map(cells.row, range(len(cells.rows)))
-        comma = '"' if cells.delimiter == "," else ","  # in quotes if commas separate cells
+        # Between cells that commas separate, decimal commas need quotes.
+        comma = '"' if cells.delimiter == "," else ","
         marks = Marks()
         if re.search(rf"{comma}|\.\d+\.", text):  # not only decimal points
             marks = marks_of(row[n] for row in rows for n in cells.numeric)

@@ -7,7 +7,7 @@ from ...ground import UserError
 from ...text_tables import NUMERAL_TEXT, TextTable, is_numeral, split
 from .raw_lines import KEY, LineFile, metres
 
-REMARK = re.compile(r"([^:=;,\t]+)[:=;,\t](.*)")  # Width: 96 µm, or its cells
+REMARK = re.compile(r"([^:=;,\t]+)[:=;,\t](.*)")  # Width: 96 µm, also in two cells
 QUANTITY_TEXT = re.compile(rf"({NUMERAL_TEXT})\s*(\S.*)?")
 PITCH_REMARK = re.compile(
     r"(pitch|step|(sampl\w*|point|data|x|lateral)?[-_ ]*(spacing|step|interval|increment|pitch)"
