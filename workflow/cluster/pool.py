@@ -41,6 +41,8 @@ class Pool:
         self._functions = {name: dumps(function) for name, function in functions.items()}
         self._pending: dict[str, Future] = {}
         self._arrivals: SimpleQueue[Arrival] = SimpleQueue()
+        self._fetched: list[str] = []  # keys that the scheduler is not told of yet
+        self._telling = asyncio.Lock()  # or many calls at once would each open a connection
 
     def submit(self, calls: list[Call], workers: Collection[str] = ()) -> dict[str, Future]:
         """Submit calls, restricted to ``workers`` unless it is empty; return futures by key."""
@@ -111,8 +113,12 @@ class Pool:
             arrivals = [Arrival(keys[0], address, error=_meaning(futures[0], error))]
         for arrival in arrivals:
             self._arrivals.put(arrival)
-        with contextlib.suppress(OSError):  # the next snapshot reports a lost scheduler
-            await self._client.run_on_scheduler(forget_tasks, keys)
+        self._fetched += keys
+        async with self._telling:
+            fetched, self._fetched = self._fetched, []
+            with contextlib.suppress(OSError):  # the next snapshot reports a lost scheduler
+                if fetched:
+                    await self._client.run_on_scheduler(forget_tasks, fetched)
 
 
 def _meaning(future: Future, error: Exception) -> Exception:

@@ -99,6 +99,34 @@ def test_a_result_that_does_not_come_is_lost(client, monkeypatch):
     assert isinstance(lost.error, ResultLost)
 
 
+def test_a_slow_scheduler_is_told_of_all_that_was_fetched_by_one_call_at_a_time(
+    client, monkeypatch
+):
+    """Each call at the same time would open a connection, which dask then keeps."""
+    told, running, most = [], 0, 0
+
+    async def slow(_, keys):
+        nonlocal running, most
+        running, most = running + 1, max(most, running + 1)
+        await asyncio.sleep(0.1)
+        told.append(keys)
+        running -= 1
+
+    monkeypatch.setattr(client, "run_on_scheduler", slow)
+    pool = Pool(client, {"march": reciprocal})
+    futures = {}
+    for number in range(1, 13):
+        futures |= submitted(pool, [number])
+        arrival(pool)
+    for _ in range(int(100 * PATIENCE)):
+        if running == 0 and sum(map(len, told)) == len(futures):
+            break
+        time.sleep(0.01)
+    assert sorted(key for keys in told for key in keys) == sorted(futures)
+    assert most == 1
+    assert len(told) < len(futures)
+
+
 def test_a_scheduler_that_is_lost_while_it_is_asked_is_reported(client, monkeypatch):
     class Lost:
         async def ncores(self):
