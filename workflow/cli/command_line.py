@@ -10,13 +10,12 @@ from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import Any, NoReturn
 
-from ..ground import UserError, did_you_mean
+from ..ground import UserError, did_you_mean, lacks_memory
 from ..system import TEMPORARY_ERRORS, program, version_of
 from .exit_status import RESUMABLE, WRONG
 
 LAW_FORMATS = ("c", "fortran", "fmu", "json")  # written by `law`
 MIN_ADDRESS_BYTES = 700 * 2**20  # address space in which all packages load
-NOT_MAPPED = "failed to map segment|[Cc]annot allocate memory"  # by the loader of libraries
 MAX_FAILURES = 10  # problems that may fail in a run, by default
 PRONY_FORMATS = ("study", "abaqus", "ansys")  # printed by `prony`
 
@@ -41,18 +40,14 @@ def main(arguments: list[str] | None = None) -> int:
         for part in error.errors:
             print(f"error: {part}{part.place}", file=sys.stderr)
         return WRONG
-    except (MemoryError, SystemError, ImportError) as error:
-        # Extension modules also fail with SystemError, or cannot be mapped into memory.
-        if isinstance(error, ImportError) and not re.search(NOT_MAPPED, str(error)):
+    except (MemoryError, SystemError, ImportError, OSError) as error:
+        if lacks_memory(error):
+            problem = "the memory of this machine is full: free some of it, or reduce the grid"
+        elif isinstance(error, OSError) and error.errno in TEMPORARY_ERRORS:
+            problem = f"{error.filename or 'a file'}: {error.strerror}"
+        else:
             raise
-        remedy = "free some of it, or reduce the grid; what is stored is kept"
-        print(f"error: the memory of this machine is full: {remedy}", file=sys.stderr)
-        return WRONG
-    except OSError as error:
-        if error.errno not in TEMPORARY_ERRORS:
-            raise
-        place = error.filename or "a file"
-        print(f"error: {place}: {error.strerror}; what is stored is kept", file=sys.stderr)
+        print(f"error: {problem}; what is stored is kept", file=sys.stderr)
         return WRONG
     except KeyboardInterrupt:
         print(interruption, file=sys.stderr)

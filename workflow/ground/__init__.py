@@ -8,7 +8,15 @@ from typing import TYPE_CHECKING
 from .lazy import public_names
 
 if TYPE_CHECKING:
-    from .errors import ErrorCollector, UserError, UserErrors, counted, did_you_mean, printable
+    from .errors import (
+        ErrorCollector,
+        UserError,
+        UserErrors,
+        counted,
+        did_you_mean,
+        lacks_memory,
+        printable,
+    )
     from .file_kinds import decoded, foreign_content, is_text
     from .garbage import garbage_collection_paused
     from .numbers import with_error

@@ -1,5 +1,7 @@
 """Errors that a user can correct: reported as one line each, with exit status 2."""
 
+import errno
+import re
 from collections.abc import Iterable
 from difflib import get_close_matches
 from types import TracebackType
@@ -7,6 +9,9 @@ from typing import Self
 
 MAX_LINE_CHARACTERS = 600
 LEAST_LIKENESS = 0.65  # of names, as in difflib, for a suggestion
+NOT_MAPPED = "failed to map segment|[Cc]annot allocate memory"  # by the loader of libraries
+# By Python, of extension modules that do not check an allocation:
+NO_EXCEPTION = "without (setting an exception|exception set)"
 
 
 class UserError(Exception):
@@ -68,6 +73,15 @@ class ErrorCollector:
             raise self.errors[0]
         if self.errors:
             raise UserErrors(self.errors)
+
+
+def lacks_memory(error: BaseException | None) -> bool:
+    """Return whether an error means that memory could not be allocated."""
+    if isinstance(error, SystemError):
+        return bool(re.search(NO_EXCEPTION, str(error))) or lacks_memory(error.__cause__)
+    if isinstance(error, ImportError):
+        return bool(re.search(NOT_MAPPED, str(error)))
+    return isinstance(error, MemoryError) or getattr(error, "errno", 0) == errno.ENOMEM
 
 
 def did_you_mean(name: object, known: Iterable[str]) -> str:

@@ -19,6 +19,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.lib import format as npy
 
+from ..ground import lacks_memory
 from ..simulate import SCALARS, Batch, BatchResult, Record
 from ..system import Maker
 
@@ -137,9 +138,9 @@ def decode(name: str, content: bytes) -> Contents:
         table, keys = arrays["batches"].tolist(), bytes(arrays["keys"]).hex()
         scalars, curves = arrays["scalars"], arrays["curves"]
         _check_counts(table, len(keys) // KEY_LENGTH, len(scalars), len(curves))
-    except (MemoryError, SystemError):
-        raise  # for lack of memory, the shard may be sound
     except Exception as error:  # a forged file can cause any exception in these calls
+        if lacks_memory(error):
+            raise  # the shard may be sound
         reason = " ".join(str(error).split())
         raise ValueError(f"it is not a valid shard: {reason:.200}") from error
     names = (keys[i : i + KEY_LENGTH] for i in range(0, len(keys), KEY_LENGTH))

@@ -36,8 +36,7 @@ def test_second_ctrl_c_ends_with_the_status_of_an_interruption(capsys, study, mo
     ("error", "line"),
     [
         (MemoryError(), "memory of this machine is full: free some"),
-        (SystemError("error return without exception set"), "memory of this machine is full"),
-        (ImportError("a.so: failed to map segment from shared object"), "machine is full"),
+        (OSError(errno.ENOMEM, "Cannot allocate memory"), "memory of this machine is full"),
         (OSError(errno.EIO, "Input/output error", "a.nc"), "a.nc: Input/output error; what is st"),
         (OSError(errno.ENFILE, "Too many open files"), "a file: Too many open files; what is st"),
     ],
@@ -48,6 +47,15 @@ def test_full_memory_and_disk_errors_are_one_line(capsys, monkeypatch, error, li
 
     monkeypatch.setitem(cli.ACTIONS, "plan", fail)
     assert line in refusal(capsys, "plan", "fig2")
+
+
+def test_other_errors_are_not_taken_for_full_memory(study, monkeypatch):
+    def fail(_):
+        raise SystemError("bad argument to internal function")
+
+    monkeypatch.setitem(cli.ACTIONS, "plan", fail)
+    with pytest.raises(SystemError, match="bad argument"):
+        main(["plan", study])
 
 
 def test_a_path_that_is_not_utf_8_is_one_line_before_anything_is_computed(capsys):

@@ -1,5 +1,7 @@
 """Errors for the user: one printable line each."""
 
+import errno
+
 import pytest
 
 from elastomer_friction.workflow.ground.errors import (
@@ -9,6 +11,7 @@ from elastomer_friction.workflow.ground.errors import (
     UserErrors,
     counted,
     did_you_mean,
+    lacks_memory,
 )
 
 
@@ -53,3 +56,29 @@ def test_the_most_similar_name_is_suggested():
 
 def test_a_noun_is_singular_after_one():
     assert [counted(n, "worker") for n in (0, 1, 2)] == ["0 workers", "1 worker", "2 workers"]
+
+
+MAPPED = "a.so: failed to map segment from shared object"
+SILENT = "<function f> returned NULL without setting an exception"
+WITH_CAUSE = SystemError("<function f> returned a result with an exception set")
+WITH_CAUSE.__cause__ = MemoryError()
+
+
+@pytest.mark.parametrize(
+    ("error", "expected"),
+    [
+        (MemoryError(), True),
+        (OSError(errno.ENOMEM, "Cannot allocate memory"), True),
+        (ImportError(MAPPED), True),
+        (SystemError(SILENT), True),
+        (SystemError("error return without exception set"), True),
+        (WITH_CAUSE, True),
+        (OSError(errno.EIO, "Input/output error"), False),
+        (ImportError("No module named 'a'"), False),
+        (SystemError("bad argument to internal function"), False),
+        (RuntimeError(MAPPED), False),
+        (None, False),
+    ],
+)
+def test_only_errors_of_allocation_are_taken_for_lack_of_memory(error, expected):
+    assert lacks_memory(error) is expected

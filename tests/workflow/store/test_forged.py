@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from elastomer_friction.workflow.simulate.tasks import SCALARS
-from elastomer_friction.workflow.store import journal
+from elastomer_friction.workflow.store import journal, shard
 from elastomer_friction.workflow.store.merge import merge_into
 from elastomer_friction.workflow.store.shard import SHARD_FORMAT, decode, digest, text_array
 from elastomer_friction.workflow.store.verify import Verification
@@ -116,6 +116,16 @@ def test_a_forged_shard_is_refused_within_memory_in_proportion_to_its_bytes(cont
     _, peak = tracemalloc.get_traced_memory()
     tracemalloc.stop()
     assert peak < 10 * len(content) + 2**20
+
+
+def test_a_shard_that_does_not_fit_into_memory_is_not_called_damaged(monkeypatch):
+    def full(_):
+        raise MemoryError
+
+    content = forged()
+    monkeypatch.setattr(shard, "_unpacked", full)
+    with pytest.raises(MemoryError):
+        decode(digest(content), content)
 
 
 def test_members_that_share_their_bytes_are_refused(monkeypatch):
