@@ -59,7 +59,7 @@ def steps_for(problem: Problem, quantities: tuple[str, ...], wanted: float) -> N
     steps = np.full(np.shape(problem.load), STEPS_OF_MAPS[0])
     for finer in STEPS_OF_MAPS[1:]:
         coarse = largest_error(problem, quantities, steps) > wanted
-        fits = WORKER_BYTES + map_bytes(problem, finer) <= AUTO_BYTES
+        fits = WORKER_BYTES + map_bytes(problem, finer, quantities) <= AUTO_BYTES
         steps = np.where(coarse & fits, finer, steps)
     return steps
 
@@ -73,12 +73,9 @@ def largest_error(problem: Problem, quantities: tuple[str, ...], steps: Numbers)
     return np.max([expected_error(name, problem, steps) for name in names or ("mu_1",)], axis=0)
 
 
-def map_bytes(problem: Problem, steps: Numbers, quantities: tuple[str, ...] = ()) -> Numbers:
-    """Return the memory of a map with its fields.
-
-    quantities : requested ones; by default any, so that "auto" does not depend on them.
-    """
-    stored = 0 if quantities and STEADY_QUANTITIES.issuperset(quantities) else 1
+def map_bytes(problem: Problem, steps: Numbers, quantities: tuple[str, ...]) -> Numbers:
+    """Return the memory of a map with its fields. quantities : requested ones."""
+    stored = 0 if STEADY_QUANTITIES.issuperset(quantities) else 1
     per_sample = MAP_BYTES + stored * BRANCH_BYTES * len(problem.spectrum.moduli)
     if problem.effects.heat:
         per_sample += HEAT_BYTES

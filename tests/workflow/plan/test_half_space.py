@@ -116,6 +116,9 @@ def test_auto_does_not_need_more_than_its_memory_and_states_the_rest_of_the_erro
     assert steps < 16
     assert largest_error(problem, STEADY, steps) > 1e-3
     assert int(steps_for(problem._replace(elements=2048), STEADY, 1e-3)) == 1
+    twelve = Spectrum((0.02,) * 12, tuple(np.geomspace(1e-3, 1e3, 12)), 0.0)
+    many = problem._replace(elements=1024, spectrum=twelve)  # a jump stores their pressures
+    assert steps_for(many, STEADY, 1e-3) > steps_for(many, ("steady", "jump"), 1e-3)
 
 
 def test_a_plan_offers_a_coarser_and_a_finer_map():
