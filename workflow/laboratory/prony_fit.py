@@ -4,7 +4,9 @@ G* = G + sum_b g_b i omega t_b/(1 + i omega t_b) and G(t) = G + sum_b g_b exp(-t
 >= 0. For given times this is a least-squares problem with bounds (Lawson & Hanson 1974, chapter
 23), whose solution on a dense grid of times is sparse. Neighbouring times are then merged, times
 are refined, and branches are joined while the residual stays close to that on the grid. Residuals
-are relative, |model - data|/|data|. For a relaxation test, 1/t takes the place of a frequency.
+of G' are relative to |G*|, and those of G'' to G'', since friction depends on it (Baumgaertel and
+Winter, Rheol. Acta 28, 511 (1989), doi:10.1007/BF01332922), but at least to LOSS_FLOOR |G*|, as the
+phase has an error too. For a relaxation test, 1/t takes the place of a frequency.
 
 Branches may be up to ten times slower than the lowest frequency; slower ones count as relaxed. If
 the data do not determine the relaxed modulus, its bounds are those with branches up to a hundred
@@ -22,6 +24,7 @@ GRID_TIMES_PER_DECADE = 8  # times per decade of the dense grid
 TIME_MARGIN = 10.0  # factor by which times extend beyond the inverse frequencies
 MAX_RMS_GROWTH = 1.1  # growth of the rms residual allowed for fewer branches
 GOOD_RMS = 1e-2  # rms residual that needs no improvement
+LOSS_FLOOR = 0.1  # least scale of the residual of G'', over |G*|
 BOUND_ERRORS = 3.0  # standard errors between the fit and a bound of the relaxed modulus
 GRID_RMS_ERROR = 1e-4  # of the rms residual: error due to the spacing of the grid of times
 MAX_BOUND_RATIO = 1.1  # of the bounds of a relaxed modulus that counts as determined
@@ -52,14 +55,22 @@ class PronyFit(NamedTuple):
 
     shear_modulus: float  # relaxed, in the unit of the data
     branches: tuple[tuple[float, float], ...]  # (modulus, time), times ascending
-    rms: float  # of the relative residual
-    worst: float  # largest relative residual
-    residual: np.ndarray  # size of the relative residual at each frequency, shape (n,)
+    residual: np.ndarray  # |fit - G*|/|G*| at each frequency, shape (n,)
     loss_residual: np.ndarray  # |fit - G''|/G'' at each frequency, 0 without G'', shape (n,)
-    dense: float  # rms of the relative residual with all times of the dense grid
+    dense: float  # rms of the residual of G* with all times of the dense grid
     slowest: float  # s, time beyond which every relaxation counts as complete
     least: float  # least, most : bounds of the relaxed modulus
     most: float
+
+    @property
+    def rms(self) -> float:
+        """Return the rms of the relative residual of G*."""
+        return float(np.sqrt(np.mean(self.residual**2)))
+
+    @property
+    def worst(self) -> float:
+        """Return the largest relative residual of G*."""
+        return float(self.residual.max())
 
     @property
     def determined(self) -> bool:
@@ -80,10 +91,11 @@ def fit_prony(omega: np.ndarray, moduli: np.ndarray, branches: int | None = None
     if omega.size < 4 or not np.all(good):
         raise ValueError("needs four frequencies or more, all of them and G' above 0, no G'' below")
     unit = float(np.abs(moduli).max())
-    measured = measured_moduli(omega, moduli / unit)
+    measured = measured_moduli(omega, moduli / unit, LOSS_FLOOR)
     data = condensed(measured)
     grid = grid_of_times(omega, TIME_MARGIN)
-    best = solved(data, grid)[1]
+    series, best = solved(data, grid)
+    dense = measured.residual(grid, series)
     least, most = _bounds(data, grid, best)
     if most > MAX_BOUND_RATIO * least:
         least, most = _bounds(data, grid_of_times(omega, TIME_MARGIN**2), best)
@@ -95,10 +107,7 @@ def fit_prony(omega: np.ndarray, moduli: np.ndarray, branches: int | None = None
         data = data._replace(wanted=data.wanted - discarded * data.relaxed)
         times, series, rms = _few(data, grid, allowed, branches)
     positive = series[1:] > 0.0
-    misfit = measured.weighted(times)[0] @ series - measured.wanted
-    parts = misfit.reshape(-1, omega.size)  # of G*
-    residual = np.linalg.norm(parts, axis=0)
-    loss = np.imag(moduli)
+    residual, loss = measured.residual(times, series), np.imag(moduli)
     share = np.divide(np.abs(moduli), loss, where=loss > 0.0, out=np.zeros(omega.size))
     pairs = zip((unit * series[1:][positive]).tolist(), times[positive].tolist(), strict=True)
     relaxed = discarded + float(series[0])
@@ -106,11 +115,9 @@ def fit_prony(omega: np.ndarray, moduli: np.ndarray, branches: int | None = None
     return PronyFit(
         shear_modulus=unit * relaxed,
         branches=tuple(pairs),
-        rms=rms,
-        worst=float(residual.max()),
-        residual=residual,
-        loss_residual=np.abs(parts[-1]) * share,
-        dense=best,
+        residual=np.abs(residual),
+        loss_residual=np.abs(residual.imag) * share,
+        dense=float(np.sqrt(np.mean(np.abs(dense) ** 2))),
         slowest=float(grid[-1]),
         least=unit * (min(least, relaxed) if within else least),
         most=unit * (max(most, relaxed) if within else most),
@@ -136,6 +143,7 @@ class MeasuredModuli(NamedTuple):
     omega: np.ndarray  # rad/s, or 1/t
     moduli: np.ndarray  # G* or G(t), minus the part of the relaxed modulus that is not fitted
     size: np.ndarray  # |G*|
+    scale: np.ndarray  # of the residual of each value, G' before G'', shape (values,)
     shares: Shares
 
     def weighted(self, times: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
@@ -144,14 +152,21 @@ class MeasuredModuli(NamedTuple):
         Real and imaginary parts are separate rows: shapes (values, 1 + branches) and (values,
         branches).
         """
+        columns, slopes = self._unweighted(times)
+        return _parts(columns) / self.scale[:, None], _parts(slopes) / self.scale[:, None]
+
+    def _unweighted(self, times: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         columns, slopes = self.shares(self.omega[:, None] * times)
-        columns = np.hstack([np.ones((self.omega.size, 1)), columns])
-        return _parts(columns / self.size[:, None]), _parts(slopes / self.size[:, None])
+        return np.hstack([np.ones((self.omega.size, 1)), columns]), slopes
 
     @property
     def wanted(self) -> np.ndarray:
         """Return the relative moduli, shape (values,)."""
-        return _parts(self.moduli / self.size)
+        return _parts(self.moduli) / self.scale
+
+    def residual(self, times: np.ndarray, series: np.ndarray) -> np.ndarray:
+        """Return (series - G*)/|G*|, shape (n,). series : relaxed modulus, then the g_b."""
+        return (self._unweighted(times)[0] @ series - self.moduli) / self.size
 
 
 class CondensedModuli(NamedTuple):
@@ -183,10 +198,16 @@ def condensed(data: MeasuredModuli) -> CondensedModuli:
     return CondensedModuli(relaxed, wanted, curves, data.size, data.wanted.size)
 
 
-def measured_moduli(omega: np.ndarray, moduli: np.ndarray) -> MeasuredModuli:
-    """Return the data of a fit; real moduli are those of a relaxation test."""
-    shares = in_oscillation if np.iscomplexobj(moduli) else in_relaxation
-    return MeasuredModuli(omega, moduli, np.abs(moduli), shares)
+def measured_moduli(omega: np.ndarray, moduli: np.ndarray, loss_floor: float) -> MeasuredModuli:
+    """Return the data of a fit; real moduli are those of a relaxation test.
+
+    loss_floor : least scale of the residual of G'', over |G*|; 1 treats G'' as G'.
+    """
+    size = np.abs(moduli)
+    if not np.iscomplexobj(moduli):
+        return MeasuredModuli(omega, moduli, size, size, in_relaxation)
+    scale = np.concatenate([size, np.maximum(moduli.imag, loss_floor * size)])
+    return MeasuredModuli(omega, moduli, size, scale, in_oscillation)
 
 
 def grid_of_times(

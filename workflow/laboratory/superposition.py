@@ -72,7 +72,7 @@ def superposed(
         shifts = np.zeros((2, len(sweeps)))
         shifts[: p.size // free.size, free] = p.reshape(-1, free.size)
         across, up = 10.0 ** shifts[:, owner]
-        data = measured_moduli(raw[0] * across, raw[1] * up)
+        data = measured_moduli(raw[0] * across, raw[1] * up, 1.0)
         residual, jacobian, branches = _projected(data, grid, owner, free, p.size > free.size)
         weak = prior * np.eye(p.size)[free.size :]
         return np.concatenate([residual, weak @ p]), np.vstack([jacobian, weak]), branches

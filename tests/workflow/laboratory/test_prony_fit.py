@@ -43,7 +43,7 @@ def test_a_spectrum_without_noise_comes_back():
 def test_least_squares_of_the_combinations_are_those_of_all_values(part):
     omega = np.geomspace(1e-3, 1e7, 300)  # of real moduli, 1/t
     noise = 1.0 + 0.05 * np.random.default_rng(1).standard_normal(300)
-    full = measured_moduli(omega, part(noise * moduli(omega, 1e6, THREE)))
+    full = measured_moduli(omega, part(noise * moduli(omega, 1e6, THREE)), 0.1)
     few = condensed(full)
     reach = np.log([1.0 / (TIME_MARGIN * omega[-1]), TIME_MARGIN**2 / omega[0]])
     times = np.exp(np.random.default_rng(2).uniform(*reach, 40))
@@ -86,9 +86,10 @@ def test_noise_makes_no_branches_and_is_the_residual(seed):
 def test_a_rubber_over_twelve_decades_takes_a_branch_per_decade():
     omega = np.geomspace(1e-2, 1e10, 25)
     fit = fit_prony(omega, sbr(omega))
-    assert len(fit.branches) <= 14
+    assert len(fit.branches) <= 16
     assert fit.rms < 0.0101
     assert fit.worst < 0.03
+    assert fit.loss_residual.max() < 0.05
     again = abs(moduli(omega, fit.shear_modulus, fit.branches) / sbr(omega) - 1.0)
     assert again.max() == pytest.approx(fit.worst, rel=1e-9)
     assert not fit.determined  # a springpot of 2.3 degrees never comes to rest
