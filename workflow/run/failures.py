@@ -13,6 +13,8 @@ from ..store import Store
 from .node import Node
 from .workers import MARCH
 
+NO_THREAD = "can't start new thread"  # of Python, at a limit of memory or of threads
+
 
 class Failures:
     """The retry policy of a run, and its failed tasks.
@@ -44,6 +46,8 @@ class Failures:
             raise error
         if isinstance(error, ImportError):
             raise UserError(f"a worker cannot import its code: {error}") from error
+        if NO_THREAD in str(error):
+            raise UserError(f"a worker {NO_THREAD}: raise ulimit -v or ulimit -u") from error
         if len(batch.tasks) > 1 or (isinstance(error, WorkerDied) and not alone):
             seconds = batch.seconds / len(batch.tasks)
             return [dataclasses.replace(batch, tasks=(t,), seconds=seconds) for t in batch.tasks]

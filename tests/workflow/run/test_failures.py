@@ -61,11 +61,19 @@ def test_a_failure_is_recorded_by_point_and_said_at_once(failures, capsys):
     assert (BATCH.tasks[1].key, 0) not in again
 
 
-def test_a_worker_that_cannot_import_us_ends_the_run(failures):
-    with pytest.raises(
-        UserError, match="a worker cannot import its code: No module named 'workflow'"
-    ):
-        failures.replaced(BATCH, ModuleNotFoundError("No module named 'workflow'"), False)
+@pytest.mark.parametrize(
+    ("error", "said"),
+    [
+        (ModuleNotFoundError("No module named 'workflow'"), "cannot import its code: No module"),
+        (RuntimeError("can't start new thread"), "can't start new thread: raise ulimit -v"),
+    ],
+)
+def test_a_worker_that_cannot_compute_ends_the_run_without_failed_problems(failures, error, said):
+    (task, *_) = failures.replaced(BATCH, ValueError(), False)
+    for batch in (BATCH, task):
+        with pytest.raises(UserError, match=f"^a worker {said}"):
+            failures.replaced(batch, error, False)
+    assert failures.lines() == []
 
 
 BAD = PLAN.variants[0].tasks[1].key

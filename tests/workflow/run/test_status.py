@@ -71,7 +71,7 @@ def test_a_run_says_how_far_it_is_and_whether_it_was_killed(place):
     with hold(store.folder):
         writer.write(3, 2)
         lines, facts = status_lines(STUDY, result, store.folder)
-    facts_of_running = facts["state"], facts["workers"]
+    facts_of_running = facts["state"], facts["workers"], facts["batches_running"]
     assert lines[:5] == [
         "done        0 of 64 records (problem x block)",
         "running     2 batches on 3 workers",
@@ -80,7 +80,7 @@ def test_a_run_says_how_far_it_is_and_whether_it_was_killed(place):
         "remaining   2 core-hours, predicted",
     ]
     assert f"running, by process {os.getpid()} on {socket.gethostname()} since" in lines[5]
-    assert facts_of_running == ("running", 3)
+    assert facts_of_running == ("running", 3, 2)
     killed, facts = status_lines(STUDY, result, store.folder)
     assert killed[1] == "running     0 batches on 0 workers"
     assert killed[5].startswith("run         was killed, 20")
