@@ -90,7 +90,7 @@ def _local_cluster(loop: IOLoop, count: int, dashboard: bool) -> Iterator[LocalC
                 local = stack.enter_context(LocalCluster(**options))
             except (LookupError, RuntimeError, TypeError, ValueError) as error:
                 reason = " ".join(str(error).split())
-                remedy = "correct the settings of dask (DASK_…, dask.yaml)"
+                remedy = "correct the settings of dask (DASK_…, dask.yaml), or free memory"
                 raise UserError(f"local workers cannot be started: {reason}; {remedy}") from error
             # Replace any nanny that gave up because its worker was killed during a restart.
             local.adapt(minimum=count, maximum=count, interval=ADAPT_INTERVAL)

@@ -20,7 +20,7 @@ from ..ground import UserError
 from ..simulate import CODE_HASH
 from ..store import is_as_written
 from ..study import AnyStudy
-from ..system import program, replacing, unreadable
+from ..system import program, replacing, require_memory, unreadable
 
 if TYPE_CHECKING:  # slow to import, and not needed by plan and status
     import netCDF4
@@ -34,6 +34,7 @@ BROKEN = (AttributeError, LookupError, MemoryError, OSError, RuntimeError, TypeE
 SETTINGS_WITHOUT_EFFECT = ("cluster.",)  # prefixes of settings that do not affect numbers
 PROBE_BYTES = 2**20  # written to test whether the disk is full
 COPIED_BYTES = 2**20  # copied at a time
+HDF5_BYTES = 2**26  # HDF5 crashes or misreads a file if it cannot allocate what it needs
 CACHE_BYTES = 2**20  # of HDF5 per variable; the default of 64 MiB each would add up
 MAX_LISTED_SETTINGS = 5
 
@@ -55,6 +56,7 @@ def write_datasets(path: Path, datasets: Mapping[str, "xr.Dataset"]) -> None:
     """
     from xarray.backends import NetCDF4DataStore
 
+    require_memory(HDF5_BYTES)
     with replacing(path) as aside, _memory_file() as content:
         with _created(aside) as file:
             _redirect(aside, content)
@@ -182,6 +184,7 @@ def _groups(path: Path) -> dict[str, "xr.Dataset"]:
     """
     import xarray as xr
 
+    require_memory(HDF5_BYTES)
     if not is_as_written(path) and (why := unreadable([path])):
         raise UserError(f"{path}: cannot be read as netCDF: {why[path]}")
     try:

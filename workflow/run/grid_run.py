@@ -33,6 +33,7 @@ from ..system import (
     hold,
     import_dask,
     report_compilation,
+    require_memory,
 )
 from .blame import Blame
 from .collect import Collector, Rounds
@@ -57,6 +58,7 @@ if TYPE_CHECKING:
     from ..result import Groups
 
 
+LLVM_BYTES = 2**26  # memory without which LLVM ends the process while it loads kernels
 ATTEMPTS = 3  # at collecting a result if shards are found damaged
 
 
@@ -126,6 +128,7 @@ class _Run:
     def load_kernels(self) -> None:
         """Load or compile the required kernels once for all processes of this machine."""
         if self.missing and self.how.cluster.where == LOCAL:  # remote workers compile their own
+            require_memory(LLVM_BYTES)
             for variant in self.plan.variants:
                 load_kernels(variant.lines.body, variant.numerics.scheme, variant.quantities)
 

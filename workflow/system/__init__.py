@@ -41,7 +41,7 @@ if TYPE_CHECKING:
         this_maker,
         version_of,
     )
-    from .process import THREADS, Interrupt, keep_memory, peak_bytes
+    from .process import THREADS, Interrupt, keep_memory, peak_bytes, require_memory
     from .progress import Reporter, core_time, duration
     from .sandbox import limit_cpu_time, limit_memory, read_apart, requested_paths
     from .terminal import make_streams_tolerant, program

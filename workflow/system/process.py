@@ -2,6 +2,7 @@
 
 import contextlib
 import ctypes
+import mmap
 import resource
 import signal
 import sys
@@ -52,6 +53,14 @@ def peak_bytes() -> int:
                 return int(line.split()[1]) * 1024
     unit = 1 if sys.platform == "darwin" else 1024
     return resource.getrusage(resource.RUSAGE_SELF).ru_maxrss * unit
+
+
+def require_memory(size: int) -> None:
+    """Raise MemoryError unless so many bytes can be allocated, without which a library aborts."""
+    try:
+        mmap.mmap(-1, size).close()
+    except OSError as error:
+        raise MemoryError(str(error)) from error
 
 
 # Libraries must not start threads, so that workers share the cores and sums keep their order.

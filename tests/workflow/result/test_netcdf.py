@@ -12,6 +12,7 @@ import pytest
 import xarray as xr
 
 from elastomer_friction.workflow.ground import UserError
+from elastomer_friction.workflow.result import netcdf
 from elastomer_friction.workflow.result.netcdf import (
     REQUIRED_ATTRIBUTES,
     open_tree,
@@ -34,6 +35,20 @@ def test_file_is_reopened_as_it_was_with_comparisons_as_groups(tmp_path, dataset
         xr.testing.assert_equal(group.load(), dataset * 2.0)
     write_datasets(tmp_path / "again.nc", {"": dataset, "coarse": dataset * 2.0})
     assert (tmp_path / "again.nc").read_bytes() == path.read_bytes()
+
+
+def test_without_memory_for_hdf5_a_result_is_neither_written_nor_called_damaged(
+    tmp_path, dataset, monkeypatch
+):
+    path = tmp_path / "small.nc"
+    write_datasets(path, {"": dataset})
+    before = path.read_bytes()
+    monkeypatch.setattr(netcdf, "HDF5_BYTES", 2**62)
+    with pytest.raises(MemoryError):
+        open_tree(path)
+    with pytest.raises(MemoryError):
+        write_datasets(path, {"": dataset * 2.0})
+    assert path.read_bytes() == before
 
 
 def test_a_result_opens_as_a_tree_and_its_curves_over_time_in_s(tmp_path, with_models):

@@ -96,10 +96,18 @@ def test_kernels_are_loaded_beforehand_where_this_machine_is_to_compute(
     assert loaded == ["exponential", "implicit-euler"]
 
 
+def test_a_run_ends_before_llvm_would_end_it_for_lack_of_memory(tmp_path, monkeypatch):
+    monkeypatch.setattr(driver, "LLVM_BYTES", 2**62)
+    with pytest.raises(MemoryError):
+        run(tmp_path)
+
+
 def test_a_run_that_has_nothing_to_do_says_that_it_is_finished(finished, tmp_path):
     result = copied(finished, tmp_path) / finished.path.name
     status_file(result).unlink()
-    assert run(result.parent).summary.unchanged
+    again = run(result.parent).summary
+    assert again.unchanged
+    assert again.estimates == finished.summary.estimates != []
     assert json.loads(status_file(result).read_text())["state"] == "finished"
 
 
