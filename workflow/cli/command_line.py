@@ -12,7 +12,7 @@ from typing import Any, NoReturn
 
 from ..ground import UserError, did_you_mean, lacks_memory
 from ..system import TEMPORARY_ERRORS, program, version_of
-from .exit_status import RESUMABLE, WRONG
+from .exit_status import DONE, RESUMABLE, WRONG
 
 LAW_FORMATS = ("c", "fortran", "fmu", "json")  # written by `law`
 MIN_ADDRESS_BYTES = 700 * 2**20  # address space in which all packages load
@@ -35,7 +35,7 @@ def main(arguments: list[str] | None = None) -> int:
         from .run_options import resume_line
 
         interruption = resume_line("aborted") if options.command == "run" else "interrupted"
-        return ACTIONS[options.command](options)
+        return ACTIONS[options.command](options) or DONE
     except UserError as error:
         for part in error.errors:
             print(f"error: {part}{part.place}", file=sys.stderr)

@@ -64,7 +64,7 @@ def _study(options: argparse.Namespace) -> tuple[AnyStudy, Path]:
     return study, result_file(Path(options.out), study)
 
 
-def _lines(options: argparse.Namespace) -> int:
+def _lines(options: argparse.Namespace) -> None:
     """Print the output of the commands plan and status."""
     study, result = _study(options)
     outline = STUDY_ACTIONS[study.kind][options.command]
@@ -79,7 +79,6 @@ def _lines(options: argparse.Namespace) -> int:
         print(json.dumps(head | facts | {"settings": settings}, indent=1))
     else:
         print("\n".join(map(printable, [*lines, f"settings    {settings}"])))
-    return DONE
 
 
 def _run(options: argparse.Namespace) -> int:
@@ -87,14 +86,12 @@ def _run(options: argparse.Namespace) -> int:
     return STUDY_ACTIONS[study.kind]["run"](options, study, result)
 
 
-def _figure(options: argparse.Namespace) -> int:
+def _figure(options: argparse.Namespace) -> None:
     report.print_pictures(report.draw_figure(*_checked(options), options.script))
-    return DONE
 
 
-def _table(options: argparse.Namespace) -> int:
+def _table(options: argparse.Namespace) -> None:
     print(*report.write_table(*_checked(options)), sep="\n")
-    return DONE
 
 
 def _checked(options: argparse.Namespace) -> tuple[AnyStudy, Path]:
@@ -104,32 +101,29 @@ def _checked(options: argparse.Namespace) -> tuple[AnyStudy, Path]:
     return study, result
 
 
-def _report(options: argparse.Namespace) -> int:
+def _report(options: argparse.Namespace) -> None:
     print(report.write_report(Path(options.out), options.studies, options.scale))
-    return DONE
 
 
-def _explore(options: argparse.Namespace) -> int:
+def _explore(options: argparse.Namespace) -> None:
     result = Path(options.result)
     if result.suffix != ".nc":
         study = read_study(options.result, options.scale)
         result = result_file(Path("results"), study)
         check_result(study, result, strict=bool(options.scale))
     print(report.write_explorer(result, options.out))
-    return DONE
 
 
-def _animate(options: argparse.Namespace) -> int:
+def _animate(options: argparse.Namespace) -> None:
     """Compute the first line of a scene in this process and animate it."""
     study = read_scene(options.study, options.scale, options.set, ANIMATED_QUANTITIES)
     path = Path(options.out or f"results/{study.name}.gif")
     report.check_animation(path)
     make_folder(path.parent)
     print(report.animate(scene.compute(study), path))
-    return DONE
 
 
-def _studies(_: argparse.Namespace) -> int:
+def _studies(_: argparse.Namespace) -> None:
     """Print the names and titles of all studies."""
     known = known_studies()
     width = max(map(len, known))
@@ -138,15 +132,13 @@ def _studies(_: argparse.Namespace) -> int:
         with contextlib.suppress(UserError, RecursionError, LookupError, TypeError):
             title = str(load_tables(path, None, [])[0]["study"]["title"])
         print(printable(f"{name:{width}}  {title}"))
-    return DONE
 
 
-def _schema(_: argparse.Namespace) -> int:
+def _schema(_: argparse.Namespace) -> None:
     print(json.dumps(study_schema(), indent=1, ensure_ascii=False))
-    return DONE
 
 
-def _new(options: argparse.Namespace) -> int:
+def _new(options: argparse.Namespace) -> None:
     """Create a study from the template."""
     name = options.name
     if not re.fullmatch(r"[A-Za-z][\w-]*", name, re.ASCII):
@@ -161,7 +153,6 @@ def _new(options: argparse.Namespace) -> int:
     text = STUDY_TEMPLATE.read_text(encoding="utf-8").replace("NAME", name)
     write_durably(path, text.encode())
     print(f"{path}: edit it, then: {program()} plan {name}")
-    return DONE
 
 
 def _verify(options: argparse.Namespace) -> int:
@@ -178,11 +169,10 @@ def _verify(options: argparse.Namespace) -> int:
     return FAILED if verification.faults else DONE
 
 
-def _merge(options: argparse.Namespace) -> int:
+def _merge(options: argparse.Namespace) -> None:
     target = Path(options.target)
     into = target if holds_a_store(target) else target / "store"
     print("\n".join(merge_into(_store_in(options.source), into, no_lock=options.no_lock)))
-    return DONE
 
 
 def _store_in(name: str) -> Path:
@@ -193,7 +183,8 @@ def _store_in(name: str) -> Path:
     raise UserError(f"{name}: holds no store of finished work")
 
 
-ACTIONS: dict[str, Callable[[argparse.Namespace], int]] = {
+# Functions of the commands; one without a value ends with DONE.
+ACTIONS: dict[str, Callable[[argparse.Namespace], int | None]] = {
     "plan": _lines,
     "run": _run,
     "status": _lines,

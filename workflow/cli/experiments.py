@@ -14,8 +14,7 @@ import numpy as np
 from .. import laboratory, report  # slow to import, which other commands avoid
 from ..ground import UserError
 from ..study import INCOMPRESSIBLE, Moduli, read_measured_surface, read_moduli
-from ..system import make_folder, write_durably
-from .exit_status import DONE
+from ..system import write_durably
 
 NUMBERS = {  # of an option
     "--columns": "whole numbers from 0, as 0,1,2",
@@ -88,16 +87,14 @@ def fit_moduli(
     fit = laboratory.fit_material(str(file), measured, branches)
     described = laboratory.describe_material(measured, fit, branches)
     if figure:
-        path = Path(figure)
-        make_folder(path.parent)
-        (picture,) = laboratory.draw_moduli(measured, fit, master, path)
+        (picture,) = laboratory.draw_moduli(measured, fit, master, Path(figure))
         described.append(f"figure: {picture.png}")
     comments = [f"# {line}" for line in (*measured.description, *described)]
     return FittedMaterial(fit, comments, keys)
 
 
-def run_prony(options: argparse.Namespace) -> int:
-    """Fit moduli, print a table [material], write the branches if requested; return the status."""
+def run_prony(options: argparse.Namespace) -> None:
+    """Fit moduli, print a table [material], and write the branches if requested."""
     out = _output_of(options)
     given = {name: getattr(options, name) for name in inspect.signature(fit_moduli).parameters}
     given["columns"] = _parsed("--columns", options.columns, int)
@@ -110,7 +107,6 @@ def run_prony(options: argparse.Namespace) -> int:
         file = f'branches_file = "{_name_for_study(out)}"'
         printed = printed or ["[material]", *material.keys_text, file]
     print("\n".join([*material.comments, *printed]) if printed else material)
-    return DONE
 
 
 def _output_of(options: argparse.Namespace) -> Path | None:
@@ -163,8 +159,8 @@ def _wrong(option: str, given: object) -> UserError:
     return UserError(f"{option} {given}: must be {NUMBERS[option]}")
 
 
-def run_fit(options: argparse.Namespace) -> int:
-    """Fit the kinetic law to measured records, print and draw the fit; return the exit status."""
+def run_fit(options: argparse.Namespace) -> None:
+    """Fit the kinetic law to measured records, print and draw the fit."""
     known = laboratory.Known(options.relaxation_time, options.hurst, options.q_max)
     positive = {"--window": options.window, "--q-max": known.q_max}
     positive["--stiffness"] = options.stiffness
@@ -181,14 +177,11 @@ def run_fit(options: argparse.Namespace) -> int:
     records = [laboratory.read_record(Path(f), columns, *units) for f in options.files]
     fit = laboratory.fit_records(records, known, options.window, options.stiffness)
     print(*laboratory.describe(fit), sep="\n")
-    path = Path(options.out)
-    make_folder(path.parent)
-    report.print_pictures(laboratory.draw_fit(fit, path))
-    return DONE
+    report.print_pictures(laboratory.draw_fit(fit, Path(options.out)))
 
 
-def run_spectrum(options: argparse.Namespace) -> int:
-    """Print and draw the parameters of a measured spectrum; return the exit status."""
+def run_spectrum(options: argparse.Namespace) -> None:
+    """Print and draw the parameters of a measured spectrum."""
     out, words = _output_of(options), options.columns.split(",") if options.columns else None
     given = {
         "file": options.file,
@@ -211,7 +204,4 @@ def run_spectrum(options: argparse.Namespace) -> int:
         instead = f'spectrum = {{file = "{_name_for_study(out)}", kind = "2D"}}'
         described.append(f"# or, in place of hurst and roughness: {instead}")
     print(*described, "# figure", sep="\n")
-    path = Path(options.figure)
-    make_folder(path.parent)
-    report.print_pictures(laboratory.draw_spectrum(spectrum, fit, path))
-    return DONE
+    report.print_pictures(laboratory.draw_spectrum(spectrum, fit, Path(options.figure)))

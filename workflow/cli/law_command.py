@@ -9,7 +9,6 @@ from ..ground import UserError
 from ..result import check_result, open_tree, result_file
 from ..study import read_study
 from ..system import make_folder, write_durably
-from .exit_status import DONE
 
 if TYPE_CHECKING:
     from ..law import Law, LoadLaw
@@ -17,8 +16,8 @@ if TYPE_CHECKING:
 FIT_OPTIONS = ("states", "kind", "held_out", "group")
 
 
-def run_law(options: argparse.Namespace) -> int:
-    """Fit or read a law, describe it, write it if requested; return the exit status."""
+def run_law(options: argparse.Namespace) -> None:
+    """Fit or read a law, describe it, and write it if requested."""
     source, out = options.study, Path(options.out) if options.out else None
     if out and not options.write:
         raise UserError(f"--out {out}: requires a form; add --write, for example --write json")
@@ -32,15 +31,14 @@ def run_law(options: argparse.Namespace) -> int:
     if not options.write:
         errors = [f"  {rms:.2g} rms  {motion}" for motion, rms in reduced_law.validity.motions]
         print(*reduced_law.told(), *errors, sep="\n")
-        return DONE
+        return
     exported = law.export(reduced_law, options.write, (out or path).stem)
     if not out:
         print(exported.content.decode(), end="")
-        return DONE
+        return
     make_folder(out.parent)
     write_durably(out, exported.content)
     print(*reduced_law.told(), f"{out}: {exported.description}", sep="\n")
-    return DONE
 
 
 def _read(options: argparse.Namespace) -> tuple[Path, "Law | LoadLaw"]:

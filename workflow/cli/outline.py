@@ -21,6 +21,7 @@ from ..plan import (
 )
 from ..reduce import MAX_THEORY_TASKS, persson_values
 from ..result import contact_warning, model_source, slope_warning
+from ..simulate import total_steps
 from ..study import HALF_SPACE, QUANTITIES, Measured, Study, unavailable_reason
 from ..system import COMPILING_MIB, core_time
 from .run_options import announced_plan
@@ -152,7 +153,7 @@ def _realizations(plan: Plan) -> Iterator[str]:
     total = plan.records * block_size
     if not any(variant.goals for variant in plan.variants):
         whole = "in all" if plan.other_body is None else "in all, with those of the other body"
-        yield f"realizations {study.realizations_in_words}, {total} {whole}"
+        yield f"realizations {study.realizations} each{study.rounding}, {total} {whole}"
         return
     yield f"realizations {total} in all, predicted; rounds add more until the accuracy is met"
     for variant in plan.variants:
@@ -169,7 +170,7 @@ def steps_line(variant: Variant) -> str:
     steps = np.array([task.steps_per_spacing for task in variant.tasks])
     march = np.array([task.march_steps for task in variant.tasks])
     if variant.recording.requested:
-        march = march + variant.leg_counts().sum(axis=1)
+        march = march + [total_steps(t.problem, t.steps_per_spacing) for t in variant.tasks]
     marched = f"marches of {_range(march)} steps" if march.any() else "no march"
     return f"steps       {variant.label or 'study'}: {_range(steps)} per spacing, {marched}"
 

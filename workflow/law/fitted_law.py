@@ -80,7 +80,10 @@ class FittedLaw(ABC):
     def to_json(self) -> str:
         """Return the law as JSON, from which ``read`` restores it exactly."""
         numbers = {name: np.asarray(getattr(self, name)).tolist() for name in self._number_names()}
-        validity = {name: _json_value(value) for name, value in asdict(self.validity).items()}
+        validity = {  # JSON represents NaN and infinity as strings
+            name: str(value) if isinstance(value, float) and not np.isfinite(value) else value
+            for name, value in asdict(self.validity).items()
+        }
         names = {"names": self.names} if hasattr(self, "names") else {}
         content = {"format": FORMAT, "kind": self.kind, **names, **numbers, "validity": validity}
         return json.dumps(content, indent=1, allow_nan=False)
@@ -166,8 +169,3 @@ def _array_text(value: Any) -> str:
     if np.ndim(value) == 0:
         return f"{value:.4g}"
     return f"[{', '.join(map(_array_text, value))}]"
-
-
-def _json_value(value: Any) -> Any:
-    """Return a value for JSON, which represents NaN and infinity as strings."""
-    return str(value) if isinstance(value, float) and not np.isfinite(value) else value

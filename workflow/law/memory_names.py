@@ -2,7 +2,7 @@
 
 The temperature of the contact is fitted by the exponential memory of each state alone, with the
 length and time of that state and a free table over the speed. A memory that explains the changes of
-the temperature, and does so about as well as the best one, is named after it.
+the temperature about as well as the best one is named "temperature".
 """
 
 import re
@@ -17,7 +17,7 @@ from .transients import Transient
 AGE, CONTACT, TEMPERATURE, UNKNOWN = "age", "contact", "temperature", "state"  # origins
 MIN_EXPLAINED = 0.9  # share of the mean square change of the temperature
 MAX_RATIO = 10.0  # of the unexplained share to the smallest one
-MIN_CHANGE = 1e-3  # K rms; smaller changes of the temperature name nothing
+MIN_CHANGE = 1e-3  # K rms; smaller changes of the temperature are ignored
 VALID_NAME = re.compile(rf"({AGE}|{CONTACT}|{TEMPERATURE}|{UNKNOWN})(_[1-9][0-9]?)?")
 
 

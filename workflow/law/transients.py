@@ -98,7 +98,7 @@ def transients_of(dataset: Any, point: Mapping[str, Any] | None = None) -> list[
     return motions
 
 
-def motions_of(results: Any, point: Mapping[str, Any] | None = None) -> list[Transient]:
+def motions_of(results: Any, point: Mapping[str, Any] | None) -> list[Transient]:
     """Return the motions of one or several results or transients, numbered if several."""
     single = isinstance(results, Transient | str) or not isinstance(results, Sequence)
     motions: list[Transient] = []

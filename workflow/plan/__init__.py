@@ -20,15 +20,8 @@ if TYPE_CHECKING:
     )
     from .choices import MapChoice, map_choices
     from .cost import COST_FACTOR
-    from .error_laws import (
-        LAWS,
-        first_order_rate_error,
-        known,
-        rate_error,
-        shape_error,
-        stepped_error,
-    )
-    from .error_prediction import PredictedErrors, predicted_errors
+    from .error_laws import shape_error, stepped_error
+    from .error_prediction import discretisation_error, predicted_errors
     from .goal import (
         BIAS,
         FIRST_ORDER,
@@ -39,7 +32,7 @@ if TYPE_CHECKING:
         most_blocks,
         steps_per_spacing,
     )
-    from .half_space import equivalent_steps, euler_map_error, map_error
+    from .half_space import equivalent_steps, map_error
     from .other_body import MODEL_LABEL
     from .plan import Plan, make_plan
     from .problems import line_slope, nominal_pressure, speed_ratio

@@ -44,7 +44,9 @@ def missing_work(
     """
     counts = blocks or plan.expected
     return [
-        Missing(variant, tasks, first, count, block_seconds(variant, tasks))
+        Missing(
+            variant, tasks, first, count, variant.block_size * variant.realization_seconds(tasks)
+        )
         for variant in plan.variants
         for line in variant.by_line
         for tasks, first, count in _missing_runs(line, counts, stored)
@@ -59,11 +61,6 @@ def total_seconds(missing: list[Missing]) -> float:
 def total_records(missing: list[Missing]) -> int:
     """Return the number of missing records."""
     return sum(entry.blocks * len(entry.tasks) for entry in missing)
-
-
-def block_seconds(variant: Variant, tasks: list[Task]) -> float:
-    """Return the predicted time of one block of tasks that share their lines."""
-    return variant.block_size * variant.realization_seconds(tasks)
 
 
 def cut(missing: list[Missing], target: float) -> list[Missing]:

@@ -11,7 +11,7 @@ The functions take a problem or a stack of problems (problems.py), and the steps
 import numpy as np
 
 from ...kernels import KELVIN, Quantities
-from ..simulate import Problem, Recording, leg_counts
+from ..simulate import Problem, Recording, total_steps
 from ..study import HALF_SPACE
 from .problems import Numbers
 
@@ -59,7 +59,7 @@ def realization_seconds(
     marched = march_steps + 0.0
     if recording.requested:
         different, inverse = np.unique(steps, return_inverse=True)
-        counts = np.array([leg_counts(problem, int(m)).sum() for m in different])
+        counts = np.array([total_steps(problem, int(m)) for m in different])
         marched = marched + counts[inverse].reshape(np.shape(steps))
     if problem.surface.body == HALF_SPACE:
         return _map_seconds(problem, steps, marched, quantities)

@@ -7,8 +7,7 @@ others (tests/tools/wide.py, docs/accuracy.md). Scatter: standard error times th
 of lines, from 16 quartets of lines; 290 problems, Fbar 1e-3 ... 25, x 0.25 ... 600, N 320 ... 3200.
 Two in three are within a factor of 1.7 of the law.
 
-The functions take a problem or a stack of problems (problems.py), and the steps of each. refine :
-whether the edges of contacts in steady sliding are located between the samples.
+The functions take a problem or a stack of problems (problems.py), and the steps of each.
 """
 
 from collections.abc import Callable
@@ -52,7 +51,10 @@ FOLLOWED = 1e-5  # error of mu_1 and jump with located edges; 3 of 1000 jumps ex
 
 
 def coarse_error(law: Coarseness, problem: Problem, steps: Numbers, refine: bool = True) -> Numbers:
-    """Return the error of mu_1 or jump: second order in 1/m, or FOLLOWED with located edges."""
+    """Return the error of mu_1 or jump: second order in 1/m, or FOLLOWED with located edges.
+
+    refine : whether the edges of contacts are located between the samples.
+    """
     _, elements, load, speed, _ = problem[:5]
     contacts = load**law.load * (1.0 + viscous_pressure(problem) / load) ** law.pressed
     line = (elements / law.elements) ** (law.rough * problem.hurst)
@@ -61,11 +63,8 @@ def coarse_error(law: Coarseness, problem: Problem, steps: Numbers, refine: bool
     return np.where(refine & (np.asarray(steps) >= MIN_SMOOTH_STEPS), FOLLOWED, sampled)
 
 
-def relaxation_rate_error(problem: Problem, steps: Numbers, refine: bool = True) -> Numbers:
-    """Return the predicted error of b; see ``rate_error``.
-
-    refine : ignored, as a march uses the samples of the line.
-    """
+def relaxation_rate_error(problem: Problem, steps: Numbers) -> Numbers:
+    """Return the predicted error of b; see ``rate_error``."""
     return rate_error(problem, steps, contact_width(problem) * steps, expected_rate(problem))
 
 
@@ -90,7 +89,7 @@ def shape_error(steps: Numbers) -> Numbers:
 def stepped_error(steps: Numbers) -> Numbers:
     """Return the error of friction, or of its jump, that is averaged over steps of implicit Euler.
 
-    It bounds 9 in 10 of 220 means over 4 lines: m 1 ... 64, the other numbers as above.
+    It bounds nine in ten of 220 means over 4 lines at m = 1 ... 64, for the problems named above.
     """
     return 1.6 / np.asarray(steps)
 
@@ -201,7 +200,7 @@ def relaxation_rate_scatter(problem: Problem) -> Numbers:
 class Laws(NamedTuple):
     """Laws of error and scatter of one estimate."""
 
-    error: Callable[..., Numbers]  # function of (problem, steps, refine)
+    error: Callable[..., Numbers]  # function of (problem, steps)
     scatter: Callable[[Problem], Numbers]  # standard error for one line
 
 

@@ -1,17 +1,55 @@
-"""Predicted errors of the estimates of a run, by the laws of error."""
+"""Bounds of the discretisation error, and predicted errors of a run, by the laws of both bodies."""
 
 import math
 from typing import NamedTuple
 
 import numpy as np
 
-from ..study import FOUNDATION, accuracy_estimates
-from .error_laws import known, stepped_error
+from ..simulate import Problem
+from ..study import HALF_SPACE, Numerics, accuracy_estimates
+from .error_laws import (
+    contact_width,
+    first_order_rate_error,
+    known,
+    rate_error,
+    stepped_error,
+)
 from .goal import FIRST_ORDER
-from .half_space import euler_map_error, laws_of
+from .half_space import (
+    equivalent_steps,
+    euler_map_error,
+    expected_samples,
+    laws_of,
+    map_error,
+)
 from .plan import Plan
+from .problems import expected_rate
 
 MAX_PROBLEMS = 300  # problems with predictions, at equal intervals
+
+
+def discretisation_error(
+    name: str, problem: Problem, steps: int, numerics: Numerics, samples: float, rate: float
+) -> float:
+    """Return an upper bound of the relative discretisation error; NaN where no law is known.
+
+    samples : per contact. rate : b. A second-order step counts as FIRST_ORDER first-order steps,
+    unless friction is that of the steps (stepped_error).
+    """
+    first_order = numerics.scheme == "implicit-euler"
+    if problem.surface.body == HALF_SPACE:
+        same = equivalent_steps(problem, steps)
+        error = math.nan if problem.programme else map_error(name, same, samples)
+        return np.hypot(error, euler_map_error(name, steps)) if first_order else error
+    if not known(problem):
+        return math.nan
+    if name == "relaxation_rate":
+        error = rate_error(problem, steps, samples, rate)
+        return error + first_order_rate_error(problem, steps, rate) if first_order else error
+    if first_order and not numerics.refines:
+        return stepped_error(steps)
+    equivalent = steps / FIRST_ORDER if first_order else steps
+    return laws_of(problem)[name].error(problem, equivalent, refine=numerics.refines)
 
 
 class PredictedErrors(NamedTuple):
@@ -31,24 +69,23 @@ def predicted_errors(plan: Plan) -> dict[str, PredictedErrors]:
     chosen = variant.tasks[:: math.ceil(len(variant.tasks) / MAX_PROBLEMS)]
     tasks = [task for task in chosen if known(task.problem, task.problem.surface.body)]
     errors: dict[str, PredictedErrors] = {}
-    if not tasks:
-        return errors
-    refines = variant.numerics.refines
-    first_order = variant.numerics.scheme == "implicit-euler"
-    laws = laws_of(tasks[0].problem)
-    for name in accuracy_estimates(plan.study.scene.quantities):
-        if name not in laws:
+    for name in accuracy_estimates(plan.study.scene.quantities) if tasks else ():
+        if name not in laws_of(tasks[0].problem):
             continue
         chance, bound = np.empty(len(tasks)), np.full(len(tasks), np.nan)
         for row, task in enumerate(tasks):
+            problem, steps = task.problem, task.steps_per_spacing
             lines = plan.expected[task.key] * variant.block_size
-            equivalent_steps = task.steps_per_spacing / (FIRST_ORDER if first_order else 1)
-            chance[row] = laws[name].scatter(task.problem) / math.sqrt(lines)
-            if not (first_order and name == "relaxation_rate"):
-                bound[row] = laws[name].error(task.problem, equivalent_steps, refines)
-                if first_order and task.problem.surface.body != FOUNDATION:
-                    bound[row] = euler_map_error(name, task.steps_per_spacing)
-                elif first_order and not refines:
-                    bound[row] = stepped_error(task.steps_per_spacing)
+            chance[row] = laws_of(problem)[name].scatter(problem) / math.sqrt(lines)
+            if name != "relaxation_rate" or variant.numerics.scheme == "exponential":
+                expected = _expected_samples(problem, steps), expected_rate(problem)
+                bound[row] = discretisation_error(name, problem, steps, variant.numerics, *expected)
         errors[name] = PredictedErrors(chance, bound)
     return errors
+
+
+def _expected_samples(problem: Problem, steps: int) -> float:
+    """Return the expected samples per contact, on either body."""
+    if problem.surface.body == HALF_SPACE:
+        return expected_samples(problem, equivalent_steps(problem, steps))
+    return contact_width(problem) * steps

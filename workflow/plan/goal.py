@@ -30,7 +30,7 @@ JACKKNIFE_GROUPS = 32  # at most; with fewer blocks, each block is a group
 MIN_BLOCKS, MIN_RATE_BLOCKS = 2, 8  # minimum per point, without and with b
 FIRST_SHARE = 0.3  # of the predicted realizations, run first; their errors determine the rest
 COMPARED_STEPS = 3  # the smallest m with a small enough error, and its doublings
-STATES_UPDATES = 28.0  # cost of a sample besides the march (drawing, steady states), in its updates
+STATES_UPDATES = 28.0  # cost of drawing and steady states per sample, in updates of a march
 
 
 class Goal(NamedTuple):

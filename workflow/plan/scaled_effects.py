@@ -9,15 +9,10 @@ from ...kernels import (
     Bell,
     Effects,
     Heat,
-    Hold,
-    Leg,
-    Oscillation,
-    Ramp,
-    Sampled,
     ShearLaw,
     ShearTable,
     ShiftTable,
-    Slide,
+    programme_extent,
 )
 from ..ground import UserError
 from ..simulate import Problem
@@ -87,25 +82,11 @@ def check_shear_range(where: str, problem: Problem) -> None:
     law = problem.effects.shear
     if law is None or not isinstance(law.curve, ShearTable):
         return
-    speeds = [problem.speed, problem.speed * problem.ratio, *map(_fastest, problem.programme)]
-    excess = max(map(abs, speeds)) / law.curve.speeds[-1]
+    fastest = programme_extent(problem.programme)[1]
+    speeds = abs(problem.speed), abs(problem.speed * problem.ratio), fastest
+    excess = max(speeds) / law.curve.speeds[-1]
     if excess > 1.0 + 1e-9:
         raise UserError(
             f"{where}.shear.file: its last velocity lies below that of the motion, which is "
             f"{excess:.3g} times as fast; add rows, or slide more slowly"
         )
-
-
-def _fastest(leg: Leg) -> float:
-    """Return the largest speed of a leg, in dx/tau."""
-    match leg:
-        case Hold():
-            return 0.0
-        case Slide():
-            return abs(leg.speed)
-        case Ramp():
-            return max(abs(leg.first), abs(leg.last))
-        case Sampled():
-            return max(map(abs, leg.speeds))
-        case Oscillation():
-            return abs(leg.speed) + 2.0 * math.pi * leg.frequency * leg.amplitude

@@ -16,7 +16,6 @@ from ..simulate import (
     Problem,
     Recording,
     Task,
-    leg_counts,
     trace_size,
 )
 from ..study import Material, Numerics, Study, Surface
@@ -68,10 +67,6 @@ class Variant(NamedTuple):
             for samples, tasks in groupby(line, samples_of):
                 total += drawing_seconds(samples) * max([blocks[task.key] for task in tasks])
         return self.block_size * total
-
-    def leg_counts(self) -> np.ndarray:
-        """Return the steps of each leg of the programme, shape (tasks, legs)."""
-        return np.array([leg_counts(t.problem, t.steps_per_spacing) for t in self.tasks])
 
 
 class Problems(NamedTuple):

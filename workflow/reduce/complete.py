@@ -5,13 +5,7 @@ from typing import NamedTuple
 import numpy as np
 
 from ...kernels import MOTION_TRACES
-from ..plan import (
-    Plan,
-    Variant,
-    line_slope,
-    speed_ratio,
-)
-from ..simulate import Task
+from ..plan import Plan, Variant, line_slope, speed_ratio
 from ..study import accuracy_estimates
 from .blocks import Estimates, columns, enter
 from .fits import FITTED
@@ -51,7 +45,11 @@ def completed(
     if "persson" in plan.study.scene.quantities:
         spread |= persson_values(tasks, variant.lines, variant.study.grid["roughness"][0])
         if tasks[0].problem.effects.shear is not None:
-            spread |= _theoretical_totals(tasks, spread)
+            problems = [task.problem for task in tasks]
+            shear = per_contact(problems, [problem.ends[0] for problem in problems])
+            shear *= spread["area_persson"]
+            total = spread["mu_persson"] + shear
+            spread |= {"mu_persson_shear": shear, "mu_persson_total": total}
     if variant is plan.variants[0] and "mu_1" in names:
         spread |= model_ratios(plan, spread, other)
     slopes = [line_slope(task.problem, variant.lines.normalisation) for task in tasks]
@@ -61,14 +59,6 @@ def completed(
         "speed_ratio": np.array([speed_ratio(task.problem) for task in tasks]),
         "steps_per_spacing": np.array([t.steps_per_spacing for t in tasks], np.int32),
     }
-
-
-def _theoretical_totals(tasks: list[Task], theory: Estimates) -> Estimates:
-    """Return the shear part of mu by Persson's theory, and its sum with mu_persson."""
-    problems = [task.problem for task in tasks]
-    shear = per_contact(problems, [problem.ends[0] for problem in problems])
-    shear *= theory["area_persson"]
-    return {"mu_persson_shear": shear, "mu_persson_total": theory["mu_persson"] + shear}
 
 
 def exponents_of(plan: Plan, variant: Variant, estimates: Estimates) -> Estimates:

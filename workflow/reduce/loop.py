@@ -41,7 +41,8 @@ def loop(programme: Programme, times: np.ndarray, mu: np.ndarray, force: np.ndar
         return Loop(nothing, nothing, nothing)
     omega = 2.0 * math.pi * leg.frequency
     phase = omega * (at - begin)
-    weight = _trapezoids(at, period)
+    gaps = np.diff(at, append=at[0] + period)
+    weight = 0.5 * (gaps + np.roll(gaps, 1))  # of the trapezoidal rule
     speed = leg.speed + leg.amplitude * omega * np.cos(phase)
     share = 2.0 / period * weight
     return Loop(
@@ -49,9 +50,3 @@ def loop(programme: Programme, times: np.ndarray, mu: np.ndarray, force: np.ndar
         mu[:, cycle] @ (share * np.sin(phase)),
         mu[:, cycle] @ (share * np.cos(phase)),
     )
-
-
-def _trapezoids(time: np.ndarray, period: float) -> np.ndarray:
-    """Return the trapezoidal weights of the samples of one period, shape (samples,)."""
-    gaps = np.diff(time, append=time[0] + period)
-    return 0.5 * (gaps + np.roll(gaps, 1))

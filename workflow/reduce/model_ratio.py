@@ -8,7 +8,7 @@ import math
 
 import numpy as np
 
-from ..plan import Plan, Variant, equivalent_steps, map_error
+from ..plan import Plan, equivalent_steps, map_error
 from ..study import FOUNDATION, HALF_SPACE
 from .blocks import Estimates
 from .persson_estimates import persson_values
@@ -46,15 +46,17 @@ def _measured(plan: Plan, estimates: Estimates, other: Estimates) -> Estimates:
     """
     ours, theirs = plan.variants[0], plan.other_body
     assert theirs is not None
-    rows = _rows_of_points(ours, theirs)
+    _, points = np.unique(ours.point_task.ravel(), return_index=True)  # the first of each task
+    rows = theirs.point_task.ravel()[points]
     ratio = np.ones(rows.size)
     squares = np.zeros(rows.size)
     for variant, values in ((ours, estimates), (theirs, {n: v[rows] for n, v in other.items()})):
         profile = variant.lines.profile
         height = 1.0 if profile is None else profile.roughness  # unit of heights on either body
         power = 1.0 if variant.lines.body == FOUNDATION else -1.0
+        # Both bodies have a viscoelastic part.
+        name = "mu_1_viscoelastic" if "mu_1_viscoelastic" in values else "mu_1"
         with np.errstate(all="ignore"):
-            name = _viscoelastic(values)
             ratio *= (values[name] * height) ** power
             squares += (values[f"{name}_error"] / values[name]) ** 2
         if variant.lines.body == HALF_SPACE:
@@ -66,17 +68,6 @@ def _measured(plan: Plan, estimates: Estimates, other: Estimates) -> Estimates:
         "model_ratio_error": np.abs(ratio) * np.sqrt(squares),
         "model_realizations": other["realizations"][rows],
     }
-
-
-def _viscoelastic(values: Estimates) -> str:
-    """Return the name of the viscoelastic part of mu_1, which both bodies have."""
-    return "mu_1_viscoelastic" if "mu_1_viscoelastic" in values else "mu_1"
-
-
-def _rows_of_points(ours: Variant, theirs: Variant) -> np.ndarray:
-    """Return the task of the other body at the first grid point of each task."""
-    _, first = np.unique(ours.point_task.ravel(), return_index=True)
-    return theirs.point_task.ravel()[first]
 
 
 def _theoretical(mu_1: np.ndarray, mu_persson: np.ndarray) -> Estimates:

@@ -21,7 +21,7 @@ GAIN_TOLERANCE = 1e-9  # gains below it are rounding
 
 # Limits of the coefficients that samples can determine.
 MIN_RELATIVE_RATE = 1e-3  # rate times the whole time: below, the curve is a constant
-MAX_SECOND_PHASE = 30.0  # (rate times time of the second sample)^beta: above, the curve is rounding
+MAX_SECOND_PHASE = 30.0  # (rate times second time)^beta: above, later samples are rounding
 DECAY_FACTOR = 58.0  # exp(-s) decreases from 95 % to 5 % while s grows by this factor
 MIN_LOG_PHASE_CHANGE = 0.1  # of log (b t)^beta over the samples: below, the curve is a constant
 

@@ -8,13 +8,9 @@ from ...kernels.motion.legs import speed_at_start
 from ..plan import (
     BIAS,
     FIRST_ORDER,
-    LAWS,
+    discretisation_error,
     equivalent_steps,
-    euler_map_error,
-    first_order_rate_error,
-    known,
     map_error,
-    rate_error,
     remembered_share,
     shape_error,
     stepped_error,
@@ -62,40 +58,24 @@ def resolution(
 
     A bias is an upper bound of the relative discretisation error; bias_bound is the largest. It
     follows from the laws of error in plan, with the measured samples per contact and rate b instead
-    of predicted ones. A second-order step counts as FIRST_ORDER first-order steps, unless friction
-    is that of the steps (stepped_error).
+    of predicted ones.
     """
     biases: dict[str, np.ndarray] = {}
     if not names:  # no steady quantity
         return biases
     samples = estimates["samples_per_contact"]
     rates = np.nan_to_num(estimates.get("relaxation_rate", np.zeros(len(tasks))))
-    first_order = numerics.scheme == "implicit-euler"
     for name in names:
         if f"{name}_bias" in estimates:  # measured, for lines without an error law
             biases[f"{name}_bias"] = np.minimum(estimates[f"{name}_bias"], MAX_RELATIVE_BIAS)
             continue
-        bias = np.empty(len(tasks))
-        for row, task in enumerate(tasks):
-            problem, steps = task.problem, task.steps_per_spacing
-            if problem.surface.body == HALF_SPACE:
-                same = equivalent_steps(problem, steps)
-                bias[row] = np.nan if problem.programme else map_error(name, same, samples[row])
-                if first_order:
-                    bias[row] = np.hypot(bias[row], euler_map_error(name, steps))
-                continue
-            if not known(problem):
-                bias[row] = np.nan
-                continue
-            if name != "relaxation_rate":
-                equivalent = steps / FIRST_ORDER if first_order else steps
-                bias[row] = LAWS[name].error(problem, equivalent, numerics.refines)
-                if first_order and not numerics.refines:
-                    bias[row] = stepped_error(steps)
-                continue
-            bias[row] = rate_error(problem, steps, samples[row], rates[row])
-            if first_order:
-                bias[row] += first_order_rate_error(problem, steps, rates[row])
+        of_tasks = zip(tasks, samples, rates, strict=True)
+        bias = np.array(
+            [
+                discretisation_error(name, t.problem, t.steps_per_spacing, numerics, *found)
+                for t, *found in of_tasks
+            ]
+        )
         bias *= _excess_of_parts(estimates, name)
         biases[f"{name}_bias"] = np.minimum(bias, MAX_RELATIVE_BIAS)
     biases["bias_bound"] = np.fmax.reduce(list(biases.values()))
@@ -111,8 +91,8 @@ def resolution(
 def _excess_of_parts(estimates: Estimates, name: str) -> np.ndarray | float:
     """Return the sum of the |parts| of an estimate over its |total|; 1 without shear.
 
-    The law of the viscoelastic part bounds the error of the contact area too. A rate b that is
-    fitted to a sum has no law, NaN: at m = 2 and 4 its error was 2 to 3 times that bound.
+    The law of the viscoelastic part bounds the error of the contact area too. No law bounds a
+    rate b that is fitted to a sum (NaN): at m = 2 and 4 its error was 2 to 3 times that bound.
     """
     parts = [estimates.get(f"{name}_{part}") for part in ("viscoelastic", "shear")]
     if name == "relaxation_rate" and "mu_shear" in estimates:
@@ -179,9 +159,9 @@ def slip_resolution(tasks: list[Task], estimates: Estimates, changes: np.ndarray
     """Return the slip_resolution_status of tasks, their trace status, and the biases of SLIPS.
 
     changes : of SLIPS under heights that differ by the shape error of the steps, relative, shape
-    (tasks, len(SLIPS)). A change far above that of the heights means that the slider is caught
-    elsewhere: the drive is then unresolved, whatever the contacts. The peak velocity does not count
-    without a mass, which alone determines it.
+    (tasks, len(SLIPS)). A change far above that of the heights means that the slider stops in
+    another valley; the drive is then unresolved even if its contacts are resolved. Without a mass
+    the peak velocity is ignored, as only a mass limits it.
     """
     heights = shape_error([task.steps_per_spacing for task in tasks])
     massive = np.array(

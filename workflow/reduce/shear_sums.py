@@ -35,9 +35,13 @@ def add_shear(
         parts |= {f"{name}_shear": shear, f"{name}_viscoelastic": total.copy()}
         total += shear
     if "contact_curve" in values:
-        for part in ("shear", "viscoelastic"):
+        if "curve_shear" in values:
+            shear = values["curve_shear"]
+        else:
+            after = _at_jump([task.problem for task in tasks])[:, 1]
+            shear = after[:, None, None] * values["contact_curve"]
+        for part, curve in (("shear", shear), ("viscoelastic", values["curve"])):
             start = parts[f"mu_1_{part}"] + parts[f"jump_{part}"]
-            curve = values["curve"] if part == "viscoelastic" else _curve_part(tasks, values)
             parts[f"mu_{part}"] = np.concatenate([start[..., None], curve], axis=2)
         values["curve"] = values["curve"] + parts["mu_shear"][..., 1:]
     if "trace_mu" in values:
@@ -73,14 +77,6 @@ def _steady_parts(tasks: list[Task], scalars: np.ndarray, values: dict[str, np.n
         "mu_2": last * values["contact_2"],
         "jump": after * contact_after - before * contact_before,
     }
-
-
-def _curve_part(tasks: list[Task], values: dict[str, np.ndarray]) -> np.ndarray:
-    """Return the shear part of the curve after the velocity step."""
-    if "curve_shear" in values:
-        return values["curve_shear"]
-    after = _at_jump([task.problem for task in tasks])[:, 1]
-    return after[:, None, None] * values["contact_curve"]
 
 
 def _at_jump(problems: list[Problem]) -> np.ndarray:

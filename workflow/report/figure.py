@@ -19,7 +19,7 @@ from matplotlib.figure import Figure
 from ..ground import UserError
 from ..result import BROKEN, Groups, broken, open_result
 from ..study import AnyStudy, load_script
-from ..system import write_durably
+from ..system import make_folder, write_durably
 from . import usual_figure
 from .panels import STYLE, HoverPoint, hover_points, plain_ticks
 
@@ -62,6 +62,8 @@ def draw_groups(
 def write_figure(draw: Callable[[], Drawn], path: Path, caption: str = "") -> list[Picture]:
     """Draw in the style of the project, and write PNG and PDF to the folder of ``path``.
 
+    The folder is created if missing.
+
     The file of figure NAME is the stem of ``path`` with the suffix -NAME, or the stem alone for "".
     The metadata of each file holds ``caption`` and the sentences set by ``write_below``.
     """
@@ -81,6 +83,7 @@ def write_figure(draw: Callable[[], Drawn], path: Path, caption: str = "") -> li
                 pictures.append(Picture(png, pdf, hover_points(figure), words))
         finally:
             plt.close("all")
+    make_folder(path.parent)
     for file, content in files.items():
         write_durably(file, content)
     return pictures

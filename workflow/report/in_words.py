@@ -57,7 +57,7 @@ def with_unit(value: float, unit: str = "", digits: int = 3) -> str:
     return f"{mantissa.replace('-', '−')} {unit}".rstrip()
 
 
-def value_label(name: str, value: float, unit: str = "", digits: int = 3) -> str:
+def value_label(name: str, value: float, unit: str, digits: int = 3) -> str:
     """Return the value of a variable as text, such as "H = 0.7" or "Δx = 2 µm"."""
     return f"{SYMBOLS.get(name, name)} = {with_unit(value, unit, digits)}"
 

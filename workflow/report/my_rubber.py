@@ -99,11 +99,13 @@ def _rubber(name: str, data: xr.Dataset, material: Mapping[str, Any]) -> dict[st
     values |= {"pressing": float(first.normal_force) / float(first.length)}
     branches = material.get("branches", [])
     glassy = branches and not material.get("relaxation_time")
+    tau = material.get("relaxation_time", 0.0)  # at the reference temperature of the shifts
+    tau += sum(g * t for g, t in branches) / values["shear_modulus"]
     return {
         "name": name,
         "own": values | {key: chosen[key] for key in ("hurst", "family")},
         "contact": contact,
-        "branches": [[g / values["shear_modulus"], t / _tau(material)] for g, t in branches],
+        "branches": [[g / values["shear_modulus"], t / tau] for g, t in branches],
         "glassy": 1.0 + sum(g for g, _ in branches) / values["shear_modulus"] if glassy else None,
         "several": several,
         "without_steps": without_steps,
@@ -116,12 +118,6 @@ def _slope_rank(at: xr.Dataset) -> float:
     """Return a rank, highest for the largest small slope, else for the smallest slope."""
     slope = float(np.ravel(at.rms_slope)[0])
     return slope if slope <= MAX_SMALL_SLOPE else -slope
-
-
-def _tau(material: Mapping[str, Any]) -> float:
-    """Return tau, s, at the reference temperature of the shifts."""
-    branches = sum(g * t for g, t in material["branches"]) / material["shear_modulus"]
-    return float(material.get("relaxation_time", 0.0) + branches)
 
 
 def _temperatures(

@@ -56,7 +56,10 @@ def draw(groups: Groups) -> Figure:
     """Draw the default figure of the result of a grid."""
     groups = {label: without_tau(dataset) for label, dataset in groups.items()}
     data = groups[""]
-    varied = sorted((a for a in axes_in(data) if data.sizes[a] > 1), key=lambda a: _rank(data, a))
+    varied = sorted(  # the longest axis comes first
+        (axis for axis in axes_in(data) if data.sizes[axis] > 1),
+        key=lambda axis: (-data.sizes[axis], [*AXIS_PRIORITY, axis].index(axis)),
+    )
     curve = next((names for names in CURVES if {*names[:2]} <= {*data.variables}), None)
     shown = _estimates_to_draw(data) if varied or not curve else []
     places = list(product(*(range(data.sizes[axis]) for axis in varied[2:])))
@@ -113,11 +116,6 @@ def _name_curves(axes: np.ndarray) -> None:
     for ax in others:
         if ax.get_legend_handles_labels()[1] != labels:
             ax.legend(loc="upper left", fontsize=5.5)
-
-
-def _rank(data: xr.Dataset, axis: str) -> tuple[int, int]:
-    """Return the sort key of an axis: the longest comes first."""
-    return -data.sizes[axis], [*AXIS_PRIORITY, axis].index(axis)
 
 
 def _spread(size: int, count: int) -> list[int]:

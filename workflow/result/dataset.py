@@ -71,10 +71,10 @@ def build_dataset(
 
 def in_si(name: str, values: np.ndarray, dims: tuple[str, ...], units: Units) -> xr.DataArray:
     """Return an estimate, or its replicates, in SI units. values : at all points of the grid."""
-    labelled, scaling = xr.DataArray(values, dims=dims), declared(name).scaling
-    if not scaling:  # a factor would turn a flag into a float
+    labelled, powers = xr.DataArray(values, dims=dims), declared(name).scale.powers
+    if not powers:  # a factor would turn a flag into a float
         return labelled
-    return (labelled * _factor(scaling, units)).transpose(*dims)
+    return (labelled * _factor(powers, units)).transpose(*dims)
 
 
 def _point_values(
@@ -214,10 +214,10 @@ def _over(plan: Plan, variant: Variant, part: str, value: Callable[[Any], float]
     )
 
 
-def _factor(scaling: Powers, units: Units) -> xr.DataArray:
+def _factor(powers: Powers, units: Units) -> xr.DataArray:
     """Return the factor from a dimensionless value to SI, over the axes that it depends on."""
     factor = xr.DataArray(1.0)
-    for unit, power in scaling.items():
+    for unit, power in powers.items():
         values = units[unit]
         factor = factor * values**power if power > 0 else factor / values**-power
     return factor

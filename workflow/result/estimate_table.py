@@ -36,18 +36,16 @@ def short_table(data: xr.Dataset) -> list[str]:
     varied = [axis for axis in axes if data.sizes[axis] > 1] or ["velocity"]
     pressures = "normal_pressure" in data.coords
     varied = ["normal_pressure" if pressures and a == "normal_force" else a for a in varied]
-    rows = [[*(_title(data[axis]) for axis in varied), *names, ""]]
+    units = [data[axis].attrs["units"] for axis in varied]
+    titles = [f"{a} ({unit})".removesuffix(" (1)") for a, unit in zip(varied, units, strict=True)]
+    rows = [[*titles, *names, ""]]
     for index in np.ndindex(data[names[0]].shape):
         point = data.isel(dict(zip(axes, index, strict=True)))
         values = [f"{float(point[axis]):.4g}" for axis in varied]
-        rows.append([*values, *(_cell(point, name) for name in names), _mark(point)])
+        mark = "unresolved" if int(point.get("resolution_status", 1)) == 0 else ""
+        rows.append([*values, *(_cell(point, name) for name in names), mark])
     widths = [max(map(len, column)) for column in zip(*rows, strict=True)]
     return ["  ".join(map(str.ljust, row, widths)).rstrip() for row in rows]
-
-
-def _title(axis: xr.DataArray) -> str:
-    unit = axis.attrs["units"]
-    return str(axis.name) if unit == "1" else f"{axis.name} ({unit})"
 
 
 def _cell(point: xr.Dataset, name: str) -> str:
@@ -60,7 +58,3 @@ def _cell(point: xr.Dataset, name: str) -> str:
         return "not determined"
     text = with_error(value, error)
     return f"{text}, bias < {100.0 * bias:.2g} %" if bias > 0.0 else text
-
-
-def _mark(point: xr.Dataset) -> str:
-    return "unresolved" if int(point.get("resolution_status", 1)) == 0 else ""

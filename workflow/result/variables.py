@@ -14,16 +14,33 @@ from ..reduce import (
 )
 from ..study import ALL_AXES, COMMON_AXES
 
-GRID_DIMS = COMMON_AXES
-CURVE_DIMS = (*COMMON_AXES, "sample")
-HURST_DIMS = ("hurst",)
+Powers = dict[str, int]  # of grid axes, tau, E* ("modulus") and E* L ("stiffness")
 
-# Powers of grid axes, tau, E* ("modulus") and E* L ("stiffness") that scale a value to SI.
-Powers = dict[str, int]
 
-UNSCALED: Powers = {}
-HEIGHT_SCALE: Powers = {"roughness": 1}
-SLOPE_SCALE: Powers = {"roughness": 1, "spacing": -1}
+class Scale(NamedTuple):
+    """Unit of a variable, and the powers that scale its dimensionless value to that unit."""
+
+    units: str
+    powers: Powers = {}  # noqa: RUF012 - never changed
+
+
+NUMBER, CELSIUS = Scale("1"), Scale("degree_Celsius")
+SLOPE = Scale("1", {"roughness": 1, "spacing": -1})
+HEIGHT, LENGTH = Scale("m", {"roughness": 1}), Scale("m", {"spacing": 1})
+TIME, SPEED = Scale("s", {"tau": 1}), Scale("m s-1", {"spacing": 1, "tau": -1})
+RATE = Scale("s-1", {"roughness": 1, "spacing": -1, "tau": -1})
+PRESSURE = Scale("Pa", {"modulus": 1, "roughness": 1, "spacing": -1})
+FORCE = Scale("N", {"stiffness": 1, "roughness": 1})
+FRICTION = Scale("N", {"stiffness": 1, "roughness": 2, "spacing": -1})
+ENERGY = Scale("J", {"stiffness": 1, "roughness": 2})
+
+GRID_DIMS, HURST_DIMS = COMMON_AXES, ("hurst",)
+CURVE_DIMS = (*GRID_DIMS, "sample")
+EVENT_DIMS = (*GRID_DIMS, "event")
+SLIP_EVENT_DIMS = (*GRID_DIMS, "slip_event")
+LAW_DIMS = (*GRID_DIMS, "law")
+FRAME_DIMS = (*GRID_DIMS, "event", "x")
+STATE_DIMS = (*GRID_DIMS, "x")
 FLAG_DTYPE, COUNT_DTYPE = "int8", "int32"
 
 ERROR_COMMENT = (
@@ -38,8 +55,6 @@ BIAS_COMMENT = (
     "unknown, for materials with branches, programmes, prescribed indentation, and a rate with "
     "shear"
 )
-
-
 SHEAR_COMMENT = (
     "the real contact area falls as 1/rms_slope, which depends on the shortest wave, 2 pi/q_max"
 )
@@ -49,8 +64,7 @@ class Variable(NamedTuple):
     """Declaration of one variable."""
 
     long_name: str
-    scaling: Powers = UNSCALED
-    units: str = "1"
+    scale: Scale = NUMBER
     dims: tuple[str, ...] = GRID_DIMS
     comment: str = ""
     dtype: str = "float64"
@@ -69,24 +83,24 @@ AXIS_ATTRIBUTES = {row.name: (row.unit, row.long_name) for row in ALL_AXES.value
 }
 
 VARIABLES = {
-    "mu_1": Variable("steady coefficient of friction at v1", SLOPE_SCALE),
-    "mu_2": Variable("steady coefficient of friction at v2", SLOPE_SCALE),
-    "indentation": Variable("steady indentation d at v1", HEIGHT_SCALE, "m", comment=SIGN_OF_D),
+    "mu_1": Variable("steady coefficient of friction at v1", SLOPE),
+    "mu_2": Variable("steady coefficient of friction at v2", SLOPE),
+    "indentation": Variable("steady indentation d at v1", HEIGHT, comment=SIGN_OF_D),
     "contact_fraction": Variable("share of the line in contact at v1"),
     "contact_temperature": Variable(
         "temperature of the contact at v1",
-        units="degree_Celsius",
+        CELSIUS,
         comment="of the surface of the rubber, mean weighted with the pressure",
     ),
     "flash_temperature": Variable(
-        "highest temperature of the surface of the rubber at v1", units="degree_Celsius"
+        "highest temperature of the surface of the rubber at v1", CELSIUS
     ),
     "mean_contact_pressure": Variable(
         "normal force over the real contact area at v1",
-        units="Pa",
+        Scale("Pa"),
         comment="of a half-space; absent on a foundation, whose contact is a share of a line",
     ),
-    "mu_persson": Variable("coefficient of friction at v1 by Persson's theory", SLOPE_SCALE),
+    "mu_persson": Variable("coefficient of friction at v1 by Persson's theory", SLOPE),
     "area_persson": Variable("real contact area at v1 by Persson's theory, over the nominal one"),
     "model_ratio": Variable(
         "mu_1 of the foundation over that of a half-space",
@@ -97,10 +111,10 @@ VARIABLES = {
         "number of realizations of the other body in model_ratio", dtype=COUNT_DTYPE
     ),
     "mu_persson_shear": Variable(
-        "shear of area_persson over the normal force at v1", SLOPE_SCALE, comment=SHEAR_COMMENT
+        "shear of area_persson over the normal force at v1", SLOPE, comment=SHEAR_COMMENT
     ),
-    "mu_persson_total": Variable("mu_persson + mu_persson_shear", SLOPE_SCALE),
-    "jump": Variable("instantaneous jump of the coefficient of friction", SLOPE_SCALE),
+    "mu_persson_total": Variable("mu_persson + mu_persson_shear", SLOPE),
+    "jump": Variable("instantaneous jump of the coefficient of friction", SLOPE),
     "relaxation_rate": Variable(
         "relaxation rate b of eq. 6, per tau", comment="fit with mu_2 known"
     ),
@@ -108,7 +122,7 @@ VARIABLES = {
         "relaxation rate b of eq. 6, per tau",
         comment="fit with mu_2 free; NaN if the window does not determine both rate and offset",
     ),
-    "amplitude": Variable("amplitude mu* of eq. 6, with mu_2 known", SLOPE_SCALE),
+    "amplitude": Variable("amplitude mu* of eq. 6, with mu_2 known", SLOPE),
     "fit_status": Variable("outcome of the fit of eq. 6", comment=STATUS_COMMENT, dtype=FLAG_DTYPE),
     "fit_window": Variable(
         "end of the fit window in tau", comment="starts at the first step after the jump"
@@ -126,14 +140,14 @@ VARIABLES = {
     "gain_two_exponentials": Variable(
         "squared prediction error that two exponentials save against eq. 6"
     ),
-    "deviation": Variable("mu - mu_2 after the jump", SLOPE_SCALE, dims=CURVE_DIMS),
-    "mu": Variable("coefficient of friction after the jump", SLOPE_SCALE, dims=CURVE_DIMS),
+    "deviation": Variable("mu - mu_2 after the jump", SLOPE, CURVE_DIMS),
+    "mu": Variable("coefficient of friction after the jump", SLOPE, CURVE_DIMS),
     "time": Variable("time since the jump, (t - t0)/tau", dims=CURVE_DIMS),
-    "time_s": Variable("time since the jump, t - t0", units="s", dims=CURVE_DIMS, dtype="float32"),
-    "shear_modulus": Variable("relaxed shear modulus G", units="Pa", dims=()),
-    "length": Variable("length L of the line, one period", units="m", dims=()),
-    "q_max": Variable("largest wave number q_max of the line", units="m-1", dims=("spacing",)),
-    "rms_slope": Variable("spectral rms slope of the line", SLOPE_SCALE),
+    "time_s": Variable("time since the jump, t - t0", Scale("s"), CURVE_DIMS, dtype="float32"),
+    "shear_modulus": Variable("relaxed shear modulus G", Scale("Pa"), ()),
+    "length": Variable("length L of the line, one period", Scale("m"), ()),
+    "q_max": Variable("largest wave number q_max of the line", Scale("m-1"), ("spacing",)),
+    "rms_slope": Variable("spectral rms slope of the line", SLOPE),
     "speed_ratio": Variable("x = v1 tau q_max"),
     "realizations": Variable(
         "number of realizations averaged", comment="0: the computation failed", dtype=COUNT_DTYPE
@@ -183,20 +197,6 @@ VARIABLES = {
 }
 
 # Variables of programmes of motion and of materials with branches.
-EVENT_DIMS = (*GRID_DIMS, "event")
-SLIP_EVENT_DIMS = (*GRID_DIMS, "slip_event")
-LAW_DIMS = (*GRID_DIMS, "law")
-BIN_DIMS = (*GRID_DIMS, "bin")
-FRAME_DIMS = (*GRID_DIMS, "event", "x")
-MAP_DIMS = (*GRID_DIMS, "event", "y", "x")
-STATE_DIMS = (*GRID_DIMS, "x")
-FORCE_SCALE = {"stiffness": 1, "roughness": 1}
-PRESSURE_SCALE = {"modulus": 1, "roughness": 1, "spacing": -1}
-FRICTION_SCALE = {"stiffness": 1, "roughness": 2, "spacing": -1}
-ENERGY_SCALE = {"stiffness": 1, "roughness": 2}
-TIME_SCALE, RATE_SCALE = {"tau": 1}, {"roughness": 1, "spacing": -1, "tau": -1}
-LENGTH_SCALE, SPEED_SCALE = {"spacing": 1}, {"spacing": 1, "tau": -1}
-
 SLIP_COMMENT = "of the second half of the last segment; the mean over the lines"
 SLIP_STATUS_COMMENT = (
     "of a single line or map: a drive with slips is repeated with heights larger by 0.5/m^2; "
@@ -211,43 +211,35 @@ NO_STATE_COMMENT = (
 )
 
 SCENES = {
-    "tau": Variable("time scale: relaxation_time + sum g_b t_b/G", units="s"),
-    "power_spectrum": Variable(
-        "power spectrum C_1D of the lines", units="m3", dims=("wave_number",)
-    ),
-    "trace_time": Variable("time to which the friction belongs", TIME_SCALE, "s", EVENT_DIMS),
-    "trace_distance": Variable("position of the line", LENGTH_SCALE, "m", EVENT_DIMS),
-    "trace_velocity": Variable("velocity of the line", SPEED_SCALE, "m s-1", EVENT_DIMS),
+    "tau": Variable("time scale: relaxation_time + sum g_b t_b/G", Scale("s")),
+    "power_spectrum": Variable("power spectrum C_1D of the lines", Scale("m3"), ("wave_number",)),
+    "trace_time": Variable("time to which the friction belongs", TIME, EVENT_DIMS),
+    "trace_distance": Variable("position of the line", LENGTH, EVENT_DIMS),
+    "trace_velocity": Variable("velocity of the line", SPEED, EVENT_DIMS),
     "trace_segment": Variable(
         "segment of the programme, from 0", dims=EVENT_DIMS, dtype=COUNT_DTYPE
     ),
-    "trace_mu": Variable("coefficient of friction", SLOPE_SCALE, dims=EVENT_DIMS),
+    "trace_mu": Variable("coefficient of friction", SLOPE, EVENT_DIMS),
     "trace_mu_change": Variable(
-        "change of mu in the segment of the programme",
-        SLOPE_SCALE,
-        dims=EVENT_DIMS,
-        comment=CHANGE_COMMENT,
+        "change of mu in the segment of the programme", SLOPE, EVENT_DIMS, comment=CHANGE_COMMENT
     ),
     "trace_indentation_change": Variable(
         "change of the indentation in the segment of the programme",
-        HEIGHT_SCALE,
-        "m",
+        HEIGHT,
         EVENT_DIMS,
         comment=CHANGE_COMMENT,
     ),
     "trace_indentation": Variable(
-        "indentation d over the mean line", HEIGHT_SCALE, "m", EVENT_DIMS, comment=SIGN_OF_D
+        "indentation d over the mean line", HEIGHT, EVENT_DIMS, comment=SIGN_OF_D
     ),
-    "trace_normal_force": Variable("normal force", FORCE_SCALE, "N", EVENT_DIMS),
-    "trace_friction_force": Variable("friction force", FRICTION_SCALE, "N", EVENT_DIMS),
-    "trace_drive_force": Variable("force of the drive", FRICTION_SCALE, "N", EVENT_DIMS),
+    "trace_normal_force": Variable("normal force", FORCE, EVENT_DIMS),
+    "trace_friction_force": Variable("friction force", FRICTION, EVENT_DIMS),
+    "trace_drive_force": Variable("force of the drive", FRICTION, EVENT_DIMS),
     "trace_contact_temperature": Variable(
-        "temperature of the contact in a step", units="degree_Celsius", dims=EVENT_DIMS
+        "temperature of the contact in a step", CELSIUS, EVENT_DIMS
     ),
     "trace_flash_temperature": Variable(
-        "highest temperature of the surface of the rubber",
-        units="degree_Celsius",
-        dims=EVENT_DIMS,
+        "highest temperature of the surface of the rubber", CELSIUS, EVENT_DIMS
     ),
     "trace_contact_fraction": Variable("share of the line in contact", dims=EVENT_DIMS),
     "trace_samples_per_contact": Variable(
@@ -268,60 +260,49 @@ SCENES = {
         "steady",
     ),
     "drive_swing": Variable(
-        "largest minus smallest force of the drive over F_N", SLOPE_SCALE, comment=SLIP_COMMENT
+        "largest minus smallest force of the drive over F_N", SLOPE, comment=SLIP_COMMENT
     ),
     "slip_period": Variable(
         "period of stick and slip",
-        TIME_SCALE,
-        "s",
+        TIME,
         comment=f"{SLIP_COMMENT}; NaN: a line slips fewer than two times there",
     ),
-    "peak_velocity": Variable(
-        "highest velocity of the line", SPEED_SCALE, "m s-1", comment=SLIP_COMMENT
-    ),
+    "peak_velocity": Variable("highest velocity of the line", SPEED, comment=SLIP_COMMENT),
     "slip_resolution_status": Variable(
         "whether the quantities of a drive are resolved",
         comment=SLIP_STATUS_COMMENT,
         dtype=FLAG_DTYPE,
     ),
-    "slip_event_time": Variable("time of an event of the line", TIME_SCALE, "s", SLIP_EVENT_DIMS),
+    "slip_event_time": Variable("time of an event of the line", TIME, SLIP_EVENT_DIMS),
     "slip_event_kind": Variable(
         "kind of an event of the line", dims=SLIP_EVENT_DIMS, dtype=FLAG_DTYPE
     ),
-    "peak": Variable("largest mu - mu_1 after the velocity step, in its direction", SLOPE_SCALE),
-    "peak_time": Variable("time of the peak since the velocity step", TIME_SCALE, "s"),
+    "peak": Variable("largest mu - mu_1 after the velocity step, in its direction", SLOPE),
+    "peak_time": Variable("time of the peak since the velocity step", TIME),
     "initial_rate": Variable(
         "rate of mu just after the velocity step",
-        RATE_SCALE,
-        "s-1",
+        RATE,
         comment="NaN with shear, as samples do not resolve the rate of the contact area",
     ),
-    "static_peak": Variable("largest mu on sliding after the last hold", SLOPE_SCALE),
-    "healing": Variable("static peak minus mu before the last hold", SLOPE_SCALE),
-    "mu_end_of_hold": Variable("mu at the end of the last hold", SLOPE_SCALE),
-    "peak_distance": Variable("distance from the end of the hold to the peak", LENGTH_SCALE, "m"),
-    "loop_work": Variable(
-        "work of friction in the last cycle of an oscillation", ENERGY_SCALE, "J"
-    ),
-    "mu_in_phase": Variable("amplitude of mu in phase with the displacement", SLOPE_SCALE),
-    "mu_quadrature": Variable("amplitude of mu in phase with the velocity", SLOPE_SCALE),
+    "static_peak": Variable("largest mu on sliding after the last hold", SLOPE),
+    "healing": Variable("static peak minus mu before the last hold", SLOPE),
+    "mu_end_of_hold": Variable("mu at the end of the last hold", SLOPE),
+    "peak_distance": Variable("distance from the end of the hold to the peak", LENGTH),
+    "loop_work": Variable("work of friction in the last cycle of an oscillation", ENERGY),
+    "mu_in_phase": Variable("amplitude of mu in phase with the displacement", SLOPE),
+    "mu_quadrature": Variable("amplitude of mu in phase with the velocity", SLOPE),
     "mu_cycle_mean": Variable(
         "mean friction over mean normal force in an oscillation",
-        SLOPE_SCALE,
+        SLOPE,
         comment="over the second half of the cycles of the last oscillation; mean over the lines",
     ),
     "mu_cycle_share": Variable("mean friction in an oscillation over mu_1"),
-    "stored_energy": Variable("energy stored in the foundation", ENERGY_SCALE, "J", EVENT_DIMS),
-    "dissipated_energy": Variable(
-        "energy dissipated since the start", ENERGY_SCALE, "J", EVENT_DIMS
-    ),
-    "work": Variable(
-        "work of friction and normal force since the start", ENERGY_SCALE, "J", EVENT_DIMS
-    ),
+    "stored_energy": Variable("energy stored in the foundation", ENERGY, EVENT_DIMS),
+    "dissipated_energy": Variable("energy dissipated since the start", ENERGY, EVENT_DIMS),
+    "work": Variable("work of friction and normal force since the start", ENERGY, EVENT_DIMS),
     "closing_work": Variable(
         "work N of closing gaps within a step since the start",
-        ENERGY_SCALE,
-        "J",
+        ENERGY,
         EVENT_DIMS,
         comment="a discretisation error; for a Kelvin element 4 sum p g, with the previous gap g",
     ),
@@ -329,40 +310,33 @@ SCENES = {
         "(work - change of stored energy - dissipation - closing work)/dissipation",
         comment="with a drive: (work - friction - damper - step - change of stored)/work",
     ),
-    "drive_work": Variable("work of the drive since the start", ENERGY_SCALE, "J", EVENT_DIMS),
-    "friction_work": Variable("work of friction since the start", ENERGY_SCALE, "J", EVENT_DIMS),
-    "spring_energy": Variable("energy of the drive's spring", ENERGY_SCALE, "J", EVENT_DIMS),
-    "kinetic_energy": Variable("kinetic energy of the slider", ENERGY_SCALE, "J", EVENT_DIMS),
+    "drive_work": Variable("work of the drive since the start", ENERGY, EVENT_DIMS),
+    "friction_work": Variable("work of friction since the start", ENERGY, EVENT_DIMS),
+    "spring_energy": Variable("energy of the drive's spring", ENERGY, EVENT_DIMS),
+    "kinetic_energy": Variable("kinetic energy of the slider", ENERGY, EVENT_DIMS),
     "damper_work": Variable(
-        "energy dissipated by the drive's damper since the start", ENERGY_SCALE, "J", EVENT_DIMS
+        "energy dissipated by the drive's damper since the start", ENERGY, EVENT_DIMS
     ),
     "step_work": Variable(
         "work of inertia beyond the change of the kinetic energy since the start",
-        ENERGY_SCALE,
-        "J",
+        ENERGY,
         EVENT_DIMS,
         comment="a discretisation error of second order in the step; zero without a mass",
     ),
-    "contact_length": Variable("mean number of contacts of a length", dims=BIN_DIMS),
+    "contact_length": Variable("mean number of contacts of a length", dims=(*GRID_DIMS, "bin")),
     "snapshot_height": Variable(
-        "height of the line over the undeformed foundation", HEIGHT_SCALE, "m", FRAME_DIMS
+        "height of the line over the undeformed foundation", HEIGHT, FRAME_DIMS
     ),
-    "snapshot_pressure": Variable("pressure on a half-space", PRESSURE_SCALE, "Pa", MAP_DIMS),
-    "snapshot_displacement": Variable(
-        "displacement of the foundation", HEIGHT_SCALE, "m", FRAME_DIMS
+    "snapshot_pressure": Variable(
+        "pressure on a half-space", PRESSURE, (*GRID_DIMS, "event", "y", "x")
     ),
-    "rate_state_a": Variable(
-        "a of rate and state", SLOPE_SCALE, dims=LAW_DIMS, comment=NO_STATE_COMMENT
-    ),
-    "rate_state_b": Variable(
-        "b of rate and state", SLOPE_SCALE, dims=LAW_DIMS, comment=NO_STATE_COMMENT
-    ),
+    "snapshot_displacement": Variable("displacement of the foundation", HEIGHT, FRAME_DIMS),
+    "rate_state_a": Variable("a of rate and state", SLOPE, LAW_DIMS, comment=NO_STATE_COMMENT),
+    "rate_state_b": Variable("b of rate and state", SLOPE, LAW_DIMS, comment=NO_STATE_COMMENT),
     "rate_state_a_minus_b": Variable(
-        "a - b of rate and state", SLOPE_SCALE, comment="(mu_2 - mu_1)/ln(v2/v1), for either law"
+        "a - b of rate and state", SLOPE, comment="(mu_2 - mu_1)/ln(v2/v1), for either law"
     ),
-    "rate_state_dc": Variable(
-        "critical distance D_c", LENGTH_SCALE, "m", LAW_DIMS, comment=NO_STATE_COMMENT
-    ),
+    "rate_state_dc": Variable("critical distance D_c", LENGTH, LAW_DIMS, comment=NO_STATE_COMMENT),
     "rate_state_residual": Variable("rms residual of the fit over |b ln r|", dims=LAW_DIMS),
     "rate_state_status": Variable(
         "outcome of the fit of rate and state",
@@ -437,7 +411,10 @@ def declared(name: str) -> Variable:
 def attributes(name: str) -> dict[str, object]:
     """Return the CF-style attributes of a variable."""
     variable = declared(name)
-    cf_attributes: dict[str, object] = {"units": variable.units, "long_name": variable.long_name}
+    cf_attributes: dict[str, object] = {
+        "units": variable.scale.units,
+        "long_name": variable.long_name,
+    }
     if variable.comment:
         cf_attributes["comment"] = variable.comment
     if name in FLAGS:

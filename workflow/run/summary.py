@@ -78,6 +78,7 @@ class Summary:
 
     def lines(self, plan: Plan) -> list[str]:
         """Return the lines of the summary."""
+        study = plan.study
         factor = f" (factor {self.used / self.predicted_done:.2f})" if self.predicted_done else ""
         whole = "" if self.written else f", of {duration(self.predicted)} for the whole"
         rows = [
@@ -85,27 +86,19 @@ class Summary:
             f"reused; {duration(self.used)} of core time used, {duration(self.predicted_done)} "
             f"predicted for them{factor}{whole}"
         ]
-        rows += [f"{title}: {description}" for title, description in plan.study.descriptions]
+        rows += [f"{title}: {description}" for title, description in study.descriptions]
         if self.unchanged:
             rows.append("the result is there already, of the same study, program and records")
         if self.batches:
+            rows.append(f"body: {study.body_choice}")
+            if study.rounding and not any(variant.goals for variant in plan.variants):
+                rows.append(f"realizations: {study.realizations} each{study.rounding}")
             rows += [
-                f"body: {plan.study.body_choice}",
-                *self._rounded(plan),
                 self._where(),
                 self._memory(plan),
                 *self._costliest(plan),
             ]
         return rows + self.estimates
-
-    def _rounded(self, plan: Plan) -> list[str]:
-        """Return a line on a number of realizations that was rounded up, else none."""
-        study = plan.study
-        if study.realizations <= study.realizations_requested or any(
-            variant.goals for variant in plan.variants
-        ):
-            return []
-        return [f"realizations: {study.realizations_in_words}"]
 
     def _where(self) -> str:
         """Return a line with the shares of the workers' core time, counted from their start."""

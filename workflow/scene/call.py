@@ -13,7 +13,7 @@ from ...kernels import ZERO_ORIGIN, SavedState, form_of, memory_size
 from ...kernels.compile import cache
 from ..ground import UserError
 from ..plan import Plan, Variant, cut, make_batches, make_plan, missing_work
-from ..reduce import Estimates, blocks_of, completed, reduce_blocks, reduction_of
+from ..reduce import BlockPlace, Estimates, Portion, completed, reduce_portion, reduction_of
 from ..result import build_dataset
 from ..simulate import block_means
 from ..study import (
@@ -215,21 +215,21 @@ def _estimates(
 ) -> Estimates:
     """Return the estimates of all tasks of a variant. other : as for ``completed``."""
     tasks, blocks = variant.tasks, max(plan.expected[task.key] for task in variant.tasks)
-    rows = {task.key: row for row, task in enumerate(tasks)}
-    width = plan.widest_row(variant)
-    scalars, values = None, np.full((len(tasks), blocks, width), np.nan)
     missing = [entry for entry in missing_work(plan, ()) if entry.variant is variant]
-    whole = cut(missing, np.inf)
-    for batch in make_batches(whole, 1e9):
-        means = block_means(replace(batch, resumed=resumed))
-        if scalars is None:
-            scalars = np.full((*values.shape[:2], means.scalars.shape[2]), np.nan)
-        at = [rows[task.key] for task in batch.tasks]
-        ran = slice(batch.first_block, batch.first_block + batch.blocks)
-        scalars[at, ran] = means.scalars
-        values[at, ran, : means.curves.shape[2]] = means.curves
-    assert scalars is not None
-    estimates = reduce_blocks(blocks_of(reduction_of(variant), tasks, scalars, values))
+    places, results = [], []
+    for batch in make_batches(cut(missing, np.inf), 1e9):
+        results.append(block_means(replace(batch, resumed=resumed)))
+        columns = {task.key: column for column, task in enumerate(batch.tasks)}
+        places.append(
+            [
+                BlockPlace(row, columns[task.key], batch.first_block, batch.blocks)
+                for row, task in enumerate(tasks)
+                if task.key in columns
+            ]
+        )
+    how, width = reduction_of(variant), plan.widest_row(variant)
+    portion = Portion(how, tasks, [blocks] * len(tasks), blocks, width, places, [])
+    estimates, _ = reduce_portion(portion, *results)
     counts = np.full(len(tasks), blocks * variant.block_size, np.int32)
     estimates.pop("rate_replicates", None)  # serve only fits over many points
     return completed(plan, variant, estimates, np.arange(len(tasks)), counts, other)

@@ -14,20 +14,18 @@ if TYPE_CHECKING:
     from .layout import (
         CONTACT_LENGTH_EDGES,
         HALVED_STEP_SCALARS,
-        Layout,
         row_layout,
         row_width,
         unpack,
     )
-    from .programmes import SHAPE_ERROR, scene_of
-    from .realizations import block_means, lines_at_once, load_kernels
+    from .programmes import SHAPE_ERROR
+    from .realizations import block_means, load_kernels
     from .recorded_steps import (
-        MAX_LISTED_STEPS,
         curve_times,
-        leg_counts,
         max_leg_counts,
         programme_steps,
         record_steps,
+        total_steps,
         trace_size,
         trace_steps,
     )

@@ -18,9 +18,9 @@ from .tasks import Batch
 class MapCases(NamedTuple):
     """Cases for maps with the same steps per spacing."""
 
+    cases: Sequence[Case]
     steps_per_spacing: int
     requested: Quantities
-    cases: tuple[Case, ...]
 
 
 class CaseGroup(NamedTuple):
@@ -41,10 +41,6 @@ class BodyKernels(NamedTuple):
     load: Callable[[str, Quantities], None]
 
 
-def _prepare_maps(cases: Sequence[Case], steps: int, requested: Quantities) -> MapCases:
-    return MapCases(steps, requested, tuple(cases))
-
-
 def _run_maps(surfaces: Sequence[Any], prepared: MapCases) -> list[list[Outcome]]:
     return [
         [half_space.run_case(surface, case, prepared.requested) for case in prepared.cases]
@@ -63,7 +59,7 @@ BODIES = {
     "foundation": BodyKernels(drawn_lines, prepare, run_prepared, run_scene, run_pulled, load),
     "half-space": BodyKernels(
         drawn_maps,
-        _prepare_maps,
+        MapCases,
         _run_maps,
         run_scene_on_half_space,
         run_pulled_on_half_space,

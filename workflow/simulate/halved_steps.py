@@ -10,8 +10,8 @@ import numpy as np
 
 from ...kernels import Outcome
 from .bodies import CaseGroup, body_of
-from .layout import HALVED_STEP_SCALARS, Layout
-from .programmes import steady_ends
+from .layout import HALVED_STEP_SCALARS, Layout, add_to, unpack
+from .programmes import scalars_of, steady_ends
 from .recorded_steps import curve_times, record_steps
 from .tasks import Batch, Task
 
@@ -65,23 +65,18 @@ def _add_change(
     k : number of the velocity jump of the task in its case.
     """
     halved_task = task._replace(steps_per_spacing=REFINEMENT_FACTOR * task.steps_per_spacing)
-    numbers = []
+    parts, numbers = unpack(values, places), []
     for line, outcome, own_task in zip(*pair, (task, halved_task), strict=True):
-        scalars = {"mu_1": outcome.mu_1, "jump": outcome.jump[k], "mu_2": outcome.mu_2[k]}
-        scalars |= steady_ends(batch, line, own_task)
+        scalars = scalars_of(outcome, k, steady_ends(batch, line, own_task))
         numbers.append([scalars[name] for name in HALVED_STEP_SCALARS])
-    first, (size,) = places["halved_steps"]
-    values[first : first + size] += [1.0, *np.subtract(numbers[1], numbers[0])]
-    if "halved_steps_curve" in places:
+    add_to(parts["halved_steps"], [1.0, *np.subtract(numbers[1], numbers[0])])
+    if "halved_steps_curve" in parts:
         full, halved = pair.outcomes
-        curve, halved_curve = full.curves[k], halved.curves[k]
         times, halved_times = _curve_times(batch, task)
         # Halved steps end at other times: interpolate friction to the times of full steps.
         start = halved.mu_1 + halved.jump[k]
-        halved_curve = np.interp(times, [0.0, *halved_times], [start, *halved_curve])
-        first, (size,) = places["halved_steps_curve"]
-        values[first : first + curve.size] += halved_curve - curve
-        values[first + curve.size : first + size] = np.nan
+        halved_curve = np.interp(times, [0.0, *halved_times], [start, *halved.curves[k]])
+        add_to(parts["halved_steps_curve"], halved_curve - full.curves[k])
 
 
 def _curve_times(batch: Batch, task: Task) -> tuple[np.ndarray, np.ndarray]:

@@ -5,6 +5,7 @@ layout follows from the task and the requested results; shorter rows are padded 
 """
 
 import math
+from typing import Any
 
 import numpy as np
 
@@ -66,11 +67,18 @@ def row_width(places: Layout) -> int:
 
 
 def unpack(rows: np.ndarray, places: Layout) -> dict[str, np.ndarray]:
-    """Return name -> values, shape (..., *shape of the name), from rows of shape (..., width)."""
+    """Return name -> view, shape (..., *shape of the name), into rows of shape (..., width)."""
     return {
-        name: rows[..., first : first + math.prod(shape)].reshape(*rows.shape[:-1], *shape)
+        name: rows[..., first : first + math.prod(shape)].reshape((*rows.shape[:-1], *shape))
         for name, (first, shape) in places.items()
     }
+
+
+def add_to(part: np.ndarray, values: Any) -> None:
+    """Add values to a part of a row, as ``unpack`` returns it; the rest of the part becomes NaN."""
+    flat, added = part.reshape(-1), np.ravel(values)
+    flat[: added.size] += added
+    flat[added.size :] = np.nan
 
 
 def _snapshots(task: Task, line_shape: tuple[int, ...]) -> dict[str, tuple[int, ...]]:

@@ -7,11 +7,11 @@ from typing import Any
 
 import numpy as np
 
-from ...kernels import MOTION_TRACES, Case, Quantities, SceneCase
+from ...kernels import MOTION_TRACES, Case, Outcome, Quantities, SceneCase
 from ...kernels.compile.clock import computing_seconds
 from ...kernels.drive import SLIPS
 from .bodies import body_of
-from .layout import CONTACT_LENGTH_EDGES, Layout
+from .layout import CONTACT_LENGTH_EDGES, Layout, unpack
 from .recorded_steps import trace_steps
 from .tasks import SCALARS, Batch, Recording, Task
 
@@ -38,9 +38,9 @@ def add_programme(
     if "slip_changes" in places:
         pull = partial(body.pull, scene=scene._replace(slider_steps=0), drive=drive)
         results["slip_changes"] = slip_changes(pull, line, results)
-    for name, (first, shape) in places.items():
+    for name, total in unpack(values, places).items():
         if name in results:
-            total, value = values[first : first + math.prod(shape)], np.ravel(results[name])
+            value = np.reshape(results[name], total.shape)
             total += (value - total) / lines if name in MOTION_TRACES else value
     return computing_seconds() - began
 
@@ -82,20 +82,18 @@ def scene_of(task: Task, scheme: str, recording: Recording) -> SceneCase:
     )
 
 
-def steady_ends(batch: Batch, line: Any, task: Task) -> dict[str, Any]:
-    """Return the steady values at the first and the last slide of a programme, by scalar name.
+def steady_ends(batch: Batch, line: Any, task: Task) -> Outcome | None:
+    """Return steady sliding at the speeds of the first and the last slide of a programme.
 
-    A map also has "areas", the real contact, "hot", its temperatures if it is heated, and a single
-    one "tiles", the sums over its tiles.
-
-    Empty if these are the speeds before and after the velocity step, which the case computes.
+    The second speed is that of the only velocity jump of the outcome. None if these are the speeds
+    before and after the velocity step, which the case of the task computes.
     """
     problem = task.problem
     if not (problem.programme and batch.quantities.steady):
-        return {}
+        return None
     first, last = problem.ends
     if (first, last) == (problem.speed, problem.ratio * problem.speed):
-        return {}
+        return None
     case = Case(
         problem.load,
         first,
@@ -109,11 +107,20 @@ def steady_ends(batch: Batch, line: Any, task: Task) -> dict[str, Any]:
     )
     body = body_of(batch)
     ((outcome,),) = body.run([line], body.prepare([case], task.steps_per_spacing, STEADY_ONLY))
-    values = {name: getattr(outcome, name) for name in SCALARS if name not in ("mu_2", "jump")}
-    if outcome.tiles is not None:
-        values["tiles"] = outcome.tiles[0]
-    if outcome.areas is not None:
-        values["areas"] = outcome.areas
-    if outcome.hot is not None:
-        values["hot"] = outcome.hot
-    return values | {"mu_2": float(outcome.mu_2[0])}
+    return outcome
+
+
+def scalars_of(outcome: Outcome, k: int, ends: Outcome | None) -> dict[str, float]:
+    """Return the scalars of velocity jump k of a case.
+
+    ends : as ``steady_ends`` returns it; its scalars replace all but the jump.
+    """
+    scalars = {name: at_jump(getattr(outcome, name), k) for name in SCALARS}
+    if ends is None:
+        return scalars
+    return {**{name: at_jump(getattr(ends, name), 0) for name in SCALARS}, "jump": scalars["jump"]}
+
+
+def at_jump(value: Any, k: int) -> Any:
+    """Return the entry of velocity jump k of a field of an outcome; a number has no entries."""
+    return value[k] if isinstance(value, np.ndarray | list) else value

@@ -1,7 +1,6 @@
 """Run of a batch: draw its lines, run every realization, average over each block."""
 
-import math
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from functools import lru_cache
 from itertools import groupby, islice, repeat
 from operator import attrgetter, itemgetter
@@ -9,19 +8,18 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from ...kernels import MOTION_TRACES, Case, ContactAreas, HotParts, Outcome, Quantities
+from ...kernels import MOTION_TRACES, Case, HotParts, Outcome, Quantities
 from ...kernels.compile.clock import computing_seconds
 from ..system import keep_memory, peak_bytes, this_maker
 from .bodies import BODIES, CaseGroup, body_of
 from .drawing import Draw
 from .halved_steps import REFINEMENT_FACTOR, add_halved_steps
-from .layout import Layout, row_layout, row_width
-from .programmes import add_programme, steady_ends
+from .layout import Layout, add_to, row_layout, row_width, unpack
+from .programmes import add_programme, at_jump, scalars_of, steady_ends
 from .recorded_steps import record_steps
 from .tasks import PHASES, SCALARS, Batch, BatchResult
 
-scalars_of = attrgetter(*SCALARS)
-MAX_SHORT_SAMPLES = 8192  # of a line cheaper to compute than a call from Python
+MAX_SHORT_SAMPLES = 8192  # of a line whose computation is cheaper than a call from Python
 MAX_CALL_SAMPLES = 4 * MAX_SHORT_SAMPLES  # of all short lines in one call
 
 
@@ -58,9 +56,9 @@ def block_means(batch: Batch) -> BatchResult:
         add_halved_steps(batch, layouts, groups, halved, curves, spent)
     for row, (width, places) in enumerate(zip(widths, layouts, strict=True)):
         curves[row, :, width:] = np.nan
-        for name, (first, shape) in places.items():
+        for name, part in unpack(curves[row], places).items():
             if name not in MOTION_TRACES:
-                curves[row, :, first : first + math.prod(shape)] /= batch.realizations_per_block
+                part /= batch.realizations_per_block
     scalars /= batch.realizations_per_block
     used = computing_seconds() - began
     return BatchResult(scalars, curves, spent, used, peak_bytes(), this_maker())
@@ -184,62 +182,34 @@ def _case(batch: Batch, rows: list[int], refinement: int) -> Case:
     )
 
 
+# Parts of a row and the fields of an outcome that they sum, by velocity jump.
+FIELDS: dict[str, Callable[[Any], Any]] = {
+    "curve": attrgetter("curves"),
+    "initial_rate": attrgetter("initial_rate"),
+    "contact_2": attrgetter("areas.final"),
+    "contact_step": lambda case: [(case.areas.before, after) for after in case.areas.after],
+    "contact_curve": attrgetter("areas.curves"),
+    **{name: attrgetter(f"hot.{name}") for name in HotParts._fields},
+}
+# Parts that belong to the first and the last slide of a programme, not to its velocity step.
+OF_ENDS = ("contact_2", "contact_temperature", "flash_temperature", "mu_1_shear", "mu_2_shear")
+
+
 def _add_outcome(
-    outcome: Outcome, k: int, ends: dict[str, Any], places: Layout, sums: BlockSums
+    outcome: Outcome, k: int, ends: Outcome | None, places: Layout, sums: BlockSums
 ) -> None:
     """Add velocity jump k of a case to the sums of one record, scalars and row.
 
-    ends : scalars at the first and last slide of a programme, which replace those of the case.
+    ends : steady sliding at the first and last slide of a programme.
     """
-    scalars, values, _ = sums
-    numbers = scalars_of(outcome)
-    areas_at_ends, hot_at_ends = ends.pop("areas", None), ends.pop("hot", None)
-    if outcome.hot is not None:
-        _add_hot_parts(outcome.hot, k, hot_at_ends, places, values)
-    if outcome.areas is not None:
-        _add_areas(outcome.areas, k, areas_at_ends, places, values)
+    scalars, row, _ = sums
+    scalars += list(scalars_of(outcome, k, ends).values())
+    parts = unpack(row, places)
+    for name in FIELDS.keys() & parts.keys():
+        source, jump = (ends, 0) if ends is not None and name in OF_ENDS else (outcome, k)
+        add_to(parts[name], at_jump(FIELDS[name](source), jump))
     if outcome.tiles is not None:
-        first, shape = places["tiles"]
-        tiles = outcome.tiles[k].copy()
-        if ends:
-            tiles[:-1] = ends.pop("tiles")[:-1]  # all but the jump
-        values[first : first + math.prod(shape)] += tiles.ravel()
-    if ends:
-        numbers = tuple((dict(zip(SCALARS, numbers, strict=True)) | ends).values())
-    # Arrays have one entry for each velocity jump.
-    scalars += [number[k] if isinstance(number, np.ndarray) else number for number in numbers]
-    if outcome.curves:
-        _add_curve(outcome.curves[k], places["curve"], values)
-    if "initial_rate" in places:
-        values[places["initial_rate"][0]] += outcome.initial_rate[k]
-
-
-def _add_areas(
-    areas: ContactAreas, k: int, ends: ContactAreas | None, places: Layout, values: np.ndarray
-) -> None:
-    """Add the real contact of velocity jump k to a row; ends : of the slides of a programme."""
-    values[places["contact_2"][0]] += areas.final[k] if ends is None else ends.final[0]
-    first = places["contact_step"][0]
-    values[first : first + 2] += areas.before, areas.after[k]
-    if "contact_curve" in places:
-        _add_curve(areas.curves[k], places["contact_curve"], values)
-
-
-def _add_hot_parts(
-    hot: HotParts, k: int, ends: HotParts | None, places: Layout, values: np.ndarray
-) -> None:
-    """Add the temperatures and shear parts of velocity jump k to a row; ends : as for areas."""
-    for name in HotParts._fields:
-        if name == "curve_shear" and name in places:
-            _add_curve(hot.curve_shear[k], places[name], values)
-        elif name in places:
-            at_jump = ends is None or name == "jump_shear"
-            value = np.atleast_1d(getattr(hot if at_jump else ends, name))
-            values[places[name][0]] += value[k if at_jump and value.size > 1 else 0]
-
-
-def _add_curve(curve: np.ndarray, place: tuple[int, tuple[int, ...]], values: np.ndarray) -> None:
-    """Add a curve to its place in a row; the rest of the place is NaN."""
-    first, (size,) = place
-    values[first : first + curve.size] += curve
-    values[first + curve.size : first + size] = np.nan
+        tiles = outcome.tiles[k]
+        if ends is not None and ends.tiles is not None:
+            tiles = np.concatenate([ends.tiles[0][:-1], tiles[-1:]])  # the last is the jump
+        add_to(parts["tiles"], tiles)

@@ -95,17 +95,15 @@ def max_leg_counts(
     return count_steps(problem.programme, steps_per_spacing, *origin[:2], shortest)
 
 
-def leg_counts(
-    problem: Problem, steps_per_spacing: int, origin: Origin = ZERO_ORIGIN
-) -> np.ndarray:
-    """Return the number of steps of each leg of a programme, shape (legs,).
+def total_steps(problem: Problem, steps_per_spacing: int) -> float:
+    """Return the number of steps of a programme.
 
-    Beyond MAX_LISTED_STEPS steps in total, return upper bounds, which need no array of steps.
+    Beyond MAX_LISTED_STEPS return an upper bound, which needs no array of steps.
     """
-    counts, legs = max_leg_counts(problem, steps_per_spacing, origin), len(problem.programme)
-    if counts.sum() > MAX_LISTED_STEPS:
-        return counts
-    return np.bincount(programme_steps(problem, steps_per_spacing, origin).leg, minlength=legs)
+    bound = float(max_leg_counts(problem, steps_per_spacing).sum())
+    if bound > MAX_LISTED_STEPS:
+        return bound
+    return programme_steps(problem, steps_per_spacing).time.size
 
 
 @lru_cache(maxsize=1000)

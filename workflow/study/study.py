@@ -128,14 +128,12 @@ class Study(AnyStudy):
         return self.realizations // self.realizations_per_block
 
     @property
-    def realizations_in_words(self) -> str:
-        """The number of realizations of a point, with the reason if it was rounded up."""
+    def rounding(self) -> str:
+        """How the number of realizations of a point was rounded up, or ""."""
         if self.realizations <= self.realizations_requested:
-            return f"{self.realizations} each"
-        return (
-            f"{self.realizations} each ({self.realizations_requested} rounded up to {self.blocks} "
-            f"blocks of {self.realizations_per_block})"
-        )
+            return ""
+        whole = f"{self.blocks} blocks of {self.realizations_per_block}"
+        return f" ({self.realizations_requested} rounded up to {whole})"
 
     @property
     def shape(self) -> tuple[int, ...]:

@@ -49,7 +49,7 @@ def read_apart(module: str, paths: list[Path]) -> tuple[bytes, str]:
 
 
 def requested_paths() -> list[Path]:
-    """Return the paths that ``read_apart`` sends, after telling it that all is imported."""
+    """Signal ``read_apart`` that all imports are done; return the paths that it sends."""
     answer(READY)
     return [Path(os.fsdecode(name)) for name in sys.stdin.buffer.read().split(b"\0")]
 

@@ -1,4 +1,4 @@
-"""The command line: which commands there are, what they are told, and their exit status."""
+"""The command line: commands, options and exit statuses."""
 
 import errno
 import json

@@ -1,4 +1,4 @@
-"""`fit FILE…` and `prony FILE` say what measurements determine, as a study reads it."""
+"""`fit FILE…` and `prony FILE` print what measurements determine, in the form of a study."""
 
 import tomllib
 
@@ -197,7 +197,7 @@ def test_a_relaxation_test_that_ends_early_says_what_it_leaves_open(capsys, tmp_
 
 
 def test_the_command_knows_everybody_a_series_is_printed_for():
-    """It names them itself, for a help text that imports no laboratory."""
+    """The help repeats the names, so that it does not import ``laboratory``."""
     assert tuple(laboratory.FORMS) == command_line.PRONY_FORMATS
 
 

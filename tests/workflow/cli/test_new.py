@@ -125,7 +125,7 @@ SMALL = ["--set", "numerics.samples=8", "--set", "surface.rolloff=5e-4", "--set"
 SMALL += ["grid.spacing=2e-5", "--set", "surface.cutoff=5e-5"]
 
 
-@pytest.mark.exhaustive  # compiles kernels of its own; what is drawn, report/test_animation.py asks
+@pytest.mark.exhaustive  # compiles kernels; report/test_animation.py tests the drawing
 def test_the_scene_of_the_readme_is_drawn(capsys, tmp_path):
     path = tmp_path / "made" / "creep.gif"
     assert output(capsys, "animate", CREEP, *SMALL, "--out", str(path)).strip() == str(path)

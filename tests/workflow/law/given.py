@@ -39,7 +39,7 @@ SEGMENTS = [*((v, 0.003 / abs(v)) for v in STEPS), *RESTS, (0.02, 0.15)]  # velo
 
 
 def result(law, segments=SEGMENTS, samples=40, **attributes):
-    """Return a result as of ``scene.run``, for segments (velocity, duration) with jumps between."""
+    """Return a result of ``scene.run`` for segments (velocity, duration) with jumps between."""
     rows, t, x = [], 0.0, 0.0
     state, mu = law.step(law.init(segments[0][0]), segments[0][0], 0.0)
     for k, (v, duration) in enumerate(segments):

@@ -1,4 +1,4 @@
-"""Batches: every missing record exactly once, about as long as asked, additive prediction."""
+"""Batches: every missing record exactly once, the requested length, additive prediction."""
 
 import math
 import random

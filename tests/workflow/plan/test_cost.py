@@ -1,4 +1,4 @@
-"""Rough cost: positive and additive, it grows with the work and covers every kind of it."""
+"""Predicted cost: positive, additive, and increasing with every kind of work."""
 
 import numpy as np
 import pytest

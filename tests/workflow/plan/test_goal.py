@@ -1,4 +1,4 @@
-"""Goals and steps: fine enough, not finer than pays, never beyond what fits, always the same."""
+"""Goals and steps: within the accuracy, cheapest, and within the memory of a worker."""
 
 import math
 

@@ -1,4 +1,4 @@
-"""What a half-space is sized by: errors that were measured, steps that keep them, maps that fit."""
+"""Sizes of half-spaces: measured errors, steps that bound them, maps that fit a worker."""
 
 import numpy as np
 import pytest
@@ -39,7 +39,7 @@ def on_a_map(load, x, elements=16):
 
 @pytest.mark.parametrize(("load", "x"), [(0.05, 1.0), (0.2, 0.3)])
 def test_the_error_of_mu_1_is_within_its_bound(load, x):
-    """Of one map, m = 2 and 4 against m = 8: a mean of four is within it, one within twice."""
+    """The bound is that of means of four maps; a single map may have twice this error."""
     amplitude = ring_amplitudes(0.7, 16)
     pressed = load * rms_slope_of(amplitude, 16) * 16
     case = Case(pressed, x / np.pi, (), (), "exponential")
@@ -152,7 +152,7 @@ def test_a_map_that_does_not_fit_is_refused_before_anything_is_computed():
 
 @pytest.mark.parametrize(("load", "x"), [(0.02, 0.3), (0.2, 1.0)])
 def test_maps_scatter_and_touch_as_the_laws_of_an_accuracy_say(load, x):
-    """Of 16 maps: a standard deviation is known to a sixth, the law to 1.6 for two in three."""
+    """The scatter of 16 maps is known to a sixth; two in three laws hold within a factor 1.6."""
     amplitude = ring_amplitudes(0.7, 16)
     problem = on_a_map(load, x)
     case = Case(problem.load, problem.speed, (1.2,), (), "exponential")

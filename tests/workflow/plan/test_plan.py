@@ -1,4 +1,4 @@
-"""The plan: tasks sized by the laws, with keys that say all that their numbers are of."""
+"""Plans: tasks sized by the laws, with keys that identify all inputs of their numbers."""
 
 import pytest
 

@@ -66,7 +66,7 @@ def test_every_point_is_mapped_to_its_own_problem_and_copies_to_one():
 
 @given(st.floats(1e-9, 0.9), st.sampled_from([-1.0, 1.0]))
 def test_a_velocity_step_is_carried_as_it_is_given(size, sign):
-    """The rounding of 1 + dv/v1 alone is left: 1e-7 of a step of 1e-9."""
+    """Only the rounding of 1 + dv/v1 remains: 1e-7 of a step of 1e-9."""
     (found,) = problems(*ONE_POINT, f"grid.velocity_step={sign * size!r}")
     assert found.ratio - 1.0 == pytest.approx(sign * size, rel=2e-16 / size)
 

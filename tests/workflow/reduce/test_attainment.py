@@ -1,4 +1,4 @@
-"""Judging estimates: met, missed by how much, and honest where nothing relative can be said."""
+"""Accuracy reached by estimates, the shortfall, and estimates without a relative error."""
 
 import numpy as np
 import pytest
@@ -125,10 +125,10 @@ MAPS = (
 
 @pytest.mark.parametrize("more", [(), ("numerics.steps_per_spacing=4",)])
 def test_no_result_of_maps_says_met_beside_an_error_that_exceeds_the_accuracy(tmp_path, more):
-    """Patches of contact are smaller here than expected, so that the jump is off by more."""
+    """Patches of contact are smaller here than expected, so that the jump has a larger error."""
     data = run(tmp_path, f"numerics.accuracy={WANTED}", *MAPS, *more).load().squeeze()
     bias = {name: 0.0 if more else data[f"{name}_bias"] for name in ("mu_1", "jump")}
     actual = [float(data[f"{n}_error"] / abs(data[n]) + own) for n, own in bias.items()]
-    # Few maps: the law of scatter may say that their errors are larger.
+    # For few maps the scatter law may enlarge the errors.
     assert max(actual) <= float(data.accuracy_reached) * (1.0 + 1e-9) <= WANTED
     assert int(data.accuracy_status) == MET

@@ -1,4 +1,4 @@
-"""Block means become estimates with errors, biases and marks, each task by itself."""
+"""Reduction of block means to estimates with errors, biases and flags, task by task."""
 
 import numpy as np
 import pytest
@@ -125,7 +125,7 @@ AUTO = Numerics()
 
 
 def resolved(steps=8, numerics=AUTO, samples=12.0, problem=PROBLEM, names=JUDGED):
-    """Return the resolution of one task whose contacts have so many samples and whose b is 2."""
+    """Return the resolution of one task with b = 2 and a number of samples per contact."""
     estimates = {"samples_per_contact": np.array([samples]), "relaxation_rate": np.array([2.0])}
     return resolution([Task(problem, steps, 100, "key")], estimates, names, numerics)
 

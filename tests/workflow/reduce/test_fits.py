@@ -150,7 +150,7 @@ def test_quality_says_how_exponential_a_curve_is():
 
 
 def test_the_unit_of_friction_changes_no_bit_of_a_rate():
-    """A power of two is exact: only what stands beside the curve in another unit can tell."""
+    """Scaling by a power of two is exact, so that only terms in another unit could change bits."""
     curve = 0.8 * np.exp(-1.5 * SHARE) + 0.2
     one, other = fit(curve), fit(2.0**-20 * curve)
     assert other.rate.tobytes() == one.rate.tobytes()
@@ -169,7 +169,7 @@ def test_what_noise_can_leave_over_is_told_from_another_law(noise, status):
 
 @pytest.mark.parametrize("last", [-1.1e-6, 1e-13])
 def test_what_is_gone_within_a_sample_has_no_rate(last):
-    """Steps of 8 tau: the first sample is all that is left, and every rate above 1 fits it."""
+    """With steps of 8 tau only the first sample exceeds rounding; every rate above 1 fits it."""
     curves = 2.3e-4 * (1.0 + 0.05 * np.random.default_rng(1).standard_normal((16, 1)))
     deviation = np.hstack([curves, last * curves / 2.3e-4, 1e-13 * curves])
     assert_refused(replicates(deviation, 0), UNDETERMINED, np.array([8.3, 16.7, 25.0]))
@@ -210,7 +210,7 @@ def test_fewer_than_three_abscissae_give_no_number_and_no_bias(x):
 
 
 def test_biases_of_exponents_are_what_rates_that_are_all_off_give():
-    """The first of a rate that is off everywhere, the second of one off the other way below."""
+    """Rates are too large everywhere, then too large for large x and too small for small x."""
     law = fit_power_law(X, columns(1.1 * X**0.3), OFF)
     assert law.alpha[0] == pytest.approx(0.3 + law.alpha_bias)
     turned = X**0.3 * np.where(np.log(X) < np.log(X).mean(), 1 / 1.1, 1.1)

@@ -1,4 +1,4 @@
-"""The jackknife: classical for a mean, from two blocks on; for what is fitted see tests/hard."""
+"""Jackknife errors: the classical ones for a mean; tests/hard covers fitted values."""
 
 import numpy as np
 import pytest

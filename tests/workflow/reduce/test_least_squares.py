@@ -1,4 +1,4 @@
-"""Least squares of many curves at once: the minimum, row by row, whatever the company."""
+"""Least squares of many curves at once: the minimum of each row, independent of the others."""
 
 import numpy as np
 import pytest
@@ -98,7 +98,7 @@ def test_a_row_does_not_depend_on_its_company_nor_on_its_unit(offset):
 
 
 def test_what_no_decay_describes_ends_without_a_word():
-    """A curve that rises, noise, one sample that is not zero, nothing, and no number to begin."""
+    """A rising curve, noise, a single nonzero sample, zeros, and NaN as the initial rate."""
     rng = np.random.default_rng(2)
     spike = np.eye(1, TIME.size)[0]
     curves = np.array([TIME, rng.standard_normal(TIME.size), spike, 0.0 * TIME, TIME])

@@ -94,8 +94,9 @@ FEW = np.linspace(0.02, 4.0, 9)
 
 def after_others(value, seed):
     """Compare the models on few samples of an exponential, in memory that held ``value`` before."""
-    taken = [np.empty(4 * FEW.size) for _ in range(32)]  # a Jacobian is to be new in memory,
-    freed = [np.full(4 * FEW.size + 1, value) for _ in range(64)]  # where there was something else
+    # The Jacobian gets new memory, with other content.
+    taken = [np.empty(4 * FEW.size) for _ in range(32)]
+    freed = [np.full(4 * FEW.size + 1, value) for _ in range(64)]
     del freed
     rng = np.random.default_rng(seed)
     blocks = (1.0 + 0.05 * rng.standard_normal((8, 1))) * np.exp(-1.3 * FEW)
@@ -107,7 +108,7 @@ def after_others(value, seed):
 
 @mostly_exhaustive("seed", [0, 1], [2, 3])
 def test_a_thread_finds_the_same_bits_as_the_main_thread(seed):
-    """And whatever lay in memory before: docs/decisions.md."""
+    """Nor do the bits depend on the former content of memory (docs/decisions.md)."""
     expected = after_others(0.0, seed)
     assert after_others(1e300, seed) == expected
     with ThreadPoolExecutor(1) as pool:

@@ -1,4 +1,4 @@
-"""The quantity persson: beside mu_1 in a result, and the same in full contact."""
+"""The quantity persson: equal to mu_1 in full contact, and the same for both bodies."""
 
 import pytest
 

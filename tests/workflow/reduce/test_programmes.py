@@ -1,4 +1,4 @@
-"""What a programme was asked for: peaks, healing, loops and balances of traces that are known."""
+"""Estimates of programmes from known traces: peaks, healing, loops and energy balances."""
 
 import math
 
@@ -181,7 +181,7 @@ def test_the_peak_is_that_above_the_friction_before():
     [(1.0, 2.0, -0.1), (-1.0, -2.0, 0.1), (1.0, 1.0, np.nan), (1.0, -2.0, np.nan)],
 )
 def test_a_minus_b_is_the_slope_of_steady_friction(before, after, expected):
-    """Sliding back, friction is negative: weakening is then a rise."""
+    """For backward sliding friction is negative, so that weakening is an increase."""
     time = np.linspace(0.0, 2.0, 41)[None]
     change = -0.1 * np.log(2.0)
     steady = {"mu_1": np.full((1, 4), before), "mu_2": np.full((1, 4), before + change)}
@@ -196,7 +196,7 @@ def test_a_minus_b_is_the_slope_of_steady_friction(before, after, expected):
 
 
 def of_blocks(programme, leg, **values):
-    """Return blocks of one task that took a programme, and what is asked of its legs."""
+    """Return blocks of one task with a programme, its legs and parts of its row."""
     made = MOVED | {name: np.array([each]) for name, each in values.items()}
     return blocks(("healing", "loop", "contact_lengths"))._replace(
         values=made, legs=np.array([leg]), programmes=(programme,)

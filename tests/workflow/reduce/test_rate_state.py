@@ -1,4 +1,4 @@
-"""Rate and state: constants recovered from laws with noise, and said where there is nothing."""
+"""Rate and state: constants recovered from noisy laws, and a status where no law fits."""
 
 import math
 

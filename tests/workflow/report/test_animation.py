@@ -1,4 +1,4 @@
-"""The animation of a scene: its frames, and what it refuses."""
+"""The animation of a scene: its frames, and refused scenes."""
 
 from pathlib import Path
 

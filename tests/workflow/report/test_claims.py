@@ -1,4 +1,4 @@
-"""Verdicts in plain words, of points whose contacts are resolved; and the table of all points."""
+"""Verdicts on points with resolved contacts, and the table of all points."""
 
 import numpy as np
 import pandas as pd

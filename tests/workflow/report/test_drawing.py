@@ -1,4 +1,4 @@
-"""How figures look and how they are drawn: the same result gives the same files."""
+"""Style and content of figures; the same result gives the same files."""
 
 import matplotlib as mpl
 import numpy as np

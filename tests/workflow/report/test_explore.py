@@ -1,4 +1,4 @@
-"""The page on which a result is looked through: its numbers, and its controls in a browser."""
+"""The explorer page of a result: its numbers, and its controls in a browser."""
 
 import json
 import re
@@ -43,7 +43,7 @@ def page(file):
 
 
 def held_by(page):
-    """Return what a page holds."""
+    """Return the data in a page."""
     (text,) = re.findall(r'<script type="application/json" id="data">(.*?)</script>', page, re.S)
     return json.loads(text)
 

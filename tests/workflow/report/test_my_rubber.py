@@ -1,4 +1,4 @@
-"""The panel "my rubber" of the page: what it says is what the kinetic law says in Python."""
+"""The panel "my rubber" of the page: the same numbers as the kinetic law in Python."""
 
 import json
 from urllib.parse import unquote
@@ -53,7 +53,7 @@ def page(data, tmp_path_factory):
 
 
 def in_browser(page, folder, script, width=1280):
-    """Return what a script in a page leaves in ``told``."""
+    """Return the object ``told`` of a script that runs in a page."""
     told = f"<script>setTimeout(() => {{ const told = {{}}; {script}\n"
     told += (
         "document.body.dataset.told = encodeURIComponent(JSON.stringify(told)); }, 300);</script>"
@@ -74,7 +74,7 @@ def laws(dataset):
 
 
 def numbers(law, v1, v2):
-    """Return what a law says of a step."""
+    """Return friction, jump, relaxation time and late friction of a step by a law."""
     late = law.after_jump(v1, v2, float(law.relaxation_times(v2)))
     return [law.steady(v1), law.jump(v1, v2), law.relaxation_times(v2), late]
 
@@ -157,7 +157,7 @@ SHIFT = {"wlf": {"c1": 8.0, "c2": 100.0, "reference": 20.0}}
 
 
 def with_branches(data, temperatures=(20.0, 30.0)):
-    """Return the same numbers as those of a rubber with branches and a shift, computed at both."""
+    """Return the result for a rubber with branches and a shift, at both temperatures."""
     study = json.loads(data.attrs["study"])
     study["material"] = {**RUBBER, **SHIFT, "temperature": list(temperatures)}
     law = Wlf(**SHIFT["wlf"])
@@ -206,7 +206,7 @@ told.hidden = $("my-step").parentElement.hidden && $("my-v2") === null;
 
 @in_a_browser
 def test_of_branches_friction_over_time_is_that_which_was_computed(data, tmp_path):
-    """Of a rubber whose times are all half as long, on a surface twice as rough, as pressed."""
+    """All times are half as long; roughness and load are twice as large."""
     rubber = with_branches(data)
     sample = xr.DataArray([0.5, 0.25, 0.0], dims="sample")
     time = xr.DataArray([0.0, 1.0, 3.0], dims="sample") / (1.0 + rubber.speed_ratio)

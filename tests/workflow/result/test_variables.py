@@ -87,22 +87,20 @@ def test_every_flag_says_what_its_values_mean():
     assert set(FLAGS) == {name for name, variable in VARIABLES.items() if variable.dtype == "int8"}
 
 
-# Metres, seconds and newtons of a unit, of h, dx, tau and 4 G L.
+# Units by their powers of metre, second and newton.
 UNITS = {(1, 0, 0): "m", (0, 1, 0): "s", (1, -1, 0): "m s-1", (0, -1, 0): "s-1", (0, 0, 0): "1"}
 UNITS |= {(0, 0, 1): "N", (1, 0, 1): "J", (-2, 0, 1): "Pa"}
-SCALED = {name: variable for name, variable in SCENES.items() if variable.scaling}
+AXES = {"roughness": (1, 0, 0), "spacing": (1, 0, 0), "tau": (0, 1, 0)}
+AXES |= {"stiffness": (-1, 0, 1), "modulus": (-2, 0, 1)}
 
 
-@pytest.mark.parametrize("name", SCALED)
-def test_units_are_those_of_the_scaling(name):
-    powers = dict(SCALED[name].scaling)
-    newtons = powers.pop("stiffness", 0)
-    pascals = powers.pop("modulus", 0)
-    metres = powers.pop("roughness", 0) + powers.pop("spacing", 0) - newtons - 2 * pascals
-    newtons += pascals
-    seconds = powers.pop("tau", 0)
-    assert not powers
-    assert SCALED[name].units == UNITS[metres, seconds, newtons]
+SCALES = {str(variable.scale): variable.scale for variable in VARIABLES.values()}
+
+
+@pytest.mark.parametrize("scale", SCALES.values(), ids=SCALES)
+def test_units_are_those_of_the_scaling(scale):
+    powers = sum(power * np.array(AXES[axis]) for axis, power in scale.powers.items())
+    assert not scale.powers or UNITS[tuple(powers)] == scale.units
 
 
 PAGE = Path(__file__).parents[3].joinpath("docs/reference/results.md").read_text(encoding="utf-8")
@@ -125,7 +123,7 @@ def test_an_entry_begins_with_dimensions_and_unit_and_says_a_sentence(name):
     dims = ["Grid"] * of_grid + [
         f"`{d}`" for d in variable.dims if not (of_grid and d in COMMON_AXES)
     ]
-    unit = "" if variable.units == "1" else f", in {variable.units}"
+    unit = "" if variable.scale.units == "1" else f", in {variable.scale.units}"
     place = f"*{' × '.join(dims) or 'A single number'}{unit}.*\n\n".removeprefix("*Grid.*\n\n")
     assert ENTRIES[name].startswith(place)
     text = ENTRIES[name].removeprefix(place).partition("\n")[0]

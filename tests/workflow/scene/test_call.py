@@ -1,4 +1,4 @@
-"""A scene from Python: its physics, its units, its dataset, and a programme that goes on."""
+"""A scene from Python: its physics, units and dataset, and continued programmes."""
 
 import numpy as np
 import pytest
@@ -17,7 +17,7 @@ def final(*programme, **changed):
 
 @pytest.fixture(scope="module")
 def stepped():
-    """Return a velocity step with all that can be asked of it."""
+    """Return a velocity step with all quantities."""
     return run(slide(0.1, 64), slide(0.2, 64), quantities=EVERYTHING, numerics={"trace": 1})
 
 
@@ -31,7 +31,7 @@ def test_a_trace_starts_from_steady_sliding_and_has_a_sample_per_step(stepped):
 
 
 def test_a_profile_is_marched_in_as_many_steps_as_a_study_takes():
-    """Which is enough, and one step per sample is not."""
+    """They are fine enough, unlike one step per spacing."""
     own, coarse, fine = (run(numerics=n)["mu_1"].item() for n in (
         None, {"steps_per_spacing": 1}, {"steps_per_spacing": 32}
     ))  # fmt: skip

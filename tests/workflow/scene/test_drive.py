@@ -1,4 +1,4 @@
-"""A scene that is pulled through a spring, as a user asks for it: units, axes, both bodies."""
+"""Scenes pulled by a spring: units, axes and both bodies."""
 
 import numpy as np
 import pytest

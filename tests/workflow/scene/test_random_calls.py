@@ -1,4 +1,4 @@
-"""Whatever ``scene.run`` is called with, it returns a dataset or says what is wrong in lines.
+"""``scene.run`` returns a dataset or raises an error of printable lines, for any arguments.
 
 ``make fuzz`` runs the same again and again for FUZZ_SECONDS.
 """
@@ -26,7 +26,7 @@ from tests.workflow.scene.scenes import MATERIAL as BRANCHED
 from tests.workflow.study.test_fuzz import FUZZ, NUMBERS, VALUES
 
 N = 32
-MOST_SECONDS = 2.0  # of a scene that is computed; of longer ones the plan alone is made
+MOST_SECONDS = 2.0  # of a computed scene; longer ones are only planned
 SMALL = {"length": LENGTH, "normal_force": 1.0, "material": KELVIN}
 PROFILE = {"profile": heights(N)}
 RANDOM = {
@@ -54,7 +54,7 @@ SCENES = [
 
 
 class Odd:
-    """An object that is no number, and says no more than it must."""
+    """An object that is not a number and has no other methods."""
 
     def __array__(self, dtype=None, copy=None):
         """Refuse to be an array."""
@@ -118,7 +118,7 @@ PROGRAMMES = st.one_of(
 
 
 def _of_kind(values, kind):
-    """Return values as an array of a type, as far as they go into it."""
+    """Return values converted to a type of array."""
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")
         return values.astype("f8" if kind == "V8" else kind).astype(kind)
@@ -130,7 +130,7 @@ def _with(values, place, odd):
 
 
 def table_of(keys, *sound):
-    """Return tables of a few of such keys, with the values of a sound table or odd ones."""
+    """Return tables with some of the keys, with the values of a valid table or odd ones."""
     changed = st.dictionaries(st.sampled_from([*keys]), st.one_of(NUMBERS, ODD), max_size=2)
     whole = st.builds(lambda table, other: {**table, **other}, st.sampled_from(sound), changed)
     return st.one_of(whole, whole, ODD)
@@ -160,7 +160,7 @@ ONE_CHANGE = st.one_of(*(st.tuples(st.just(name), values) for name, values in AR
 
 
 class TooLong(Exception):
-    """The scene would be computed, for longer than a fuzz waits."""
+    """The predicted time of a scene exceeds MOST_SECONDS."""
 
 
 def outcome(arguments):
@@ -186,7 +186,7 @@ def outcome(arguments):
 
 
 def check(found):
-    """Assert that an outcome is a dataset with its provenance, or says in lines what is wrong."""
+    """Assert that an outcome is a dataset with its provenance, or a printable message."""
     if isinstance(found, xr.Dataset):
         assert found.attrs["study"]
         assert found.data_vars

@@ -1,4 +1,4 @@
-"""Whether a trace is resolved, and its bias, beside its true error against 8m steps."""
+"""Resolution status and bias of traces, compared with their errors against 8m steps."""
 
 import numpy as np
 import pytest
@@ -51,7 +51,7 @@ def test_what_is_resolved_keeps_its_bias_which_is_less_than_two_per_cent(materia
 
 @pytest.mark.parametrize("material", ["fast", "both", "kelvin"])
 def test_a_branch_far_faster_than_a_step_is_coarse_at_few_steps_whatever_the_others_are(material):
-    """As a dashpot is: its friction errs by 3 % at m = 4."""
+    """A dashpot behaves alike: its friction is off by 3 % at m = 4."""
     actual = traced(1e-2, 4, material)
     assert actual.trace_resolution_status == COARSE
     assert actual.trace_samples_per_contact.min() >= 4.0

@@ -1,4 +1,4 @@
-"""What is said of work: whole lines in a log, a bar in a terminal, what is compiled, once."""
+"""Messages on progress: lines in a log, a bar in a terminal, and one line on compilation."""
 
 import io
 import re

@@ -1,6 +1,6 @@
 """The report in a real browser, as wide as a laptop and as a phone.
 
-Nothing sticks out sideways, and a pointer on a point shows what is said of it.
+Nothing exceeds the width, and a pointer on a point shows its hover text.
 """
 
 from tests.support.browser import in_a_browser, told_by

@@ -1,4 +1,4 @@
-"""The report: what the page holds, and what it says of results that are missing or broken."""
+"""The report page: its content, and its messages on missing and damaged results."""
 
 import base64
 import re
