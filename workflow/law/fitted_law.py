@@ -9,22 +9,6 @@ from typing import Any, ClassVar, Self
 import numpy as np
 
 FORMAT = 1  # version of the JSON format
-TEXT_FIELDS = (  # of Validity, as text
-    "motions",
-    "held_out",
-    "window",
-    "source",
-    "shift",
-    "body",
-    "memories",
-)
-OPTIONAL_FIELDS = (  # of Validity, missing in older files
-    "temperature",
-    "shift",
-    "body",
-    "memories",
-    "shortest_stroke",
-)
 MIN_ERROR = 1e-6  # relative to the rms of mu; smaller errors are rounding
 
 

@@ -16,7 +16,7 @@ Autom. Control 40, 419 (1995), per normal force, for the deflection s = sigma_0 
 import json
 import math
 from collections.abc import Mapping
-from dataclasses import asdict, dataclass, fields
+from dataclasses import dataclass, fields
 from pathlib import Path
 from typing import Any, ClassVar
 
@@ -25,7 +25,7 @@ from numpy.typing import ArrayLike
 
 from ..given_motion import LawError, finite_numbers
 from ..system import read_whole
-from .fitted_law import FORMAT, OPTIONAL_FIELDS, TEXT_FIELDS, Validity
+from .fitted_law import FORMAT, Validity
 from .load_law import LoadLaw
 from .memory_law import MemoryLaw
 from .reduced_law import Law, mean_speed
@@ -151,17 +151,17 @@ def _checked(name: str, value: Any) -> Any:
 
 
 def _validity(content: Mapping[str, Any]) -> Validity:
-    """Return the range and errors of a law from its JSON object."""
-    values = asdict(Validity()) | {
-        field.name: content[field.name]
-        for field in fields(Validity)
-        if field.name not in OPTIONAL_FIELDS or field.name in content
-    }
-    for name in TEXT_FIELDS:
-        if name != "motions" and not isinstance(values[name], str):
-            raise TypeError(f"validity.{name} = {values[name]!r:.40}: must be a text")
-    if values["shift"]:
-        json.loads(values["shift"])
-    values["motions"] = tuple((str(name), float(rms)) for name, rms in values["motions"])
-    typed: dict[str, Any] = {k: v if k in TEXT_FIELDS else float(v) for k, v in values.items()}
-    return Validity(**typed)
+    """Return the range and errors of a law from its JSON object; missing fields are unknown."""
+    values: dict[str, Any] = {}
+    for field in fields(Validity):
+        if field.name not in content:
+            continue
+        value = values[field.name] = content[field.name]
+        if field.name == "motions":
+            values["motions"] = tuple((str(name), float(rms)) for name, rms in value)
+        elif field.type is not str:
+            values[field.name] = float(value)
+        elif not isinstance(value, str):
+            raise TypeError(f"validity.{field.name} = {value!r:.40}: must be a text")
+    json.loads(values.get("shift") or "{}")
+    return Validity(**values)
