@@ -6,7 +6,7 @@ from typing import Any, NamedTuple, Protocol
 import numpy as np
 
 from .reduced_law import Law
-from .residuals import Masks, masked_residuals
+from .residuals import residuals
 from .transients import Transient, rest_durations
 
 FOLDS = 4
@@ -17,8 +17,13 @@ SAME_SPEED = 0.1  # relative difference of speeds or rests that count as equal
 class Search(Protocol):
     """Search for the law of one kind."""
 
-    def fit(self, masks: Masks, max_evaluations: int, start: Any = None) -> tuple[Law, Any]:
-        """Return the law that fits the masked rows best, and a start for further fits."""
+    def fit(
+        self, motions: Sequence[Transient], max_evaluations: int, start: Any = None
+    ) -> tuple[Law, Any]:
+        """Return the law that fits the known friction best, and a start for further fits.
+
+        motions : those of the search, perhaps with less known friction.
+        """
 
 
 class HeldOut(NamedTuple):
@@ -28,20 +33,21 @@ class HeldOut(NamedTuple):
     description: str
 
 
-def cross_validated(
-    search: Search, motions: Sequence[Transient], masks: Masks, start: Any
-) -> HeldOut:
+def cross_validated(search: Search, motions: Sequence[Transient], start: Any) -> HeldOut:
     """Return the residuals on each fold by a fit to the other folds."""
     parts, description = _parts_to_hold_out(motions)
-    residuals: list[np.ndarray] = []
+    held_residuals: list[np.ndarray] = []
     for fold in range(FOLDS):
-        fitted_masks = [mask.copy() for mask in masks]
+        fitted, held = ([m.mu.copy() for m in motions], [np.nan * m.mu for m in motions])
         for k, rows in parts[fold::FOLDS]:
-            fitted_masks[k][rows] = False
-        law, _ = search.fit(fitted_masks, MAX_FOLD_EVALUATIONS, start)
-        held_masks = [mask & ~fitted for mask, fitted in zip(masks, fitted_masks, strict=True)]
-        residuals.append(np.concatenate(masked_residuals(law, motions, held_masks)))
-    return HeldOut(residuals, description)
+            fitted[k][rows], held[k][rows] = np.nan, motions[k].mu[rows]
+        law, _ = search.fit(_with_friction(motions, fitted), MAX_FOLD_EVALUATIONS, start)
+        held_residuals.append(residuals(law, _with_friction(motions, held)))
+    return HeldOut(held_residuals, description)
+
+
+def _with_friction(motions: Sequence[Transient], friction: list[np.ndarray]) -> list[Transient]:
+    return [m._replace(mu=mu) for m, mu in zip(motions, friction, strict=True)]
 
 
 def _parts_to_hold_out(

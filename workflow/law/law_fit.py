@@ -17,14 +17,7 @@ from .memory_law import MemoryLaw
 from .memory_names import numbered, origins
 from .memory_search import MemorySearch
 from .reduced_law import Law
-from .residuals import (
-    Masks,
-    known_friction,
-    masked_friction,
-    masked_residuals,
-    root_mean_square,
-    row_residuals,
-)
+from .residuals import friction, residuals, root_mean_square, row_residuals
 from .transients import MAX_VELOCITY_CHANGE, Transient, motions_of, rest_durations
 from .usual_laws import LAWS_BY_KIND
 from .usual_search import UsualSearch
@@ -103,33 +96,32 @@ def _fit_one_load(
     others : held-out motions. start : initial parameters; without them the law gets no states if
     mu depends on the velocity alone.
     """
-    masks = known_friction(motions)
-    _check_samples(motions, masks)
-    mu_scale = root_mean_square(masked_friction(motions, masks))
+    _check_samples(motions)
+    mu_scale = root_mean_square(friction(motions))
     stateless = MemorySearch(motions, speeds, 0)
-    residuals = masked_residuals(stateless.fit(masks, MAX_FIT_EVALUATIONS)[0], motions, masks)
-    left = root_mean_square(residuals) / max(mu_scale, MIN_SCALE)
+    law_without_states, _ = stateless.fit(motions, MAX_FIT_EVALUATIONS)
+    left = root_mean_square(residuals(law_without_states, motions)) / max(mu_scale, MIN_SCALE)
     search: Search = stateless
     if kind != MemoryLaw.kind:
         search = UsualSearch(motions, speeds, kind)
     elif states and (left > STATELESS_RESIDUAL or start is not None):
         search = MemorySearch(motions, speeds, states)
-    law, parameters = search.fit(masks, MAX_FIT_EVALUATIONS, start)
+    law, parameters = search.fit(motions, MAX_FIT_EVALUATIONS, start)
     evidence = ""
     if isinstance(search, MemorySearch) and isinstance(law, MemoryLaw):
         names, evidence = origins(motions, search.responses(law))
         law = replace(law, names=numbered(names))
     if others:
-        errors = masked_residuals(law, others, known_friction(others))
+        errors = [residuals(law, [motion]) for motion in others]
         held_out = HeldOut(errors, "; ".join(motion.name for motion in others))
     else:
-        held_out = cross_validated(search, motions, masks, parameters)
+        held_out = cross_validated(search, motions, parameters)
     validity = replace(
-        _validity(law, motions, masks, speeds),
+        _validity(law, motions, speeds),
         usual=mu_scale,
         memories=evidence,
         left=left**2,
-        held_rms=max(root_mean_square([residual]) for residual in held_out.residuals),
+        held_rms=max(map(root_mean_square, held_out.residuals)),
         held_largest=float(np.max(np.abs(np.concatenate(held_out.residuals)))),
         held_out=held_out.description,
     )
@@ -196,8 +188,8 @@ def _predicted_loads(
     errors = []
     for predictor, motion in predictions:
         law = predictor.at(normal_force=motion.normal_force)
-        (residual,) = masked_residuals(law, [motion], known_friction([motion]))
-        errors.append((root_mean_square([residual]), float(np.max(np.abs(residual)))))
+        residual = residuals(law, [motion])
+        errors.append((root_mean_square(residual), float(np.max(np.abs(residual)))))
     descriptions[-1] += f", {max(rms for rms, _ in errors):.3g} rms at most"
     return errors, descriptions
 
@@ -206,19 +198,19 @@ def _at_load(force: float, motions: Sequence[Transient]) -> list[Transient]:
     return [motion for motion in motions if motion.normal_force == force]
 
 
-def _validity(law: Law, motions: Sequence[Transient], masks: Masks, speeds: np.ndarray) -> Validity:
+def _validity(law: Law, motions: Sequence[Transient], speeds: np.ndarray) -> Validity:
     """Return the range of the fitted motions, and the errors of the law on them."""
-    errors = np.concatenate([m.error[mask] for m, mask in zip(motions, masks, strict=True)])
+    errors = np.concatenate([motion.error[motion.known] for motion in motions])
     all_rows = [row_residuals(law, motion) for motion in motions]
     segments = tuple(
         (
             f"{motion.name}, {segment}" if len(motions) > 1 else segment,
-            root_mean_square([residual[rows]]),
+            root_mean_square(residual[rows]),
         )
         for motion, residual in zip(motions, all_rows, strict=True)
         for segment, rows in motion.parts()
     )
-    residuals = [residual[mask] for residual, mask in zip(all_rows, masks, strict=True)]
+    known = np.concatenate([r[m.known] for r, m in zip(all_rows, motions, strict=True)])
     strokes = [distances_between_turns(motion.time, motion.velocity) for motion in motions]
     return Validity(
         slowest=float(speeds[1]),
@@ -229,9 +221,9 @@ def _validity(law: Law, motions: Sequence[Transient], masks: Masks, speeds: np.n
         shift=motions[0].shift,
         body=motions[0].body,
         shortest_stroke=float(np.min(np.concatenate(strokes), initial=np.inf)),
-        rms=root_mean_square(residuals),
-        largest=float(np.max(np.abs(np.concatenate(residuals)))),
-        model_error=root_mean_square([errors[np.isfinite(errors)]]),
+        rms=root_mean_square(known),
+        largest=float(np.max(np.abs(known))),
+        model_error=root_mean_square(errors[np.isfinite(errors)]),
         motions=segments,
         window=f"{errors.size} samples of {len(segments)} segments, all of them",
         source=motions[0].name,
@@ -240,7 +232,7 @@ def _validity(law: Law, motions: Sequence[Transient], masks: Masks, speeds: np.n
 
 def _table_speeds(motions: Sequence[Transient]) -> np.ndarray:
     """Return the speeds of the tables: one for resting contacts, then a geometric series."""
-    speeds = np.abs(np.concatenate([m.velocity[np.isfinite(m.mu)] for m in motions]))
+    speeds = np.abs(np.concatenate([m.velocity[m.known] for m in motions]))
     moving = speeds[speeds > 0.0]
     if not moving.size:
         raise UserError("there is nothing to fit: every motion is at rest")
@@ -271,9 +263,9 @@ def _refined(motion: Transient, smallest_speed: float) -> Transient:
     )
 
 
-def _check_samples(motions: Sequence[Transient], masks: Masks) -> None:
+def _check_samples(motions: Sequence[Transient]) -> None:
     """Raise UserError for too few samples and for a velocity that never changes."""
-    count = sum(int(mask.sum()) for mask in masks)
+    count = friction(motions).size
     if count < MIN_FRICTION_SAMPLES:
         raise UserError(
             f"there is nothing to fit: the motions hold {count} samples of friction; a law needs "

@@ -68,7 +68,7 @@ def origins(
     of a response without memory come first.
     """
     without_heat = [AGE] + [CONTACT] * (len(responses) - 2)
-    known = [np.isfinite(motion.mu) & np.isfinite(motion.heating) for motion in motions]
+    known = [motion.known & np.isfinite(motion.heating) for motion in motions]
     if not any(mask.any() for mask in known):
         return without_heat, ""
     heating = np.concatenate([m.heating[mask] for m, mask in zip(motions, known, strict=True)])

@@ -16,14 +16,7 @@ from scipy.linalg import lstsq
 from scipy.optimize import least_squares
 
 from .memory_law import MemoryLaw, even, odd, relaxed_to
-from .residuals import (
-    Masks,
-    distances,
-    extent_of,
-    known_friction,
-    masked_friction,
-    root_mean_square,
-)
+from .residuals import distances, extent_of, friction, root_mean_square
 from .transients import Transient
 
 CURVATURE_WEIGHT = 1e-2  # of the curvature of tables, relative to the samples
@@ -57,13 +50,14 @@ class MemorySearch:
         self.distances = [distances(m) for m in motions]
         self.memory = lru_cache(4 * (states + 1) * len(motions))(self._memory)
         self.roughness = _roughness(speeds)
-        self.mu_scale = root_mean_square(masked_friction(motions, known_friction(motions)))
+        self.mu_scale = root_mean_square(friction(motions))
 
     def fit(
-        self, masks: Masks, max_evaluations: int, start: np.ndarray | None = None
+        self, motions: Sequence[Transient], max_evaluations: int, start: np.ndarray | None = None
     ) -> tuple[MemoryLaw, np.ndarray]:
-        """Return the law that fits the masked rows best, and its parameters.
+        """Return the law that fits the known friction best, and its parameters.
 
+        motions : those of the search, perhaps with less known friction.
         start : parameters of a previous fit, whose order of states is kept; otherwise states are
         sorted by length. max_evaluations : of the residuals, without those for derivatives.
         """
@@ -71,7 +65,7 @@ class MemorySearch:
         if states:
             guess, low, high = self._guess_and_bounds()
             best = least_squares(
-                lambda p: self._solved(p, masks)[1],
+                lambda p: self._solved(p, motions)[1],
                 np.clip(guess if start is None else start, low, high),
                 bounds=(low, high),
                 x_scale="jac",
@@ -82,7 +76,7 @@ class MemorySearch:
                 lengths, times, ages = self._split(p)
                 order = np.append(0, 1 + np.argsort(lengths[1:]))
                 p = np.concatenate([lengths[order], times[order], ages])
-        tables = self._solved(p, masks)[0].reshape(states + 1, self.speeds.size)
+        tables = self._solved(p, motions)[0].reshape(states + 1, self.speeds.size)
         parameters = self._split(p)
         law = MemoryLaw(
             speed=self.speeds,
@@ -150,11 +144,10 @@ class MemorySearch:
         age = self.memory(motion, *pairs[0], True) @ self._ages(parameters)
         return np.concatenate(parts, 1) * age[:, None]
 
-    def _solved(self, p: np.ndarray, masks: Masks) -> tuple[np.ndarray, np.ndarray]:
+    def _solved(self, p: np.ndarray, motions: Sequence[Transient]) -> tuple[np.ndarray, np.ndarray]:
         """Return the best tables for p, and the residuals of friction and of smoothness."""
-        rows = [self._design(p, k)[mask] for k, mask in enumerate(masks)]
-        mu = np.concatenate(masked_friction(self.motions, masks))
-        matrix = np.concatenate(rows)
+        matrix = np.concatenate([self._design(p, k)[m.known] for k, m in enumerate(motions)])
+        mu = friction(motions)
         weight = CURVATURE_WEIGHT * math.sqrt(mu.size)
         smoothness = weight * np.kron(np.eye(self.states + 1), self.roughness)
         system = np.concatenate([matrix, smoothness])

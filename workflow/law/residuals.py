@@ -9,8 +9,6 @@ import numpy as np
 from .reduced_law import Law, friction_along, mean_speed
 from .transients import Transient
 
-Masks = Sequence[np.ndarray]  # boolean mask of the compared rows, one per motion
-
 
 class Extent(NamedTuple):
     """Totals of several motions."""
@@ -20,14 +18,9 @@ class Extent(NamedTuple):
     segments: int
 
 
-def known_friction(motions: Sequence[Transient]) -> list[np.ndarray]:
-    """Return the masks of the rows with known friction."""
-    return [np.isfinite(motion.mu) for motion in motions]
-
-
-def masked_friction(motions: Sequence[Transient], masks: Masks) -> list[np.ndarray]:
-    """Return the friction of the model in the masked rows of each motion."""
-    return [motion.mu[mask] for motion, mask in zip(motions, masks, strict=True)]
+def friction(motions: Sequence[Transient]) -> np.ndarray:
+    """Return the known friction of the model over all motions."""
+    return np.concatenate([motion.mu[motion.known] for motion in motions])
 
 
 def row_residuals(law: Law, motion: Transient) -> np.ndarray:
@@ -35,14 +28,13 @@ def row_residuals(law: Law, motion: Transient) -> np.ndarray:
     return friction_along(law, motion.time, motion.velocity) - motion.mu
 
 
-def masked_residuals(law: Law, motions: Sequence[Transient], masks: Masks) -> list[np.ndarray]:
-    """Return the residuals in the masked rows of each motion."""
-    return [row_residuals(law, m)[mask] for m, mask in zip(motions, masks, strict=True)]
+def residuals(law: Law, motions: Sequence[Transient]) -> np.ndarray:
+    """Return the residuals in the rows with known friction, over all motions."""
+    return np.concatenate([row_residuals(law, motion)[motion.known] for motion in motions])
 
 
-def root_mean_square(parts: Sequence[np.ndarray]) -> float:
-    """Return the root mean square of all values, or NaN without values."""
-    values = np.concatenate(parts)
+def root_mean_square(values: np.ndarray) -> float:
+    """Return the root mean square of values, or NaN without values."""
     return float(np.sqrt(np.mean(values**2))) if values.size else math.nan
 
 

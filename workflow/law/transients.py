@@ -43,10 +43,15 @@ class Transient(NamedTuple):
     shift: str = ""  # time-temperature shift: keys of [material] as JSON
     body: str = ""  # elastic body and error of the model, in words
 
+    @property
+    def known(self) -> np.ndarray:
+        """Mask of the rows with known friction."""
+        return np.isfinite(self.mu)
+
     def parts(self) -> Iterator[tuple[str, np.ndarray]]:
         """Yield the name and the rows with known friction of every segment that has any."""
         for number in np.unique(self.segment):
-            rows = np.flatnonzero((self.segment == number) & np.isfinite(self.mu))
+            rows = np.flatnonzero((self.segment == number) & self.known)
             if rows.size:
                 first, last = self.velocity[rows[0]], self.velocity[rows[-1]]
                 ends = " ... ".join(dict.fromkeys(f"{v:.3g}" for v in (first, last)))

@@ -10,14 +10,7 @@ from scipy.optimize import least_squares
 
 from .fitted_law import Validity
 from .reduced_law import Law
-from .residuals import (
-    Masks,
-    extent_of,
-    known_friction,
-    masked_friction,
-    masked_residuals,
-    root_mean_square,
-)
+from .residuals import extent_of, friction, residuals, root_mean_square
 from .transients import Transient
 from .usual_laws import LuGreLaw, RateStateLaw
 
@@ -37,10 +30,8 @@ class UsualSearch:
     """Least-squares search for a rate-and-state law (ageing or slip) or a LuGre law."""
 
     def __init__(self, motions: Sequence[Transient], speeds: np.ndarray, kind: str) -> None:
-        self.motions = motions
         self.validity = Validity(slowest=float(speeds[1]), fastest=float(speeds[-1]))
-        mu = masked_friction(motions, known_friction(motions))
-        self.mu_scale = max(root_mean_square(mu), MIN_FRICTION_SCALE)
+        self.mu_scale = max(root_mean_square(friction(motions)), MIN_FRICTION_SCALE)
         self.mean_speed = float(np.sqrt(speeds[1] * speeds[-1]))
         extent = extent_of(motions)
         length = math.log(GUESSED_LENGTH * extent.distance / extent.segments)
@@ -53,9 +44,9 @@ class UsualSearch:
             self.starts = [UsualStart(self._lugre, self.guess)]
 
     def fit(
-        self, masks: Masks, max_evaluations: int, start: UsualStart | None = None
+        self, motions: Sequence[Transient], max_evaluations: int, start: UsualStart | None = None
     ) -> tuple[Law, UsualStart]:
-        """Return the law that fits the masked rows best, and a start for further fits.
+        """Return the law that fits the known friction best, and a start for further fits.
 
         max_evaluations : of the residuals, without those for derivatives.
         """
@@ -66,9 +57,7 @@ class UsualSearch:
             def scaled_residuals(
                 p: np.ndarray, make: Callable[[np.ndarray], Law] = make
             ) -> np.ndarray:
-                return np.concatenate(masked_residuals(make(p), self.motions, masks)) / (
-                    self.mu_scale
-                )
+                return residuals(make(p), motions) / self.mu_scale
 
             best = least_squares(
                 scaled_residuals, guess, bounds=bounds, x_scale="jac", max_nfev=max_evaluations

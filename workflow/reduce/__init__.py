@@ -16,7 +16,7 @@ if TYPE_CHECKING:
         attained,
         with_measured_bias,
     )
-    from .blocks import Blocks, Estimates, Reduction, blocks_of, reduction_of
+    from .blocks import Estimates, blocks_of, reduction_of
     from .complete import completed, exponents_of
     from .estimates import reduce_blocks
     from .fits import (

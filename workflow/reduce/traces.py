@@ -123,11 +123,25 @@ def _store_traces(estimates: Estimates, blocks: Blocks, means: Means) -> None:
 
 
 def _store_energies(estimates: Estimates, _: Blocks, means: Means) -> None:
-    """Store the energies and the residual of their balance."""
+    """Store the energies and the residual of their balance at the end.
+
+    It is (work - change of stored energy - dissipated - closing work)/dissipated, and with a drive
+    (work of the drive - losses - change of stored energies - step work)/work.
+    """
     of_drive = "drive_work" in means
-    for name in DRIVE_ENERGIES if of_drive else ENERGIES:
-        enter(estimates, name, means[name])
-    residual = _drive_residual(means) if of_drive else _balance_residual(means)
+    energies = {name: means[name] for name in (DRIVE_ENERGIES if of_drive else ENERGIES)}
+    for name, values in energies.items():
+        enter(estimates, name, values)
+    start = {name: values[:, :, 0] for name, values in energies.items()}
+    with np.errstate(all="ignore"):
+        if of_drive:
+            driven, rubbed, spring, kinetic, damped, error = map(_last, energies.values())
+            change = spring + kinetic - start["spring_energy"] - start["kinetic_energy"]
+            residual = (driven - rubbed - damped - error - change) / driven
+        else:
+            stored, dissipated, work, closing = map(_last, energies.values())
+            change = stored - start["stored_energy"]
+            residual = (work - change - dissipated - closing) / dissipated
     enter(estimates, "balance_residual", residual)
 
 
@@ -180,29 +194,6 @@ def _changes(traces: np.ndarray, legs: np.ndarray) -> np.ndarray:
     """
     before = [np.maximum(np.searchsorted(leg, leg) - 1, 0) for leg in legs]
     return traces - np.take_along_axis(traces, np.array(before)[:, None], axis=2)
-
-
-def _balance_residual(means: Means) -> np.ndarray:
-    """Return (work - change of stored energy - dissipated - closing work)/dissipated at the end.
-
-    Shape (tasks, replicates).
-    """
-    stored, dissipated, work, closing = (_last(means[name]) for name in ENERGIES)
-    with np.errstate(all="ignore"):
-        change = stored - means["stored_energy"][:, :, 0]
-        return (work - change - dissipated - closing) / dissipated
-
-
-def _drive_residual(means: Means) -> np.ndarray:
-    """Return (work of the drive - losses - change of stored energies - step work)/work at the end.
-
-    Shape (tasks, replicates).
-    """
-    driven, rubbed, spring, kinetic, damped, error = (_last(means[name]) for name in DRIVE_ENERGIES)
-    stored = spring + kinetic
-    stored = stored - means["spring_energy"][:, :, 0] - means["kinetic_energy"][:, :, 0]
-    with np.errstate(all="ignore"):
-        return (driven - rubbed - damped - error - stored) / driven
 
 
 def _last(traces: np.ndarray) -> np.ndarray:

@@ -71,7 +71,7 @@ def build_dataset(
 
 def in_si(name: str, values: np.ndarray, dims: tuple[str, ...], units: Units) -> xr.DataArray:
     """Return an estimate, or its replicates, in SI units. values : at all points of the grid."""
-    labelled, powers = xr.DataArray(values, dims=dims), declared(name).scale.powers
+    labelled, powers = xr.DataArray(values, dims=dims), declared(name).scaling.powers
     if not powers:  # a factor would turn a flag into a float
         return labelled
     return (labelled * _factor(powers, units)).transpose(*dims)

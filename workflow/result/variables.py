@@ -17,22 +17,22 @@ from ..study import ALL_AXES, COMMON_AXES
 Powers = dict[str, int]  # of grid axes, tau, E* ("modulus") and E* L ("stiffness")
 
 
-class Scale(NamedTuple):
+class Scaling(NamedTuple):
     """Unit of a variable, and the powers that scale its dimensionless value to that unit."""
 
     units: str
     powers: Powers = {}  # noqa: RUF012 - never changed
 
 
-NUMBER, CELSIUS = Scale("1"), Scale("degree_Celsius")
-SLOPE = Scale("1", {"roughness": 1, "spacing": -1})
-HEIGHT, LENGTH = Scale("m", {"roughness": 1}), Scale("m", {"spacing": 1})
-TIME, SPEED = Scale("s", {"tau": 1}), Scale("m s-1", {"spacing": 1, "tau": -1})
-RATE = Scale("s-1", {"roughness": 1, "spacing": -1, "tau": -1})
-PRESSURE = Scale("Pa", {"modulus": 1, "roughness": 1, "spacing": -1})
-FORCE = Scale("N", {"stiffness": 1, "roughness": 1})
-FRICTION = Scale("N", {"stiffness": 1, "roughness": 2, "spacing": -1})
-ENERGY = Scale("J", {"stiffness": 1, "roughness": 2})
+NUMBER, CELSIUS = Scaling("1"), Scaling("degree_Celsius")
+SLOPE = Scaling("1", {"roughness": 1, "spacing": -1})
+HEIGHT, LENGTH = Scaling("m", {"roughness": 1}), Scaling("m", {"spacing": 1})
+TIME, SPEED = Scaling("s", {"tau": 1}), Scaling("m s-1", {"spacing": 1, "tau": -1})
+RATE = Scaling("s-1", {"roughness": 1, "spacing": -1, "tau": -1})
+PRESSURE = Scaling("Pa", {"modulus": 1, "roughness": 1, "spacing": -1})
+FORCE = Scaling("N", {"stiffness": 1, "roughness": 1})
+FRICTION = Scaling("N", {"stiffness": 1, "roughness": 2, "spacing": -1})
+ENERGY = Scaling("J", {"stiffness": 1, "roughness": 2})
 
 GRID_DIMS, HURST_DIMS = COMMON_AXES, ("hurst",)
 CURVE_DIMS = (*GRID_DIMS, "sample")
@@ -64,7 +64,7 @@ class Variable(NamedTuple):
     """Declaration of one variable."""
 
     long_name: str
-    scale: Scale = NUMBER
+    scaling: Scaling = NUMBER
     dims: tuple[str, ...] = GRID_DIMS
     comment: str = ""
     dtype: str = "float64"
@@ -97,7 +97,7 @@ VARIABLES = {
     ),
     "mean_contact_pressure": Variable(
         "normal force over the real contact area at v1",
-        Scale("Pa"),
+        Scaling("Pa"),
         comment="of a half-space; absent on a foundation, whose contact is a share of a line",
     ),
     "mu_persson": Variable("coefficient of friction at v1 by Persson's theory", SLOPE),
@@ -143,10 +143,10 @@ VARIABLES = {
     "deviation": Variable("mu - mu_2 after the jump", SLOPE, CURVE_DIMS),
     "mu": Variable("coefficient of friction after the jump", SLOPE, CURVE_DIMS),
     "time": Variable("time since the jump, (t - t0)/tau", dims=CURVE_DIMS),
-    "time_s": Variable("time since the jump, t - t0", Scale("s"), CURVE_DIMS, dtype="float32"),
-    "shear_modulus": Variable("relaxed shear modulus G", Scale("Pa"), ()),
-    "length": Variable("length L of the line, one period", Scale("m"), ()),
-    "q_max": Variable("largest wave number q_max of the line", Scale("m-1"), ("spacing",)),
+    "time_s": Variable("time since the jump, t - t0", Scaling("s"), CURVE_DIMS, dtype="float32"),
+    "shear_modulus": Variable("relaxed shear modulus G", Scaling("Pa"), ()),
+    "length": Variable("length L of the line, one period", Scaling("m"), ()),
+    "q_max": Variable("largest wave number q_max of the line", Scaling("m-1"), ("spacing",)),
     "rms_slope": Variable("spectral rms slope of the line", SLOPE),
     "speed_ratio": Variable("x = v1 tau q_max"),
     "realizations": Variable(
@@ -211,8 +211,8 @@ NO_STATE_COMMENT = (
 )
 
 SCENES = {
-    "tau": Variable("time scale: relaxation_time + sum g_b t_b/G", Scale("s")),
-    "power_spectrum": Variable("power spectrum C_1D of the lines", Scale("m3"), ("wave_number",)),
+    "tau": Variable("time scale: relaxation_time + sum g_b t_b/G", Scaling("s")),
+    "power_spectrum": Variable("power spectrum C_1D of the lines", Scaling("m3"), ("wave_number",)),
     "trace_time": Variable("time to which the friction belongs", TIME, EVENT_DIMS),
     "trace_distance": Variable("position of the line", LENGTH, EVENT_DIMS),
     "trace_velocity": Variable("velocity of the line", SPEED, EVENT_DIMS),
@@ -412,7 +412,7 @@ def attributes(name: str) -> dict[str, object]:
     """Return the CF-style attributes of a variable."""
     variable = declared(name)
     cf_attributes: dict[str, object] = {
-        "units": variable.scale.units,
+        "units": variable.scaling.units,
         "long_name": variable.long_name,
     }
     if variable.comment:

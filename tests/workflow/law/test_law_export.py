@@ -20,20 +20,7 @@ from tests.workflow.law.given import load_law, memory_law
 
 LAW = memory_law().with_validity(
     Validity(
-        0.01,
-        0.1,
-        0.4,
-        2.0,
-        1e-3,
-        2e-3,
-        3e-3,
-        4e-3,
-        0.5,
-        1e-4,
-        0.04,
-        (("slide */ 1", 1e-3),),
-        "x",
-        shortest_stroke=0.003,
+        0.01, 0.1, held_rms=3e-3, usual=0.5, motions=(("slide */ 1", 1e-3),), shortest_stroke=3e-3
     )
 )
 COMPILER = shutil.which("gcc") or shutil.which("cc")

@@ -8,7 +8,7 @@ from elastomer_friction.workflow.plan.error_laws import LAWS
 from elastomer_friction.workflow.reduce.fits import FITTED
 from elastomer_friction.workflow.result.dataset import build_dataset
 from elastomer_friction.workflow.result.provenance import provenance
-from elastomer_friction.workflow.result.variables import VARIABLES, Scale
+from elastomer_friction.workflow.result.variables import VARIABLES, Scaling
 from elastomer_friction.workflow.study.axes import COMMON_AXES
 from tests.support.curves import assembled
 
@@ -75,8 +75,8 @@ def test_estimates_get_their_scale(made, dataset, names, point):
 
 def test_a_variable_may_scale_with_any_axes(made, monkeypatch):
     plan, estimates, _ = made
-    power = Scale("1", {"normal_force": 1, "velocity": 2, "spacing": -1})
-    monkeypatch.setitem(VARIABLES, "mu_1", VARIABLES["mu_1"]._replace(scale=power))
+    power = Scaling("1", {"normal_force": 1, "velocity": 2, "spacing": -1})
+    monkeypatch.setitem(VARIABLES, "mu_1", VARIABLES["mu_1"]._replace(scaling=power))
     dataset = build_dataset(plan, plan.variants[0], estimates, {})
     for name in ("mu_1", "mu_1_error"):
         plain = xr.DataArray(estimates[name][plan.variants[0].point_task], dims=COMMON_AXES)

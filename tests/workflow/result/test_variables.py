@@ -94,7 +94,7 @@ AXES = {"roughness": (1, 0, 0), "spacing": (1, 0, 0), "tau": (0, 1, 0)}
 AXES |= {"stiffness": (-1, 0, 1), "modulus": (-2, 0, 1)}
 
 
-SCALES = {str(variable.scale): variable.scale for variable in VARIABLES.values()}
+SCALES = {str(variable.scaling): variable.scaling for variable in VARIABLES.values()}
 
 
 @pytest.mark.parametrize("scale", SCALES.values(), ids=SCALES)
@@ -123,7 +123,7 @@ def test_an_entry_begins_with_dimensions_and_unit_and_says_a_sentence(name):
     dims = ["Grid"] * of_grid + [
         f"`{d}`" for d in variable.dims if not (of_grid and d in COMMON_AXES)
     ]
-    unit = "" if variable.scale.units == "1" else f", in {variable.scale.units}"
+    unit = "" if variable.scaling.units == "1" else f", in {variable.scaling.units}"
     place = f"*{' × '.join(dims) or 'A single number'}{unit}.*\n\n".removeprefix("*Grid.*\n\n")
     assert ENTRIES[name].startswith(place)
     text = ENTRIES[name].removeprefix(place).partition("\n")[0]
