@@ -26,6 +26,7 @@ from ..study import HALF_SPACE, QUANTITIES, Measured, Study, unavailable_reason
 from ..system import COMPILING_MIB, core_time
 from .run_options import announced_plan
 
+MODEL_LINE = "model       ratio of mu_1 to that of the other body: "
 Outline = tuple[list[str], dict[str, Any]]  # lines to print, and data for --json
 
 
@@ -74,7 +75,7 @@ def outline_grid(study: Study, result: Path, sample_seconds: float | None = None
         f"to compile; {_largest_surface(plan)} samples",
         *map(_choice, choices),
         *_errors(plan),
-        *_model_error(plan),
+        *([MODEL_LINE + model_source(plan)] if "steady" in study.scene.quantities else []),
         *_repeated_contact(plan),
         *_steep_slopes(plan),
         *_shear(plan),
@@ -195,13 +196,6 @@ def _percent(errors: np.ndarray) -> str:
 def _two_digits(number: float) -> str:
     """Return a number rounded to two digits, without an exponent from 0.0001 to 10 000."""
     return f"{float(f'{number:.2g}'):g}"
-
-
-def _model_error(plan: Plan) -> list[str]:
-    """Return a line on the source of model_ratio; none without steady friction."""
-    if "steady" not in plan.study.scene.quantities:
-        return []
-    return [f"model       ratio of mu_1 to that of the other body: {model_source(plan)}"]
 
 
 def _repeated_contact(plan: Plan) -> list[str]:

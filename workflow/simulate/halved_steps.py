@@ -54,18 +54,16 @@ def add_halved_steps(
                 spent[rows, 1:] += seconds / len(rows)
                 for k, row in enumerate(rows):
                     pair, task = Pair(lines, outcomes), batch.tasks[row]
-                    _add_change(batch, task, k, pair, layouts[row], curves[row, block])
+                    _add_change(batch, task, k, pair, unpack(curves[row, block], layouts[row]))
 
 
-def _add_change(
-    batch: Batch, task: Task, k: int, pair: Pair, places: Layout, values: np.ndarray
-) -> None:
-    """Add the change between two outcomes to the row of one record.
+def _add_change(batch: Batch, task: Task, k: int, pair: Pair, parts: dict[str, np.ndarray]) -> None:
+    """Add the change between two outcomes to the parts of the row of one record.
 
     k : number of the velocity jump of the task in its case.
     """
     halved_task = task._replace(steps_per_spacing=REFINEMENT_FACTOR * task.steps_per_spacing)
-    parts, numbers = unpack(values, places), []
+    numbers = []
     for line, outcome, own_task in zip(*pair, (task, halved_task), strict=True):
         scalars = scalars_of(outcome, k, steady_ends(batch, line, own_task))
         numbers.append([scalars[name] for name in HALVED_STEP_SCALARS])

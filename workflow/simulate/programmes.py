@@ -11,7 +11,7 @@ from ...kernels import MOTION_TRACES, Case, Outcome, Quantities, SceneCase
 from ...kernels.compile.clock import computing_seconds
 from ...kernels.drive import SLIPS
 from .bodies import body_of
-from .layout import CONTACT_LENGTH_EDGES, Layout, unpack
+from .layout import CONTACT_LENGTH_EDGES
 from .recorded_steps import trace_steps
 from .tasks import SCALARS, Batch, Recording, Task
 
@@ -20,13 +20,13 @@ STEADY_ONLY = Quantities(steady=True, jump=False, relaxation=False, areas=True)
 
 
 def add_programme(
-    batch: Batch, line: Any, task: Task, places: Layout, values: np.ndarray, lines: int
+    batch: Batch, line: Any, task: Task, parts: dict[str, np.ndarray], lines: int
 ) -> float:
-    """Add one realization of a task to the sums of its row; return the CPU seconds.
+    """Add one realization of a task to the parts of its row; return the CPU seconds.
 
-    places : layout of the row. lines : number of lines so far, including this one. Times and
-    positions of a trace enter as a running mean over the lines. It is exact if all lines move
-    alike, unlike a sum that is divided by the number of lines.
+    lines : number of lines so far, including this one. Times and positions of a trace enter as a
+    running mean over the lines. It is exact if all lines move alike, unlike a sum that is divided
+    by the number of lines.
     """
     if not batch.recording.requested:
         return 0.0
@@ -35,10 +35,10 @@ def add_programme(
     body, drive = body_of(batch), task.problem.drive
     resumed = batch.resumed
     results = body.pull(line, scene, drive) if drive else body.run_scene(line, scene, resumed)
-    if "slip_changes" in places:
+    if "slip_changes" in parts:
         pull = partial(body.pull, scene=scene._replace(slider_steps=0), drive=drive)
         results["slip_changes"] = slip_changes(pull, line, results)
-    for name, total in unpack(values, places).items():
+    for name, total in parts.items():
         if name in results:
             value = np.reshape(results[name], total.shape)
             total += (value - total) / lines if name in MOTION_TRACES else value

@@ -26,8 +26,8 @@ MAX_CALL_SAMPLES = 4 * MAX_SHORT_SAMPLES  # of all short lines in one call
 class BlockSums(NamedTuple):
     """Sums over the lines of a block; times and positions of a trace are running means."""
 
-    scalars: np.ndarray  # shape (tasks, len(SCALARS)); (len(SCALARS),) for one task
-    curves: np.ndarray  # shape (tasks, values); (values,) for one task
+    scalars: np.ndarray  # shape (tasks, len(SCALARS))
+    parts: list[dict[str, np.ndarray]]  # of the row of each task, by name
     lines: int  # number of lines in these sums
 
 
@@ -49,8 +49,8 @@ def block_means(batch: Batch) -> BatchResult:
     curves = np.zeros((len(batch.tasks), batch.blocks, max(1, *widths)))
     spent = np.zeros((len(batch.tasks), len(PHASES)))
     groups = _case_groups(batch)
-    for draws in _draws(batch, scalars, curves):
-        _add_realizations(batch, layouts, groups, draws, spent)
+    for draws in _draws(batch, layouts, scalars, curves):
+        _add_realizations(batch, groups, draws, spent)
     if batch.recording.refined_blocks > batch.first_block:
         halved = _case_groups(batch, REFINEMENT_FACTOR)
         add_halved_steps(batch, layouts, groups, halved, curves, spent)
@@ -65,7 +65,7 @@ def block_means(batch: Batch) -> BatchResult:
 
 
 def _draws(
-    batch: Batch, scalars: np.ndarray, curves: np.ndarray
+    batch: Batch, layouts: list[Layout], scalars: np.ndarray, curves: np.ndarray
 ) -> Iterator[list[tuple[Draw, BlockSums]]]:
     """Yield lists of drawings to run in one call, each with the sums of its block."""
     size, draw = body_of(batch).drawing(batch)
@@ -75,13 +75,15 @@ def _draws(
         draws = []
         for number in numbers[first : first + count]:
             block, before = divmod(number, batch.realizations_per_block)
-            draws.append((draw(number), BlockSums(scalars[:, block], curves[:, block], before)))
+            parts = [
+                unpack(row[block], layout) for row, layout in zip(curves, layouts, strict=True)
+            ]
+            draws.append((draw(number), BlockSums(scalars[:, block], parts, before)))
         yield draws
 
 
 def _add_realizations(
     batch: Batch,
-    layouts: list[Layout],
     groups: list[CaseGroup],
     draws: list[tuple[Draw, BlockSums]],
     spent: np.ndarray,
@@ -107,7 +109,7 @@ def _add_realizations(
                 results = body_of(batch).run([line for line, _ in lines], prepared)
             for (line, sums), outcomes in zip(lines, results, strict=False):
                 for rows, outcome in zip(shared, outcomes, strict=True):
-                    _add_case(batch, layouts, line, (rows, outcome), sums, spent)
+                    _add_case(batch, line, (rows, outcome), sums, spent)
     spent[:, 0] += drawing_seconds / len(batch.tasks)
 
 
@@ -121,7 +123,6 @@ def lines_at_once(samples: Any) -> Any:
 
 def _add_case(
     batch: Batch,
-    layouts: list[Layout],
     line: Any,
     case: tuple[list[int], Outcome | None],
     sums: BlockSums,
@@ -130,14 +131,15 @@ def _add_case(
     """Add the outcome of a case, and the programmes of its tasks, to the sums of their rows."""
     rows, outcome = case
     for k, row in enumerate(rows):
-        record = BlockSums(sums.scalars[row], sums.curves[row], sums.lines)
-        task, places = batch.tasks[row], layouts[row]
+        task, parts = batch.tasks[row], sums.parts[row]
         if outcome is None:
-            record.scalars[:] = np.nan
+            sums.scalars[row] = np.nan
         else:
             spent[row, 1:] += [seconds / len(rows) for seconds in outcome.seconds]
-            _add_outcome(outcome, k, steady_ends(batch, line, task), places, record)
-        spent[row, -1] += add_programme(batch, line, task, places, record.curves, record.lines)
+            ends = steady_ends(batch, line, task)
+            sums.scalars[row] += list(scalars_of(outcome, k, ends).values())
+            _add_parts(outcome, k, ends, parts)
+        spent[row, -1] += add_programme(batch, line, task, parts, sums.lines)
 
 
 def _case_groups(batch: Batch, refinement: int = 1) -> list[CaseGroup]:
@@ -195,16 +197,10 @@ FIELDS: dict[str, Callable[[Any], Any]] = {
 OF_ENDS = ("contact_2", "contact_temperature", "flash_temperature", "mu_1_shear", "mu_2_shear")
 
 
-def _add_outcome(
-    outcome: Outcome, k: int, ends: Outcome | None, places: Layout, sums: BlockSums
+def _add_parts(
+    outcome: Outcome, k: int, ends: Outcome | None, parts: dict[str, np.ndarray]
 ) -> None:
-    """Add velocity jump k of a case to the sums of one record, scalars and row.
-
-    ends : steady sliding at the first and last slide of a programme.
-    """
-    scalars, row, _ = sums
-    scalars += list(scalars_of(outcome, k, ends).values())
-    parts = unpack(row, places)
+    """Add velocity jump k of a case to the parts of one row; ends : as for ``scalars_of``."""
     for name in FIELDS.keys() & parts.keys():
         source, jump = (ends, 0) if ends is not None and name in OF_ENDS else (outcome, k)
         add_to(parts[name], at_jump(FIELDS[name](source), jump))

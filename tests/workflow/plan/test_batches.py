@@ -27,13 +27,18 @@ PLAN = small_plan(*GRID)
 BLOCKED = small_plan(*GRID, "study.realizations=48", "study.realizations_per_block=12")
 
 
-def covered(plan, stored, target):
-    """Return how often each record is computed."""
+def records_of(batches):
+    """Return how often batches compute each record."""
     found = Counter()
-    for batch in cut_batches(plan, stored, target):
+    for batch in batches:
         blocks = range(batch.first_block, batch.first_block + batch.blocks)
         found.update((task.key, block) for task in batch.tasks for block in blocks)
     return found
+
+
+def covered(plan, stored, target):
+    """Return how often each record is computed."""
+    return records_of(cut_batches(plan, stored, target))
 
 
 def seconds(plan, stored=frozenset(), target=3.0):
@@ -114,12 +119,6 @@ def test_batches_last_as_long_as_requested_at_the_measured_rate(rate):
     target = 1e-2
     pieces = cut(missing_work(PLAN, set()), target)
     batches = list(make_batches(pieces, target, lambda _: rate))
-    covered = Counter(
-        (task.key, batch.first_block + block)
-        for batch in batches
-        for task in batch.tasks
-        for block in range(batch.blocks)
-    )
-    assert covered == Counter(all_records(PLAN))
+    assert records_of(batches) == Counter(all_records(PLAN))
     several = [rate * b.seconds for b in batches if b.blocks > 1 or len(b.tasks) > 1]
     assert max(several, default=0.0) < 2.0 * MAX_SHARED_LENGTH * target

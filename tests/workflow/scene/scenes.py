@@ -31,3 +31,9 @@ def run(*programme, **changed):
         "programme": programme or [slide()],
     }
     return scene.run(**(given | changed))
+
+
+def run_on_half_space(programme, **changed):
+    """Return the dataset of a scene on a small half-space."""
+    given = {"programme": programme, "numerics": {"steps_per_spacing": 2}, "seed": 5}
+    return scene.run(**(given | changed))

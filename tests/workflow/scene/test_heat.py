@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 
-from elastomer_friction.workflow.scene import call
 from tests.support.small import keys, small_plan
+from tests.workflow.scene.scenes import run_on_half_space
 
 WLF = {"c1": 8.86, "c2": 101.6, "reference": 20.0}
 MATERIAL = {"shear_modulus": 1e6, "branches": [[5e6, 1e-5]], "wlf": WLF, "temperature": 20.0}
@@ -17,18 +17,9 @@ MOTION = (
 
 
 def run(*programme, **changed):
-    """Return the dataset of a scene on a small half-space."""
-    arguments = {
-        "surface": SURFACE,
-        "material": MATERIAL,
-        "normal_pressure": 3e5,
-        "programme": programme or MOTION,
-        "quantities": ["steady", "trace"],
-        "numerics": {"steps_per_spacing": 2},
-        "realizations": 2,
-        "seed": 5,
-    }
-    return call.run(**(arguments | changed))
+    scene = {"surface": SURFACE, "material": MATERIAL, "normal_pressure": 3e5, "realizations": 2}
+    scene["quantities"] = ["steady", "trace"]
+    return run_on_half_space(programme or MOTION, **(scene | changed))
 
 
 def test_friction_of_similar_scenes_in_si_units_is_equal():

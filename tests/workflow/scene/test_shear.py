@@ -15,10 +15,12 @@ from elastomer_friction.workflow.scene import call
 from elastomer_friction.workflow.simulate.tasks import SCALARS
 from elastomer_friction.workflow.study.cluster import LOCAL, Cluster
 from tests.support.small import small_study
+from tests.workflow.scene.scenes import run_on_half_space
 
 PRESSURE, LENGTH, SHORTEST = 2e5, 1e-3, 1.25e-4
 SURFACE = {"length": LENGTH, "hurst": 0.8, "roughness": 5e-6, "spacing": 6.25e-5}
 MATERIAL = {"shear_modulus": 1e6, "branches": [[5e6, 1e-3]]}
+QUANTITIES = ["steady", "trace", "healing", "relaxation", "rate_state", "persson"]
 BELL = {"stress": 4e5, "velocity": 0.05, "width": 2.0, "creep_velocity": 1e-5}
 MOTION = (
     {"slide": {"velocity": 0.1, "distance": 2e-4}},
@@ -34,18 +36,9 @@ def bell(v):
 
 
 def run(*programme, **changed):
-    """Return the dataset of a scene on a small half-space."""
-    arguments = {
-        "surface": SURFACE,
-        "material": MATERIAL,
-        "normal_pressure": PRESSURE,
-        "programme": programme or MOTION,
-        "quantities": ["steady", "trace", "healing", "relaxation", "rate_state", "persson"],
-        "numerics": {"steps_per_spacing": 2},
-        "realizations": 3,
-        "seed": 5,
-    }
-    return call.run(**(arguments | changed))
+    scene = {"surface": SURFACE, "material": MATERIAL, "normal_pressure": PRESSURE}
+    scene |= {"realizations": 3, "quantities": QUANTITIES}
+    return run_on_half_space(programme or MOTION, **(scene | changed))
 
 
 @pytest.fixture(scope="module")
