@@ -279,9 +279,7 @@ def _law_options(command: argparse.ArgumentParser) -> None:
     add("--kind", choices=("states", "rate-state", "lugre"), help="kind of law (states)")
     text = "a result of motions for the stated error, instead of cross-validation (repeatable)"
     add("--held-out", action="append", metavar="FILE", help=text)
-    # No ``choices``: `law_command` checks the format and names the replacement of a removed one.
-    forms = f"{{{','.join(LAW_FORMATS)}}}"
-    add("--write", metavar=forms, help="format of the written law (default: describe it)")
+    add("--write", choices=LAW_FORMATS, help="format of the written law (default: describe it)")
     add("--out", help="output file (default: standard output)")
 
 

@@ -21,8 +21,6 @@ def run_law(options: argparse.Namespace) -> None:
     source, out = options.study, Path(options.out) if options.out else None
     if out and not options.write:
         raise UserError(f"--out {out}: requires a form; add --write, for example --write json")
-    if options.write:
-        law.check_form(options.write)
     if options.write == "fmu" and not out:
         raise UserError("--write fmu: is a binary file; give its path by --out")
     path, reduced_law = _read(options) if source.endswith(".json") else _fitted(options)

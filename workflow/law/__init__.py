@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 from ..ground import public_names
 
 if TYPE_CHECKING:
-    from .law_export import FORMS, Exported, check_form
+    from .law_export import FORMS, Exported
     from .law_export import export_law as export
     from .law_fit import fit_law as fit
     from .load_law import LoadLaw

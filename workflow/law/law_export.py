@@ -37,10 +37,6 @@ TEMPLATES = {  # form -> template, description
     "fortran": ("law.f.j2", "Fortran: VFRIC_COEF for Abaqus/Explicit, and a step with states"),
 }
 FORMS = (*TEMPLATES, "fmu", "json")
-REMOVED_FORMS = {  # form -> replacement
-    "modelica": "fmu, which Modelica tools import",
-    "abaqus": "fmu, which Abaqus imports, or fortran for its user subroutines",
-}
 
 
 class Exported(NamedTuple):
@@ -48,14 +44,6 @@ class Exported(NamedTuple):
 
     content: bytes
     description: str
-
-
-def check_form(form: str) -> None:
-    """Raise UserError for a form that is not in FORMS."""
-    if form in REMOVED_FORMS:
-        raise LawError(f"{form}: is no longer written; write {REMOVED_FORMS[form]}")
-    if form not in FORMS:
-        raise LawError(f"{form}: unknown form of a law; must be one of {', '.join(FORMS)}")
 
 
 def export_law(law: Law | LoadLaw, form: str, name: str = "friction_law") -> Exported:
@@ -67,7 +55,8 @@ def export_law(law: Law | LoadLaw, form: str, name: str = "friction_law") -> Exp
     FMU contains C sources and, on x86 Linux with a C compiler, a compiled library. Raises UserError
     for an unknown form and for a law that the form does not support.
     """
-    check_form(form)
+    if form not in FORMS:
+        raise LawError(f"{form}: unknown form of a law; must be one of {', '.join(FORMS)}")
     if form == "json":
         return Exported(law.to_json().encode() + b"\n", "the law as JSON")
     if not isinstance(law, MemoryLaw | LoadLaw):

@@ -67,7 +67,7 @@ def test_a_law_of_a_comparison_with_a_held_out_result(capsys, path):
     [
         (["--out", "x.h"], "--out x.h: requires a form; add --write"),
         (["--write", "fmu"], "--write fmu: is a binary file; give its path by --out"),
-        (["--write", "modelica"], "modelica: is no longer written; write fmu"),
+        (["--write", "pascal"], "argument --write: invalid choice: 'pascal'"),
         (["--group", "none"], "--group none: is not a comparison in"),
         (["--at", "hurst"], "--at hurst: must be AXIS=VALUE, for example hurst=0.7"),
         (["--at", "hurst=0.7"], "hurst = 0.7: the result has no such point"),

@@ -218,9 +218,3 @@ def test_json_is_read_back_and_other_laws_have_no_other_form():
         export(LAW, "pascal")
     with pytest.raises(UserError, match="fortran: requires the law of one load"):
         export(load_law(), "fortran")
-
-
-@pytest.mark.parametrize("form", ["modelica", "abaqus"])
-def test_a_removed_form_is_refused_with_its_replacement(form):
-    with pytest.raises(UserError, match=f"{form}: is no longer written; write fmu"):
-        export(LAW, form)
