@@ -301,10 +301,7 @@ COMMANDS: dict[str, tuple[str, Callable[[argparse.ArgumentParser], None]]] = {
         _report_options,
     ),
     "studies": ("list all studies with their titles", _no_options),
-    "new": (
-        "write a commented study.toml as a starting point, to studies/NAME",
-        _new_options,
-    ),
+    "new": ("write a commented study.toml as a starting point, to studies/NAME", _new_options),
     "schema": (
         "print the JSON schema of study.toml, for editors that check and complete it",
         _no_options,
@@ -313,10 +310,7 @@ COMMANDS: dict[str, tuple[str, Callable[[argparse.ArgumentParser], None]]] = {
         "fit a Prony series to measured moduli G' and G'', and print the table [material]",
         _prony_options,
     ),
-    "fit": (
-        "fit the kinetic law to measured velocity steps",
-        _fit_options,
-    ),
+    "fit": ("fit the kinetic law to measured velocity steps", _fit_options),
     "spectrum": (
         "fit roll-off, cut-off and H to the spectrum of a measured surface, draw it, and print "
         "the keys of random surfaces like it",

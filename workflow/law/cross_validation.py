@@ -50,9 +50,7 @@ def _with_friction(motions: Sequence[Transient], friction: list[np.ndarray]) -> 
     return [m._replace(mu=mu) for m, mu in zip(motions, friction, strict=True)]
 
 
-def _parts_to_hold_out(
-    motions: Sequence[Transient],
-) -> tuple[list[tuple[int, np.ndarray]], str]:
+def _parts_to_hold_out(motions: Sequence[Transient]) -> tuple[list[tuple[int, np.ndarray]], str]:
     """Return the parts (motion, rows) that are held out in turn, and their description.
 
     Parts are segments, sorted by speed so that folds have similar speeds, or quarters if there are

@@ -210,7 +210,7 @@ def _validity(law: Law, motions: Sequence[Transient], speeds: np.ndarray) -> Val
         for motion, residual in zip(motions, all_rows, strict=True)
         for segment, rows in motion.parts()
     )
-    known = np.concatenate([r[m.known] for r, m in zip(all_rows, motions, strict=True)])
+    differences = np.concatenate([r[m.known] for r, m in zip(all_rows, motions, strict=True)])
     strokes = [distances_between_turns(motion.time, motion.velocity) for motion in motions]
     return Validity(
         slowest=float(speeds[1]),
@@ -221,8 +221,8 @@ def _validity(law: Law, motions: Sequence[Transient], speeds: np.ndarray) -> Val
         shift=motions[0].shift,
         body=motions[0].body,
         shortest_stroke=float(np.min(np.concatenate(strokes), initial=np.inf)),
-        rms=root_mean_square(known),
-        largest=float(np.max(np.abs(known))),
+        rms=root_mean_square(differences),
+        largest=float(np.max(np.abs(differences))),
         model_error=root_mean_square(errors[np.isfinite(errors)]),
         motions=segments,
         window=f"{errors.size} samples of {len(segments)} segments, all of them",

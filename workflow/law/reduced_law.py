@@ -16,13 +16,7 @@ from typing import Any, ClassVar, NamedTuple, Self
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ..given_motion import (
-    LawError,
-    distances_between_turns,
-    divided,
-    given_motion,
-    smallest_speed,
-)
+from ..given_motion import LawError, distances_between_turns, divided, given_motion, smallest_speed
 from ..study import shift_of
 from .fitted_law import FittedLaw
 from .transients import MAX_VELOCITY_CHANGE, motions_of

@@ -75,9 +75,7 @@ def cut(missing: list[Missing], target: float) -> list[Missing]:
 
 
 def make_batches(
-    pieces: list[Missing],
-    target: float,
-    rate: Callable[[str], float] = lambda _: 1.0,
+    pieces: list[Missing], target: float, rate: Callable[[str], float] = lambda _: 1.0
 ) -> Iterator[Batch]:
     """Yield batches of about ``target`` seconds that cover the pieces of ``cut``.
 

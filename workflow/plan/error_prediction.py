@@ -8,6 +8,7 @@ import numpy as np
 from ..simulate import Problem
 from ..study import HALF_SPACE, Numerics, accuracy_estimates
 from .error_laws import (
+    LAWS,
     contact_width,
     first_order_rate_error,
     known,
@@ -15,13 +16,7 @@ from .error_laws import (
     stepped_error,
 )
 from .goal import FIRST_ORDER
-from .half_space import (
-    equivalent_steps,
-    euler_map_error,
-    expected_samples,
-    laws_of,
-    map_error,
-)
+from .half_space import equivalent_steps, euler_map_error, expected_samples, laws_of, map_error
 from .plan import Plan
 from .problems import expected_rate
 
@@ -49,7 +44,7 @@ def discretisation_error(
     if first_order and not numerics.refines:
         return stepped_error(steps)
     equivalent = steps / FIRST_ORDER if first_order else steps
-    return laws_of(problem)[name].error(problem, equivalent, refine=numerics.refines)
+    return LAWS[name].error(problem, equivalent, refine=numerics.refines)
 
 
 class PredictedErrors(NamedTuple):

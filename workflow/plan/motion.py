@@ -9,12 +9,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from ... import kernels
-from ...kernels import (
-    MAX_PROGRAMME_STEPS,
-    Origin,
-    Quantities,
-    rms_slope,
-)
+from ...kernels import MAX_PROGRAMME_STEPS, Origin, Quantities, rms_slope
 from ...kernels.drive import FORCE_TOLERANCE, Drive, drive_legs
 from ...kernels.half_space.surface import rms_slope_of
 from ...kernels.scene import SCENE_QUANTITIES

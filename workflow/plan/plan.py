@@ -60,8 +60,7 @@ class Plan(NamedTuple):
         tasks = variant.tasks if variant.recording.requested else variant.tasks[:1]
         scheme, recording = variant.numerics.scheme, variant.recording
         return max(
-            1,
-            *(row_width(row_layout(t, variant.quantities, scheme, recording)) for t in tasks),
+            1, *(row_width(row_layout(t, variant.quantities, scheme, recording)) for t in tasks)
         )
 
     def predicted_worker_bytes(self) -> float:

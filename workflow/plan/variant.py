@@ -9,15 +9,7 @@ from typing import NamedTuple
 import numpy as np
 
 from ...kernels import Origin, Quantities
-from ..simulate import (
-    CODE_HASH,
-    REFINEMENT_FACTOR,
-    LineShape,
-    Problem,
-    Recording,
-    Task,
-    trace_size,
-)
+from ..simulate import CODE_HASH, REFINEMENT_FACTOR, LineShape, Problem, Recording, Task, trace_size
 from ..study import Material, Numerics, Study, Surface
 from .cost import HALVED_STEPS_COST, drawing_seconds, realization_seconds
 from .goal import Goal, fits_worker, goal_of, horizon_steps, steps_per_spacing

@@ -42,7 +42,7 @@ POINT_QUANTITIES = {
     # The contact fraction of a foundation is a share of a line, not of an area.
     "mean_contact_pressure": PointQuantity(
         _mean_contact_pressure, ("contact_fraction",), (HALF_SPACE,)
-    ),
+    )
 }
 
 

@@ -69,14 +69,11 @@ def resolution(
         if f"{name}_bias" in estimates:  # measured, for lines without an error law
             biases[f"{name}_bias"] = np.minimum(estimates[f"{name}_bias"], MAX_RELATIVE_BIAS)
             continue
-        of_tasks = zip(tasks, samples, rates, strict=True)
-        bias = np.array(
-            [
-                discretisation_error(name, t.problem, t.steps_per_spacing, numerics, *found)
-                for t, *found in of_tasks
-            ]
-        )
-        bias *= _excess_of_parts(estimates, name)
+        errors = [
+            discretisation_error(name, t.problem, t.steps_per_spacing, numerics, width, rate)
+            for t, width, rate in zip(tasks, samples, rates, strict=True)
+        ]
+        bias = np.array(errors) * _excess_of_parts(estimates, name)
         biases[f"{name}_bias"] = np.minimum(bias, MAX_RELATIVE_BIAS)
     biases["bias_bound"] = np.fmax.reduce(list(biases.values()))
     # On maps and on lines without an error law, the width of contacts does not bound the error.

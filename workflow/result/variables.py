@@ -368,10 +368,7 @@ AUXILIARY = (
     "trace_distance",
 )
 
-PARTS = {
-    "shear": "shear of the real contact in the",
-    "viscoelastic": "viscoelastic part of the",
-}
+PARTS = {"shear": "shear of the real contact in the", "viscoelastic": "viscoelastic part of the"}
 
 FLAGS = {
     "slip_event_kind": "slip_begins slip_ends reversal",

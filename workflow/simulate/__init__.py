@@ -11,13 +11,7 @@ if TYPE_CHECKING:
     from .code_hash import CODE_HASH
     from .drawing import line_generator
     from .halved_steps import REFINEMENT_FACTOR
-    from .layout import (
-        CONTACT_LENGTH_EDGES,
-        HALVED_STEP_SCALARS,
-        row_layout,
-        row_width,
-        unpack,
-    )
+    from .layout import CONTACT_LENGTH_EDGES, HALVED_STEP_SCALARS, row_layout, row_width, unpack
     from .programmes import SHAPE_ERROR
     from .realizations import block_means, load_kernels
     from .recorded_steps import (

@@ -83,10 +83,7 @@ def _draws(
 
 
 def _add_realizations(
-    batch: Batch,
-    groups: list[CaseGroup],
-    draws: list[tuple[Draw, BlockSums]],
-    spent: np.ndarray,
+    batch: Batch, groups: list[CaseGroup], draws: list[tuple[Draw, BlockSums]], spent: np.ndarray
 ) -> None:
     """Add the realizations of some drawings to the sums of their blocks."""
     drawing_seconds = 0.0

@@ -31,10 +31,10 @@ STEADY = ("steady",)
 ON_MAP = ("scene.body=half-space", "compare.coarse.steps_per_spacing=4")
 
 
-def on_a_map(load, x, elements=16):
+def on_a_map(load, x):
     """Return a problem at sigma_0/(E* grad z) = load."""
-    problem = Problem(0.7, elements, 1.0, x / np.pi, 1.2, surface=MAP)
-    return problem._replace(load=load * line_slope(problem) * elements)
+    problem = Problem(0.7, 16, 1.0, x / np.pi, 1.2, surface=MAP)
+    return problem._replace(load=load * line_slope(problem) * 16)
 
 
 @pytest.mark.parametrize(("load", "x"), [(0.05, 1.0), (0.2, 0.3)])

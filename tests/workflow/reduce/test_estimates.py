@@ -124,10 +124,10 @@ PROBLEM = Problem(0.7, 1000, 0.1, 1.0, 1.2)
 AUTO = Numerics()
 
 
-def resolved(steps=8, numerics=AUTO, samples=12.0, problem=PROBLEM, names=JUDGED):
+def resolved(steps=8, numerics=AUTO, samples=12.0, problem=PROBLEM):
     """Return the resolution of one task with b = 2 and a number of samples per contact."""
     estimates = {"samples_per_contact": np.array([samples]), "relaxation_rate": np.array([2.0])}
-    return resolution([Task(problem, steps, 100, "key")], estimates, names, numerics)
+    return resolution([Task(problem, steps, 100, "key")], estimates, JUDGED, numerics)
 
 
 def test_status_follows_the_samples_per_contact():

@@ -17,9 +17,9 @@ TIME = np.linspace(0.02, 4.0, 63)
 EVEN = np.ones(TIME.size)
 
 
-def decaying(rows, offset=0.0, size=0.02, seed=1):
+def decaying(rows, offset=0.0, size=0.02):
     """Return decaying curves with noise."""
-    rng = np.random.default_rng(seed)
+    rng = np.random.default_rng(1)
     rate = rng.uniform(0.5, 2.0, (rows, 1))
     return np.exp(-rate * TIME) + offset + size * rng.standard_normal((rows, TIME.size))
 

@@ -66,7 +66,7 @@ SWINGING = (Slide(2.0, 3.0), Hold(0.7), Oscillation(0.0, 0.4, 0.5, 3))
 START, PERIOD = 2.2, 2.0
 
 
-def cycles(count, mean=0.0):
+def cycles(count):
     """Return times, phases and the displacement of three cycles, ``count`` samples each."""
     time = START + PERIOD * np.arange(1, 3 * count + 1) / count
     phase = math.pi * (time - START)

@@ -156,13 +156,13 @@ RUBBER = {"shear_modulus": 1e7, "branches": [[6e7, 2e-4], [4e7, 2e-3]]}
 SHIFT = {"wlf": {"c1": 8.0, "c2": 100.0, "reference": 20.0}}
 
 
-def with_branches(data, temperatures=(20.0, 30.0)):
+def with_branches(data):
     """Return the result for a rubber with branches and a shift, at both temperatures."""
-    study = json.loads(data.attrs["study"])
-    study["material"] = {**RUBBER, **SHIFT, "temperature": list(temperatures)}
+    temperatures, study = [20.0, 30.0], json.loads(data.attrs["study"])
+    study["material"] = {**RUBBER, **SHIFT, "temperature": temperatures}
     law = Wlf(**SHIFT["wlf"])
     tau = [float(data.tau) * 10.0 ** law.decades(each) for each in temperatures]
-    at = xr.DataArray(tau, {"temperature": list(temperatures)}, "temperature")
+    at = xr.DataArray(tau, {"temperature": temperatures}, "temperature")
     data = data.drop_vars("tau").assign(
         mu_1=data.mu_1.expand_dims(temperature=at.temperature, axis=-1)
     )
