@@ -172,17 +172,12 @@ class MemorySearch:
             np.log(np.concatenate([[AGE_TIME], shares]) * time),
             np.linspace(0.5, 0.0, ages + 1)[:-1],
         )
-        low = _Parameters(
-            np.full(states + 1, math.log(0.1 * steps[steps > 0.0].min())),
-            np.full(states + 1, math.log(0.1 * times[times > 0.0].min())),
-            np.full(ages, -MAX_LOG_AGE),
-        )
-        high = _Parameters(
-            np.full(states + 1, math.log(INFINITE_EXTENT * extent.distance)),
-            np.full(states + 1, math.log(INFINITE_EXTENT * extent.time)),
-            np.full(ages, MAX_LOG_AGE),
-        )
-        return np.concatenate(guess), np.concatenate(low), np.concatenate(high)
+        counts = states + 1, states + 1, ages
+        shortest = 0.1 * steps[steps > 0.0].min(), 0.1 * times[times > 0.0].min()
+        longest = INFINITE_EXTENT * extent.distance, INFINITE_EXTENT * extent.time
+        low = np.repeat([*map(math.log, shortest), -MAX_LOG_AGE], counts)
+        high = np.repeat([*map(math.log, longest), MAX_LOG_AGE], counts)
+        return np.concatenate(guess), low, high
 
 
 def _roughness(speeds: np.ndarray) -> np.ndarray:

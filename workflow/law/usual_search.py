@@ -53,14 +53,12 @@ class UsualSearch:
         bounds = self.guess - MAX_PARAMETER_CHANGE, self.guess + MAX_PARAMETER_CHANGE
         fits = []
         for make, guess in [start] if start else self.starts:
-
-            def scaled_residuals(
-                p: np.ndarray, make: Callable[[np.ndarray], Law] = make
-            ) -> np.ndarray:
-                return residuals(make(p), motions) / self.mu_scale
-
             best = least_squares(
-                scaled_residuals, guess, bounds=bounds, x_scale="jac", max_nfev=max_evaluations
+                lambda p, make=make: residuals(make(p), motions) / self.mu_scale,
+                guess,
+                bounds=bounds,
+                x_scale="jac",
+                max_nfev=max_evaluations,
             )
             fits.append((best.cost, UsualStart(make, best.x)))
         _, best_start = min(fits, key=lambda fit: fit[0])

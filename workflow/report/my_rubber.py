@@ -128,27 +128,26 @@ def _temperatures(
     The stops are whole degrees about the temperature of the result, shifted by the material's law
     or else by the universal WLF constants. With a file of shifts, they are those of the result.
     """
-    law = shift_law_of(material)
-    if law is not None:
-        words, unit, reference = "temperature", "°C", float(first.temperature)
-    elif "temperature" in data.coords:
-        factors = data.tau.values / float(first.tau)
-        words = "temperature (one that was computed)"
-        return _stops(words, "°C", data.temperature.values, factors, float(first.temperature))
+    law, own = shift_law_of(material), 0.0
+    if law is None and "temperature" in data.coords:
+        words, unit, own = "temperature (one that was computed)", "°C", float(first.temperature)
+        degrees, factors = data.temperature.values, data.tau.values / float(first.tau)
     else:
-        law, words, unit, reference = UNIVERSAL_WLF, "temperature above Ts", "K", 0.0
-    degrees = [d for step in SLIDER_DEGREES if not shift_refusal(law, d := reference + step)]
-    decades = np.array([law.decades(d) for d in degrees]) - law.decades(reference)
-    allowed = np.abs(decades) <= MAX_SHIFT_DECADES
-    return _stops(words, unit, np.array(degrees)[allowed], 10.0 ** decades[allowed], reference)
-
-
-def _stops(
-    words: str, unit: str, degrees: np.ndarray, factors: np.ndarray, reference: float
-) -> dict[str, Any]:
-    """Return slider stops. reference : temperature of the result, at which the factor is 1."""
-    named = {"words": words, "unit": unit, "own": int(np.argmin(np.abs(degrees - reference)))}
-    return named | {"degrees": degrees.tolist(), "factors": factors.tolist()}
+        words, unit = "temperature above Ts", "K"
+        if law is not None:
+            words, unit, own = "temperature", "°C", float(first.temperature)
+        law = law or UNIVERSAL_WLF
+        degrees = np.array([d for k in SLIDER_DEGREES if not shift_refusal(law, d := own + k)])
+        decades = np.array([law.decades(d) for d in degrees]) - law.decades(own)
+        allowed = np.abs(decades) <= MAX_SHIFT_DECADES
+        degrees, factors = degrees[allowed], 10.0 ** decades[allowed]
+    return {
+        "words": words,
+        "unit": unit,
+        "own": int(np.argmin(np.abs(degrees - own))),  # of the result, whose factor is 1
+        "degrees": degrees.tolist(),
+        "factors": factors.tolist(),
+    }
 
 
 def _points(data: xr.Dataset) -> Iterator[xr.Dataset]:
