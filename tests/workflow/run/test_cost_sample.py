@@ -59,7 +59,11 @@ def test_a_longer_sample_begins_with_the_same_draws_and_is_nearer(monkeypatch):
 
 
 def test_too_few_draws_state_no_error(monkeypatch):
-    fake_times(monkeypatch, 1)
+    truth = fake_times(monkeypatch, 1)
+    draws = sample_cost(PLAN, 0.1 * truth).draws
+    for least, stated in ((draws, True), (draws + 1, False)):
+        monkeypatch.setattr(cost_sample, "MIN_DRAWS", least)
+        assert (sample_cost(PLAN, 0.1 * truth).error is not None) is stated
     sample = sample_cost(PLAN, 1e-9)
     assert (sample.draws, sample.error) == (1, None)
     assert str(sample).endswith("from 1 sample, too few to state an error")
@@ -69,6 +73,7 @@ def test_too_few_draws_state_no_error(monkeypatch):
     ("sample", "words"),
     [
         (CostSample(45000.0, 1440.0, 43), "12.5 ± 0.4 core-hours from 43 samples"),
+        (CostSample(7920.0, 360.0, 20), "2.2 ± 0.1 core-hours from 20 samples"),
         (CostSample(471600.0, 36000.0, 60), "131 ± 10 core-hours from 60 samples"),
         (CostSample(3.21, 0.012, 9), "3.21 ± 0.01 core-seconds from 9 samples"),
         (CostSample(600.0, None, 3), "about 10 core-minutes from 3 samples, too few to state an"),

@@ -51,6 +51,7 @@ def test_the_points_that_cost_most_come_first():
         problem = BATCH.tasks[number].problem
         velocity = problem.speed * 1e-4 / 1e-3
         assert f"hurst={problem.hurst:g} " in line
+        assert "spacing=" not in line  # which is the same at all points
         assert f"velocity={velocity:.4g} " in line
         assert line.endswith(f"m={BATCH.tasks[number].steps_per_spacing}")
 
@@ -60,6 +61,14 @@ def test_shares_are_of_the_time_all_workers_had():
     assert "then 2 workers: surfaces 12%" in where  # 6 s of 2 x 25 s
     assert "scheduling, waiting 50%" in where
     assert where.endswith("files 0.2 s in the driver")
+
+
+def test_shares_of_less_than_a_second_are_shares_too():
+    short = Summary(wall=0.5, start=0.1)
+    idle = np.zeros((len(BATCH.tasks), len(PHASES)))
+    short.count(BATCH, random_result(BATCH)._replace(spent=idle, seconds=0.1))
+    (where,) = [line for line in short.lines(PLAN) if line.startswith("start 0 s")]
+    assert "calls 25%, scheduling, waiting 75%" in where
 
 
 def test_a_run_that_had_nothing_to_do_says_only_that():
