@@ -111,7 +111,11 @@ def test_each_call_to_the_disk_fails_in_turn(disk, tmp_path, which):
 
 @pytest.mark.parametrize("number", [signal.SIGTERM, signal.SIGHUP])
 def test_signals_of_batch_systems_and_terminals_keep_what_is_finished(begun, undisturbed, number):
-    run = begun(stopping=True)
+    usual = signal.signal(number, signal.SIG_DFL)  # inherited; nohup ignores SIGHUP
+    try:
+        run = begun(stopping=True)
+    finally:
+        signal.signal(number, usual)
     run.wait_for_its_stop()
     os.kill(run.driver.pid, number)
     run.go_on()
