@@ -93,8 +93,8 @@ def _fit_one_load(
 ) -> tuple[Law, Any]:
     """Return the law of one load with its errors, and a start for the fit of the next load.
 
-    others : held-out motions. start : initial parameters; without them the law gets no states if
-    mu depends on the velocity alone.
+    others : held-out motions. start : parameters of the previous load, which decide whether the
+    law has states; without them it has none if mu depends on the velocity alone.
     """
     _check_samples(motions)
     mu_scale = root_mean_square(friction(motions))
@@ -104,7 +104,7 @@ def _fit_one_load(
     search: Search = stateless
     if kind != MemoryLaw.kind:
         search = UsualSearch(motions, speeds, kind)
-    elif states and (left > STATELESS_RESIDUAL or start is not None):
+    elif states and (left > STATELESS_RESIDUAL if start is None else start.size):
         search = MemorySearch(motions, speeds, states)
     law, parameters = search.fit(motions, MAX_FIT_EVALUATIONS, start)
     evidence = ""

@@ -73,14 +73,10 @@ def predicted_errors(plan: Plan) -> dict[str, PredictedErrors]:
             lines = plan.expected[task.key] * variant.block_size
             chance[row] = laws_of(problem)[name].scatter(problem) / math.sqrt(lines)
             if name != "relaxation_rate" or variant.numerics.scheme == "exponential":
-                expected = _expected_samples(problem, steps), expected_rate(problem)
+                samples = contact_width(problem) * steps
+                if problem.surface.body == HALF_SPACE:
+                    samples = expected_samples(problem, equivalent_steps(problem, steps))
+                expected = samples, expected_rate(problem)
                 bound[row] = discretisation_error(name, problem, steps, variant.numerics, *expected)
         errors[name] = PredictedErrors(chance, bound)
     return errors
-
-
-def _expected_samples(problem: Problem, steps: int) -> float:
-    """Return the expected samples per contact, on either body."""
-    if problem.surface.body == HALF_SPACE:
-        return expected_samples(problem, equivalent_steps(problem, steps))
-    return contact_width(problem) * steps

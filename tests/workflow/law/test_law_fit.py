@@ -138,6 +138,8 @@ def test_friction_that_follows_the_velocity_at_once_has_no_state():
     assert len(fit.target) == 0
     assert fit.validity.left < 1e-4
     assert fit.steady(0.05) == pytest.approx(0.1, rel=1e-3)
+    over_loads = ef.law.fit([result(viscous, force=force) for force in (1.0, 2.0, 4.0)])
+    assert over_loads.target.size == 0
 
 
 def test_of_several_loads_the_law_is_a_table_over_them(known):
