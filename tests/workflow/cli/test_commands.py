@@ -62,7 +62,7 @@ def test_a_path_that_is_not_utf_8_is_one_line_before_anything_is_computed(capsys
     assert r"r\udce9: must be UTF-8" in refusal(capsys, "run", "fig2", "--out", "r\udce9")
 
 
-def test_without_a_folder_for_temporary_files_one_line_says_so(capsys, monkeypatch):
+def test_a_missing_folder_for_temporary_files_is_refused(capsys, monkeypatch):
     def missing():
         raise FileNotFoundError(errno.ENOENT, "No usable temporary directory found")
 
@@ -164,7 +164,7 @@ programme = [{file = "velocity.csv"}]
 """
 
 
-def test_a_plan_as_data_says_what_was_read_of_each_file(capsys, tmp_path):
+def test_a_plan_as_data_describes_each_file_read(capsys, tmp_path):
     path = write_study(tmp_path, OF_FILES)
     (tmp_path / "d.csv").write_text("time (ms), d (um)\n0, 1\n5, 2\n")
     (tmp_path / "holes.csv").write_text(line_text((1, "nan", 2, -3, 4, 5, -2, 3, 1, -2)))
@@ -181,7 +181,7 @@ def test_a_plan_as_data_says_what_was_read_of_each_file(capsys, tmp_path):
     assert all(each["told"] in shown for each in read.values())
 
 
-def test_a_value_that_a_plan_has_not_is_null(capsys, powers):
+def test_a_missing_value_of_a_plan_is_null(capsys, powers):
     measured = json.loads(output(capsys, "plan", "measured_line", "--scale", "smoke", "--json"))
     assert measured["axes"]["hurst"] == [None]
     shown = output(capsys, "plan", "measured_line", "--scale", "smoke")
@@ -239,7 +239,7 @@ def test_options_of_the_cluster_are_refused_where_there_is_none(powers, capsys, 
     assert "is measured in one process" in refusal(capsys, "run", "powers", option)
 
 
-def test_how_to_go_on_can_be_typed_again(monkeypatch):
+def test_the_command_to_resume_can_be_typed(monkeypatch):
     monkeypatch.setattr("sys.argv", ["workflow", "run", "fig7", "--set", "grid.hurst=[0.3, 0.7]"])
     assert resume_line("interrupted").endswith("run fig7 --set 'grid.hurst=[0.3, 0.7]'")
 

@@ -115,7 +115,7 @@ def test_the_measurement_is_never_overwritten(capsys, tmp_path):
     assert (tmp_path / "moduli.txt").read_bytes() == before
 
 
-def test_what_no_series_describes_is_no_material(capsys, tmp_path):
+def test_moduli_without_a_prony_series_are_refused(capsys, tmp_path):
     path = tmp_path / "modes.txt"
     path.write_text("1 2e5 2e-8\n2 1e4 3e2\n3 6e2 1.5e5\n4 30 1e6\n5 2 9e6\n6 0.3 9e6\n")
     text = refusal(capsys, "prony", str(path))
@@ -185,7 +185,7 @@ def test_a_relaxation_test_is_a_material(capsys, tmp_path):
     assert "residual per decade from 100 s down: " in text
 
 
-def test_a_relaxation_test_that_ends_early_says_what_it_leaves_open(capsys, tmp_path):
+def test_a_short_relaxation_test_states_the_undetermined_modulus(capsys, tmp_path):
     time = np.geomspace(1e-4, 0.1, 30)
     values = 1e6 + sum(g * np.exp(-time / b) for g, b in BRANCHES)
     noise = 1.0 + 0.01 * np.random.default_rng(0).standard_normal(time.size)
@@ -196,7 +196,7 @@ def test_a_relaxation_test_that_ends_early_says_what_it_leaves_open(capsys, tmp_
     assert "fit equally well; measure beyond 0.1 s" in text
 
 
-def test_the_command_knows_everybody_a_series_is_printed_for():
+def test_the_help_names_every_form_of_a_series():
     """The help repeats the names, so that it does not import ``laboratory``."""
     assert tuple(laboratory.FORMS) == command_line.PRONY_FORMATS
 
@@ -210,7 +210,7 @@ def test_shares_of_the_instantaneous_modulus(capsys, tmp_path, form):
     assert "[material]" not in text
 
 
-def test_it_says_what_the_data_leave_open(capsys, tmp_path):
+def test_undetermined_moduli_are_stated(capsys, tmp_path):
     text = output(capsys, "prony", measured(tmp_path, OMEGA[OMEGA > 100.0]))
     assert "# the data do not determine the relaxed modulus: " in text
     assert "fit equally well; measure at frequencies below 1" in text
@@ -262,6 +262,6 @@ def test_sweeps_that_are_no_one_curve_are_no_material(capsys, tmp_path):
     assert "try --vertical" in text
 
 
-def test_a_liquid_is_no_foundation(capsys, tmp_path):
+def test_moduli_of_a_liquid_are_refused(capsys, tmp_path):
     said = refusal(capsys, "prony", measured(tmp_path, relaxed=0.0))
     assert "the best fit has no relaxed modulus; a study needs the moduli of a rubber" in said

@@ -79,7 +79,7 @@ def test_refusals(capsys, path, arguments, answer):
     assert answer in refusal(capsys, "law", str(path), *arguments)
 
 
-def test_it_never_writes_over_what_it_reads(capsys, path, tmp_path):
+def test_the_input_is_never_overwritten(capsys, path, tmp_path):
     before = path.read_bytes()
     answer = refusal(capsys, "law", str(path), "--write", "json", "--out", str(path))
     assert answer == f"error: --out {path}: is the input of the law; choose another file\n"

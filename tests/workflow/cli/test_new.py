@@ -17,7 +17,7 @@ from tests.support.shards import WORK, filled, shard_of
 from tests.support.small import TEXT, write_study
 
 
-def test_what_a_terminal_would_obey_is_shown_as_numbers(capsys, tmp_path, monkeypatch):
+def test_control_characters_are_escaped(capsys, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     folder = tmp_path / "studies" / "own"
     folder.mkdir(parents=True)
@@ -59,7 +59,7 @@ def test_a_new_study_can_be_read_at_every_scale(capsys, tmp_path, monkeypatch):
 @pytest.mark.parametrize(
     ("name", "reason"), [("fig7", "the study exists already"), ("../x", "must be letters")]
 )
-def test_a_name_that_is_taken_or_none_is_refused(capsys, tmp_path, monkeypatch, name, reason):
+def test_existing_and_invalid_names_are_refused(capsys, tmp_path, monkeypatch, name, reason):
     monkeypatch.chdir(tmp_path)
     assert reason in refusal(capsys, "new", name)
     assert not list(tmp_path.iterdir())
@@ -114,7 +114,7 @@ def test_stores_are_merged_by_folder(capsys, results, tmp_path):
     assert "0 of 3 shards" in output(capsys, "merge", "other/store", "results/store")
 
 
-def test_what_holds_no_store_is_refused(capsys, results):
+def test_folders_without_a_store_are_refused(capsys, results):
     (results / "empty").mkdir()
     for command in (("verify", "results/empty"), ("merge", "results/empty", "results")):
         assert "holds no store of finished work" in refusal(capsys, *command)
@@ -152,5 +152,5 @@ def test_a_study_is_animated_without_its_comparisons(tmp_path):
         (["stability"], "stability: measures the program itself"),
     ],
 )
-def test_what_is_no_scene_is_refused_before_anything_is_computed(capsys, arguments, words):
+def test_invalid_scenes_are_refused_before_computation(capsys, arguments, words):
     assert words in refusal(capsys, "animate", *arguments)

@@ -70,7 +70,7 @@ def test_a_batch_stays_on_one_set_of_random_lines():
 
 
 @pytest.mark.parametrize("target", [1e-3, 1e-2, 0.1])
-def test_batches_last_about_as_long_as_asked(target):
+def test_batches_have_about_the_requested_length(target):
     for batch in cut_batches(PLAN, set(), target):
         together = batch.blocks == 1 and len({sharing(task) for task in batch.tasks}) == 1
         longest = 1.5 * target
@@ -96,7 +96,7 @@ def test_loads_that_share_sweeps_stay_together_unless_they_take_too_long():
     assert len(apart) == sum(len(variant.tasks) for variant in plan.variants)
 
 
-def test_what_cannot_be_cut_to_size_comes_first_and_longest_first():
+def test_long_pieces_come_first_and_the_longest_first():
     found = [batch.seconds for batch in cut_batches(PLAN, set(), 1e-9)]
     assert found == sorted(found, reverse=True) != sorted(found)
 

@@ -86,7 +86,7 @@ def test_an_accuracy_changes_steps_and_realizations_and_nothing_else():
     assert wanted.records > plain.records
 
 
-def test_a_rate_of_next_to_nothing_asks_for_nothing():
+def test_a_negligible_relaxation_requires_no_realizations():
     slow = Problem(0.7, 1000, 1.0, 0.1, 1.2)  # below 1e-3 of the jump relaxes
     fast = slow._replace(load=0.01, speed=30.0)
     asked = Scene()

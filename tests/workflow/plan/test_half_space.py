@@ -77,7 +77,7 @@ def sphere(side):
     return -0.5 * (x**2 + x.T**2)
 
 
-def test_the_shortest_wave_goes_with_the_wavelength_and_not_with_kinks_that_do_not_touch():
+def test_the_shortest_wave_follows_the_wavelength_and_ignores_kinks():
     x = 2.0 * np.pi * np.arange(64)[None, :] / 64
     waves = [0.01 * (np.cos(k * x) + np.cos(k * x.T)) for k in (2, 4)]
     assert wave_of(waves[0]) == pytest.approx(2.0 * wave_of(waves[1]), rel=0.05)
@@ -136,7 +136,7 @@ def test_a_plan_offers_a_coarser_and_a_finer_map():
     assert map_choices(small_plan()) == []
 
 
-def test_where_patches_are_small_the_jump_is_not_known():
+def test_the_jump_is_uncertain_for_small_patches():
     assert map_error("jump", 4, 100.0) < 0.05
     assert map_error("jump", 4, 4.0) > 0.3
     assert map_error("mu_1", 8, 4.0) == map_error("mu_1", 8, 100.0)

@@ -88,7 +88,7 @@ def test_study_and_comparison_do_not_share_keys():
     assert own.isdisjoint(compared)
 
 
-def test_a_measured_line_that_is_too_long_says_how_it_gets_shorter(monkeypatch):
+def test_a_measured_line_that_is_too_long_is_refused_with_a_remedy(monkeypatch):
     monkeypatch.setattr(goal, "MAX_SAMPLES_PER_LINE", 50)
     left_out = ("surface.length", "grid.hurst", "grid.spacing", "grid.roughness")
     text = without(*left_out, "study.realizations")

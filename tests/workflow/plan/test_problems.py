@@ -163,7 +163,7 @@ def test_a_pressure_acts_on_the_longest_wave_times_the_length(surface, longest):
     assert found == pytest.approx([2e4 * longest * 0.01, 4e4 * longest * 0.01], rel=1e-15)
 
 
-def test_on_a_half_space_a_pressure_acts_on_the_square_whatever_the_rolloff():
+def test_a_pressure_on_a_half_space_acts_on_the_square_for_any_rolloff():
     study = small_study("surface.rolloff=1e-3", "scene.body=half-space", text=PRESSED)
     assert study.grid["normal_force"] == pytest.approx([2.0, 4.0], rel=1e-15)
 
@@ -191,7 +191,7 @@ def test_a_pressure_on_a_measured_line_is_that_of_its_longest_wave(
     assert nominal_pressure(problem) * unit == pytest.approx(1e5, rel=1e-12)
 
 
-def test_bodies_that_are_compared_are_pressed_alike():
+def test_compared_bodies_have_the_same_pressure():
     rolled = ("surface.rolloff=1e-3", "scene.body=half-space")
     both = (*rolled, "compare.coarse.body=foundation")
     assert loads(*both, text=PRESSED) == pytest.approx(loads(*rolled, text=PRESSED), rel=1e-12)

@@ -52,47 +52,47 @@ CASES = {
         {"bias": 0.02, "mu_1": (1.0, 0.03), "rate": (2.0, 0.1)},
         (0.05 + 0.02, MET, (0.05 / 0.08) ** 2),
     ),
-    "what is short says by how much": ({"rate": (2.0, 0.4)}, (0.2, MISSED, 4.0)),
-    "realizations do not mend a bias": (
+    "a missed accuracy has a growth": ({"rate": (2.0, 0.4)}, (0.2, MISSED, 4.0)),
+    "realizations do not reduce a bias": (
         {"bias": 0.2, "mu_1": (1.0, 0.04), "rate": (1.0, 0.01)},
         (0.24, MISSED, 0.64),
     ),
-    "where nothing relaxes the rest is judged": (
+    "without relaxation the other estimates count": (
         {"rate": NAN, "status": NO_RELAXATION, "first": (1e-5, 1e-5)},
         (0.01, MET_WHERE_DEFINED, 0.01),
     ),
-    "a relaxation that may be there is not given up": (
+    "an uncertain relaxation still counts": (
         {"rate": NAN, "status": NO_RELAXATION, "first": (0.015, 0.03)},
         (np.inf, MISSED, np.inf),
     ),
     "noise": ({"rate": NAN, "status": UNDETERMINED}, (np.inf, MISSED, np.inf)),
-    "broken": ({"rate": NAN, "status": NOT_FINITE}, (np.inf, MISSED, 0.0)),
+    "not finite": ({"rate": NAN, "status": NOT_FINITE}, (np.inf, MISSED, 0.0)),
     "no exponential": ({"rate": NAN, "status": NOT_EXPONENTIAL}, (0.01, MET_WHERE_DEFINED, 0.01)),
-    "of few groups none is believed": (
+    "few groups do not show another shape": (
         {"rate": NAN, "status": NOT_EXPONENTIAL, "groups": 8},
         (np.inf, MISSED, np.inf),
     ),
     "an exact zero has no relative error": ({"mu_1": ZERO}, (0.01, MET_WHERE_DEFINED, 0.01)),
-    "a zero within its error": ({"mu_1": (0.0, 0.1)}, (np.inf, MISSED, np.inf)),
+    "a zero with an error": ({"mu_1": (0.0, 0.1)}, (np.inf, MISSED, np.inf)),
     "a negligible rate": (
         {"rate": (2.0, 1.0), "status": NEGLIGIBLE},
         (0.01, MET_WHERE_DEFINED, 0.01),
     ),
-    "of many groups the law has no say": ({"scatter": 9.0}, (0.01, MET, 0.01)),
-    "nor of eight": ({"scatter": 9.0, "groups": 8}, (0.01, MET, 0.01)),
-    "of seven it has": (
+    "the scatter law is not used for many groups": ({"scatter": 9.0}, (0.01, MET, 0.01)),
+    "nor for eight groups": ({"scatter": 9.0, "groups": 8}, (0.01, MET, 0.01)),
+    "the scatter law is used for seven groups": (
         {"scatter": 0.5, "groups": 7},  # (3 * 0.05^2 + 6 * 0.01^2)/9
         (0.03, MET, 0.09),
     ),
-    "two groups that agree by chance are not believed": (
+    "two groups that agree by chance": (
         {"groups": 2, "scatter": 2.0},  # (3 * 0.2^2 + 0.01^2)/4
         (np.sqrt(0.030025), MISSED, 3.0025),
     ),
-    "few groups that differ are, but call for little more": (
+    "few groups that differ need little more": (
         {"groups": 4, "scatter": 0.5, "mu_1": (1.0, 0.11)},  # (3 * 0.05^2 + 3 * 0.11^2)/6
         (0.11, MISSED, 1.0),
     ),
-    "what is met needs no excuse": ({"first": (1e-9, 1e-12)}, (0.01, MET, 0.01)),
+    "a met estimate is never undefined": ({"first": (1e-9, 1e-12)}, (0.01, MET, 0.01)),
 }
 
 
@@ -102,7 +102,7 @@ def test_accuracy_reached_status_and_growth(name):
     assert judge(**estimates) == pytest.approx(expected)
 
 
-def test_where_nothing_can_be_judged_nothing_is_reached():
+def test_the_accuracy_is_nan_without_relative_errors():
     freedom = np.array([31])
     estimates = {"jump": np.zeros(1), "jump_error": np.zeros(1), "degrees_of_freedom": freedom}
     goal = Goal(4, {"jump": 0.0}, {"jump": 0.1}, 9.0)
@@ -124,7 +124,7 @@ MAPS = (
 
 
 @pytest.mark.parametrize("more", [(), ("numerics.steps_per_spacing=4",)])
-def test_no_result_of_maps_says_met_beside_an_error_that_exceeds_the_accuracy(tmp_path, more):
+def test_a_met_accuracy_of_maps_is_at_least_the_error(tmp_path, more):
     """Patches of contact are smaller here than expected, so that the jump has a larger error."""
     data = run(tmp_path, f"numerics.accuracy={WANTED}", *MAPS, *more).load().squeeze()
     bias = {name: 0.0 if more else data[f"{name}_bias"] for name in ("mu_1", "jump")}

@@ -85,7 +85,7 @@ def test_amplitude_varies_as_the_curves_do():
     assert FOUND["amplitude_error"][0] == pytest.approx(error, rel=1e-4)
 
 
-def test_reduction_does_not_depend_on_the_company_of_a_task():
+def test_reduction_of_a_task_does_not_depend_on_other_tasks():
     alone = reduce_blocks(
         BLOCKS._replace(
             scalars=BLOCKS.scalars[1:2],
@@ -154,14 +154,14 @@ def test_each_task_has_a_bound_of_its_own():
     assert both["bias_bound"].tolist() == expected
 
 
-def test_rate_is_judged_by_the_contacts_that_were_found():
+def test_bias_of_the_rate_follows_the_measured_contacts():
     assert (
         resolved(samples=2.0)["relaxation_rate_bias"]
         > resolved(samples=50.0)["relaxation_rate_bias"]
     )
 
 
-def test_steps_that_are_given_have_the_bias_of_their_own_samples():
+def test_given_steps_have_the_bias_of_their_samples():
     light = PROBLEM._replace(load=1e-3, speed=100.0)
     given, chosen = (
         resolved(4, Numerics(steps_per_spacing=4), problem=light),
@@ -181,7 +181,7 @@ def test_no_law_is_known_for_lines_that_were_measured():
     assert np.isnan(resolved(problem=measured)["mu_1_bias"]).all()
 
 
-def test_when_a_trace_is_kept_has_an_error_only_where_it_differs_from_line_to_line():
+def test_sample_times_have_errors_only_if_they_differ_between_lines():
     count = len(STEADY_VARIANT.tasks)
     estimates = {"mu_1": np.ones(count), "samples_per_contact": np.full(count, 9.0)}
     estimates |= dict.fromkeys(("trace_time", "trace_velocity"), np.ones((count, 3)))

@@ -50,13 +50,13 @@ def test_amplitude_is_that_at_the_jump_not_at_the_first_sample():
     assert actual.amplitude[0] == pytest.approx(2.0)
 
 
-def test_window_ends_where_five_percent_are_left_or_with_the_curve():
+def test_window_ends_at_five_per_cent_or_with_the_curve():
     curve = np.exp(-2.0 * SHARE)
     assert fit(curve).window == SHARE[np.argmax(curve < 0.05)]
     assert fit(np.exp(-0.1 * SHARE)).window == SHARE[-1]
 
 
-def test_what_comes_after_the_window_plays_no_part():
+def test_samples_after_the_window_are_ignored():
     curve = np.exp(-2.0 * SHARE)
     tail = np.where(np.arange(63) > fit_window(curve), 0.04, 0.0)
     assert fit(curve + tail).rate[0] == fit(curve).rate[0]
@@ -97,7 +97,7 @@ def test_rounding_is_judged_against_the_slope():
 
 
 @pytest.mark.parametrize(("second", "status"), [(4e-19, UNDETERMINED), (2e-13, FITTED)])
-def test_what_is_gone_within_a_step_has_no_rate(second, status):
+def test_a_decay_within_a_step_has_no_rate(second, status):
     """At m = 8 and x = 0.03 a step lasts ten tau: a rate of 1.116 was fitted to rounding."""
     curve = np.array([2.4e-12, second, 2e-19, -1e-19])
     actual = fit(curve, np.array([9.4, 19.8, 30.2, 40.6]))
@@ -131,19 +131,19 @@ def assert_refused(deviation, status, time=SHARE):
 
 
 @pytest.mark.parametrize("name", REFUSED)
-def test_what_does_not_relax_has_a_status_and_no_number(name):
+def test_curves_without_relaxation_have_a_status_and_nan(name):
     assert_refused(*REFUSED[name])
 
 
 @pytest.mark.parametrize("value", [np.nan, np.inf, -np.inf])
 @pytest.mark.parametrize("place", [(0, 0), (0, 62), (3, 20)])
-def test_a_number_that_is_not_finite_is_said(value, place):
+def test_a_number_that_is_not_finite_has_a_status(value, place):
     deviation = np.tile(np.exp(-SHARE), (5, 1))
     deviation[place] = value
     assert_refused(deviation, NOT_FINITE)
 
 
-def test_quality_says_how_exponential_a_curve_is():
+def test_quality_is_lower_for_a_stretched_exponential():
     rough = fit(np.exp(-np.sqrt(4.0 * SHARE)))  # a stretched exponential
     assert rough.status == FITTED
     assert 0.9 < rough.quality < 0.999
@@ -159,7 +159,7 @@ def test_the_unit_of_friction_changes_no_bit_of_a_rate():
 
 
 @pytest.mark.parametrize(("noise", "status"), [(0.4, UNDETERMINED), (0.04, NOT_EXPONENTIAL)])
-def test_what_noise_can_leave_over_is_told_from_another_law(noise, status):
+def test_residuals_of_noise_differ_from_those_of_another_law(noise, status):
     """A wave has a quarter of the sum of squares: about 1.7 times the variance of the noise."""
     wave = np.where(np.arange(63) % 2 == 0, 1.6, 0.4)
     blocks = np.random.default_rng(5).standard_normal((20, 63))
@@ -168,7 +168,7 @@ def test_what_noise_can_leave_over_is_told_from_another_law(noise, status):
 
 
 @pytest.mark.parametrize("last", [-1.1e-6, 1e-13])
-def test_what_is_gone_within_a_sample_has_no_rate(last):
+def test_a_decay_within_a_sample_has_no_rate(last):
     """With steps of 8 tau only the first sample exceeds rounding; every rate above 1 fits it."""
     curves = 2.3e-4 * (1.0 + 0.05 * np.random.default_rng(1).standard_normal((16, 1)))
     deviation = np.hstack([curves, last * curves / 2.3e-4, 1e-13 * curves])
@@ -209,7 +209,7 @@ def test_fewer_than_three_abscissae_give_no_number_and_no_bias(x):
     assert law.alpha.shape == (5,)
 
 
-def test_biases_of_exponents_are_what_rates_that_are_all_off_give():
+def test_biases_of_exponents_are_those_of_biased_rates():
     """Rates are too large everywhere, then too large for large x and too small for small x."""
     law = fit_power_law(X, columns(1.1 * X**0.3), OFF)
     assert law.alpha[0] == pytest.approx(0.3 + law.alpha_bias)

@@ -100,7 +100,7 @@ def test_padded_replicates_have_the_same_estimate_and_error(own, more):
     np.testing.assert_allclose(standard_error(actual, 1), standard_error(values, 1), rtol=1e-12)
 
 
-def test_the_error_of_a_sum_knows_the_blocks_that_its_parts_have_in_common():
+def test_the_error_of_a_sum_includes_common_blocks():
     """One mean over 4 blocks and one over 16, the first 4 of them the same."""
     rng = np.random.default_rng(3)
     actual = []
@@ -112,11 +112,11 @@ def test_the_error_of_a_sum_knows_the_blocks_that_its_parts_have_in_common():
     assert np.mean(actual) == pytest.approx(expected, rel=0.05)
 
 
-def test_of_one_block_nothing_is_padded():
+def test_a_single_block_is_not_padded():
     assert padded(np.ones((2, 1)), 32).shape == (2, 1)
 
 
 @pytest.mark.parametrize("count", [32, 40, 64, 96])
-def test_what_is_equal_in_all_blocks_is_so_in_all_groups(count):
+def test_values_equal_in_all_blocks_are_equal_in_all_groups(count):
     actual = grouped_means(np.full((count, 2), [0.1, np.nan]), 32)
     np.testing.assert_array_equal(actual, np.full((32, 2), [0.1, np.nan]))

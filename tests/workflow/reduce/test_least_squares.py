@@ -41,7 +41,7 @@ def test_noisy_curves_are_fitted_as_by_an_independent_solver():
         assert (p[0], np.exp(p[1])) == pytest.approx(tuple(expected), rel=1e-6)
 
 
-def test_a_row_does_not_depend_on_its_company():
+def test_a_row_does_not_depend_on_other_rows():
     curves, start = decaying(8), np.array([1.0, 0.0])
     together = fit_curves(one_exponential, TIME, curves, start)
     for row in range(8):
@@ -86,7 +86,7 @@ def test_noisy_decays_are_fitted_as_by_an_independent_solver(offset, late):
 
 
 @pytest.mark.parametrize("offset", [False, True])
-def test_a_row_does_not_depend_on_its_company_nor_on_its_unit(offset):
+def test_a_row_does_not_depend_on_other_rows_or_its_unit(offset):
     """To the bit, for units that are powers of two."""
     curves = decaying(8, 0.2 * offset, size=0.1)
     actual = fit_decays(TIME, curves, EVEN, np.ones(8), offset)
@@ -97,7 +97,7 @@ def test_a_row_does_not_depend_on_its_company_nor_on_its_unit(offset):
     np.testing.assert_array_equal(larger, actual * [2.0**30, 1.0])
 
 
-def test_what_no_decay_describes_ends_without_a_word():
+def test_curves_without_a_decay_end_without_warnings():
     """A rising curve, noise, a single nonzero sample, zeros, and NaN as the initial rate."""
     rng = np.random.default_rng(2)
     spike = np.eye(1, TIME.size)[0]

@@ -47,7 +47,7 @@ TRUTH = {
 
 @pytest.mark.parametrize("model", TRUTH)
 @pytest.mark.parametrize("start", [1.3, 0.1, 30.0])
-def test_coefficients_are_found_wherever_the_search_starts(model, start):
+def test_coefficients_do_not_depend_on_the_initial_guess(model, start):
     actual = compared(CURVES[model], rate=start)
     assert actual.best == model
     for name, truth in TRUTH[model].items():
@@ -58,7 +58,7 @@ def test_coefficients_are_found_wherever_the_search_starts(model, start):
     assert max(actual.gain_stretched[0], actual.gain_two_exponentials[0]) > 0.1
 
 
-def test_coefficients_that_mean_nothing_are_no_numbers():
+def test_meaningless_coefficients_are_nan():
     actual = compared(CURVES[EXPONENTIAL])
     assert np.isnan([*actual.stretched_rate, *actual.stretched_exponent]).all()
     assert np.isnan([*actual.fast_rate, *actual.slow_rate, *actual.fast_share]).all()

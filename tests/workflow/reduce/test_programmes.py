@@ -58,7 +58,7 @@ def test_the_last_hold_that_is_slid_after_counts():
 
 
 @pytest.mark.parametrize("programme", [(Slide(1.0, 1.0),), (Hold(1.0), Hold(1.0))])
-def test_without_such_a_hold_there_is_nothing(programme):
+def test_healing_is_nan_without_a_hold_before_a_slide(programme):
     assert np.isnan(healing(programme, *HOLD_TRACES)).all()
 
 
@@ -91,7 +91,7 @@ def test_work_is_that_of_a_force_along_the_whole_way():
     assert actual.loop_work == pytest.approx([0.75, 0.75])  # force times mean speed times period
 
 
-def test_without_an_oscillation_or_samples_there_is_nothing():
+def test_the_loop_is_nan_without_oscillation_or_samples():
     time, phase = cycles(16)
     assert np.isnan(loop(SWINGING[:2], time[None], phase[None], phase[None])).all()
     assert np.isnan(loop(SWINGING, time[None, :5], phase[None, :5], phase[None, :5])).all()
@@ -130,7 +130,7 @@ def test_the_balance_is_taken_at_the_last_sample_that_is_there():
     assert estimates["trace_segment"].tolist() == [[0, 0, 0, 0, -1]]
 
 
-def test_traces_are_means_with_errors_and_nothing_else_is_there():
+def test_traces_are_means_with_errors_and_only_on_request():
     estimates = {}
     trace = np.broadcast_to(TIME[:, None, :], (1, 3, EVENTS))
     reduce_programmes(estimates, blocks(("steady",), trace_mu=trace))
@@ -140,7 +140,7 @@ def test_traces_are_means_with_errors_and_nothing_else_is_there():
     assert (estimates["trace_mu_error"][0, :4] > 0.0).all()
 
 
-def test_when_and_where_is_exact_where_all_lines_move_alike_and_else_a_mean_with_its_error():
+def test_times_and_positions_are_exact_for_equal_motions_else_means_with_errors():
     parts = dict.fromkeys(TRACES, np.zeros((1, 3, EVENTS)))
     slower = MOVED["trace_velocity"] - np.array([0.0, 0.1, 0.2])[:, None]
     estimates = {}

@@ -48,7 +48,7 @@ def test_constants_are_recovered_within_their_errors(law, ratio):
     assert actual.residual < 0.06
 
 
-def test_without_noise_they_are_exact_also_of_one_line_and_where_b_is_negative():
+def test_constants_without_noise_are_exact_for_one_line_and_negative_b():
     for b in (B, -B):
         curve = deviation("ruina", 2.0, b)[None]
         change = np.array([(A - b) * math.log(2.0)])
@@ -80,7 +80,7 @@ def test_no_state_where_b_is_noise(law):
     assert np.isnan(actual.dc).all()
 
 
-def test_what_has_no_step_no_numbers_or_no_samples_is_said():
+def test_missing_steps_numbers_and_samples_have_a_status():
     curve, change = np.ones((3, DISTANCE.size)), np.zeros(3)
     assert fit_rate_state(DISTANCE, curve, change, 1.0, "ruina").status == NO_STATE
     assert fit_rate_state(DISTANCE, curve, change, -1.0, "ruina").status == NO_STATE

@@ -70,7 +70,7 @@ def test_no_file_is_left_beside_the_animation(path):
         ("scene.mp4", [], "needs the program ffmpeg"),
     ],
 )
-def test_what_cannot_be_drawn_is_refused(monkeypatch, file, missing, words):
+def test_scenes_that_cannot_be_drawn_are_refused(monkeypatch, file, missing, words):
     monkeypatch.setenv("PATH", "")
     with pytest.raises(UserError, match=words):
         animate(sliding_scene().drop_vars(missing), Path(file))

@@ -81,7 +81,7 @@ def partly():
     )
 
 
-def test_points_that_are_coarse_or_unresolved_are_found_if_the_result_says_so(partly):
+def test_the_mask_of_unresolved_points_follows_the_status(partly):
     assert not_resolved(partly).tolist() == [[True, True, False, False], [False] * 4]
     assert not not_resolved(partly.drop_vars("resolution_status")).any()
     assert not_resolved(xr.Dataset()).shape == ()
@@ -97,7 +97,7 @@ def test_unresolved_points_are_as_if_they_had_failed(partly):
     assert kept.alpha.values.tolist() == [1.0, 1.0]  # of all velocities
 
 
-def test_a_result_that_is_resolved_or_does_not_say_is_left_as_it_is(partly):
+def test_results_without_unresolved_points_or_status_are_unchanged(partly):
     for same in (partly.drop_vars("resolution_status"), partly.isel(hurst=[1])):
         assert without_unresolved(same) == (same, 0)
 
@@ -138,7 +138,7 @@ def test_exponents_and_the_units_of_columns_are_tables_of_their_own(shown, finis
     assert message.meaning["jump"] == "instantaneous jump of the coefficient of friction"
 
 
-def test_a_measured_study_without_a_table_says_so(powers, tmp_path):
+def test_a_measured_study_without_a_table_is_refused(powers, tmp_path):
     measure = powers / "measure.py"
     measure.write_text(measure.read_text().partition("def table")[0])
     with pytest.raises(UserError, match=r"^study 'powers': has no table$"):

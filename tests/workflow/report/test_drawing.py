@@ -39,7 +39,7 @@ def test_bars_are_symmetric_in_the_logarithm_and_at_most_a_decade():
     assert (value + above)[2] == pytest.approx(50.0)
 
 
-def test_the_foot_says_how_large_the_study_was():
+def test_the_caption_states_size_and_seed():
     figure = Figure(figsize=(8.0, 3.0))
     foot_line(figure, result("fig7"), "And a note.")
     assert figure.get_label() == (
@@ -82,7 +82,7 @@ def test_points_that_are_not_resolved_are_drawn_as_rings_of_their_colour(points)
     assert rings(filled) == []
 
 
-def test_a_legend_says_what_hollow_markers_are_and_how_many(points):
+def test_a_legend_and_the_caption_explain_hollow_markers(points):
     figure, ax = plt.subplots(layout="constrained")
     error_bars(ax, points, "rms_slope", "velocity", fmt="s")
     foot_line(figure, points)
@@ -111,7 +111,7 @@ def ax():
     return figure.add_axes((0.0, 0.0, 1.0, 1.0), xlim=(0.0, 1.0), ylim=(0.0, 1.0))
 
 
-def test_points_are_where_they_are_drawn_and_say_what_they_are(ax, over_velocity):
+def test_hover_points_have_the_places_and_values_of_drawn_points(ax, over_velocity):
     over_velocity = over_velocity.assign(
         share=0.5 + 0.0 * over_velocity.rms_slope, share_error=0.1 + 0 * over_velocity.rms_slope
     )
@@ -159,7 +159,7 @@ def test_estimates_are_drawn_over_the_longest_axis_with_a_colour_for_the_next_an
     assert [text.get_text() for text in legend.get_texts()] == ["H = 0.3", "H = 0.5", "H = 0.7"]
 
 
-def test_of_more_places_than_rows_the_caption_says_how_many_are_drawn():
+def test_the_caption_states_how_many_places_are_drawn():
     data = xr.concat(
         [estimates().assign_coords(temperature=t) for t in (0.0, 20.0, 60.0)], "temperature"
     )
@@ -183,7 +183,7 @@ def test_a_single_point_has_its_curve_alone_and_its_numbers_in_the_caption():
     assert "Estimates: µ₁ = " in figure.get_label()
 
 
-def test_traces_that_are_not_resolved_are_dotted_and_the_caption_says_so():
+def test_unresolved_traces_are_dotted_and_counted_in_the_caption():
     data = result("fig7", hurst=[0.7], normal_force=[0.1, 1.0], velocity=[0.1])
     shape = tuple(data.sizes[axis] for axis in COMMON_AXES)
     trace = np.full((*shape, 4), [0.1, 0.2, 0.3, 0.2])
@@ -260,7 +260,7 @@ def test_the_same_result_gives_the_same_figure_as_png_and_pdf(capsys, shown):
     ],
     ids=["without draw", "broken"],
 )
-def test_a_script_that_cannot_draw_says_why_and_leaves_no_figure_open(capsys, shown, script, said):
+def test_a_script_that_cannot_draw_is_refused_and_its_figures_closed(capsys, shown, script, said):
     (shown / "figure.py").write_text(script)
     assert f"{shown}/{said}" in assert_refused(capsys, "figure", shown)
     assert plt.get_fignums() == []
@@ -274,7 +274,7 @@ def test_a_study_without_a_script_has_the_usual_figure(capsys, shown):
     assert b" over sliding velocity" in (shown / "small.png").read_bytes()
 
 
-def test_a_script_that_is_asked_for_draws_instead(capsys, shown, tmp_path):
+def test_a_given_script_draws_instead(capsys, shown, tmp_path):
     script = tmp_path / "mine.py"
     script.write_text((shown / "figure.py").read_text().replace(".plot(", ".hist("))
     call(capsys, "figure", shown)

@@ -252,7 +252,7 @@ def test_measured_lines_are_scaled_without_the_kinetic_law(data):
     assert "need a Hurst exponent" in lines["without_steps"]
 
 
-def test_what_is_not_scaled_has_a_sentence(data):
+def test_results_that_cannot_be_scaled_have_a_reason(data):
     assert len(one_rubber(data)["curves"]) == 6
     unknown = data.copy(deep=True)
     unknown.mu_1[{"hurst": 0, "normal_force": 0, "velocity": 2}] = np.nan

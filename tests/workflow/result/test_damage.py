@@ -76,7 +76,7 @@ def test_a_result_without_an_axis_is_refused(capsys, shown):
         assert "it lacks axis velocity" in assert_refused(capsys, command, shown)
 
 
-def test_a_result_of_an_older_program_without_a_variable_says_so(capsys, shown):
+def test_a_result_of_an_older_program_without_a_variable_is_refused(capsys, shown):
     rewritten(shown, lambda dataset: dataset.drop_vars("mu_1").assign_attrs(code="0123"))
     before = contents(shown)
     status, out, err = call(capsys, "figure", shown)

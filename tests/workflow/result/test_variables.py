@@ -117,7 +117,7 @@ def test_the_page_explains_every_variable_once_and_every_dimension():
 
 
 @pytest.mark.parametrize("name", VARIABLES)
-def test_an_entry_begins_with_dimensions_and_unit_and_says_a_sentence(name):
+def test_an_entry_begins_with_dimensions_unit_and_a_sentence(name):
     variable = VARIABLES[name]
     of_grid = set(COMMON_AXES) <= set(variable.dims)
     dims = ["Grid"] * of_grid + [
@@ -131,7 +131,7 @@ def test_an_entry_begins_with_dimensions_and_unit_and_says_a_sentence(name):
 
 
 @pytest.mark.parametrize("name", FLAGS)
-def test_an_entry_says_what_flags_mean_or_where_that_is_said(name):
+def test_an_entry_explains_flags_or_refers_to_another(name):
     other = re.search(r"\nIts flags are those of \[`(\w+)`\]\(#\1\)\.$", ENTRIES[name])
     if other:
         assert FLAGS[other[1]] == FLAGS[name]

@@ -76,7 +76,7 @@ def test_everything_is_in_si(stepped):
     assert stepped["time"].attrs["units"] == stepped.peak_time.attrs["units"] == "s"
 
 
-def test_friction_rises_at_the_rate_that_is_told_and_peaks(stepped):
+def test_friction_rises_at_the_initial_rate_and_peaks(stepped):
     assert float(stepped.peak) > 0.0
     assert 0.0 < float(stepped.peak_time) < 1e-3
     assert float(stepped.initial_rate) > 0.0
@@ -138,7 +138,7 @@ ENDLESS.append(ENDLESS)
 PULLED = {"programme": [PULL], "drive": {"stiffness": 1e4}}
 
 
-def test_an_array_without_dimensions_is_a_number_and_a_mask_that_hides_nothing_is_none():
+def test_arrays_without_dimensions_and_empty_masks_are_plain_values():
     given = {
         "profile": np.ma.array(heights(), mask=False),
         "length": np.array(LENGTH),
@@ -149,7 +149,7 @@ def test_an_array_without_dimensions_is_a_number_and_a_mask_that_hides_nothing_i
     assert run(**given).identical(run(material=KELVIN, body="foundation"))
 
 
-def test_arrays_of_xarray_are_arrays_and_persson_is_asked_of_a_profile():
+def test_arrays_of_xarray_are_accepted_and_profiles_have_persson():
     own = {"time": xr.DataArray([0.0, 5e-4]), "velocity": xr.DataArray([0.1, 0.2])}
     other = {name: values.values for name, values in own.items()}
     asked = {"quantities": ["steady", "persson", "trace"]}
@@ -201,7 +201,7 @@ def test_arrays_of_xarray_are_arrays_and_persson_is_asked_of_a_profile():
         (PULLED | {"quantities": ["trace", "state"]}, '"state": is not available for a line'),
     ],
 )
-def test_what_cannot_be_meant_is_refused_in_one_line(changed, words):
+def test_invalid_arguments_are_refused_in_one_line(changed, words):
     with pytest.raises(UserError) as error:
         run(**changed)
     assert words in str(error.value)
@@ -250,6 +250,6 @@ def test_two_halves_are_the_whole_to_the_bit(first):
         ({"state": xr.Dataset()}, 'state: state_memory is missing; request the quantity "state"'),
     ],
 )
-def test_a_state_of_another_scene_or_none_is_refused(first, changed, words):
+def test_a_state_of_another_scene_and_a_missing_state_are_refused(first, changed, words):
     with pytest.raises(UserError, match=words):
         run(slide(), **(ASKED | {"state": first} | changed))

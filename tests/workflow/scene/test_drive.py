@@ -28,7 +28,7 @@ def test_from_rest_the_spring_is_stretched_at_the_drives_velocity():
     assert float(actual.trace_drive_force[0]) == 0.0
 
 
-def test_a_heavy_slider_gathers_way_as_newton_says():
+def test_a_heavy_slider_accelerates_by_the_net_force():
     """The impulse of drive less friction is its momentum, all in SI."""
     mass = 0.05
     actual = pulled(2e4, start="relaxed", mass=mass)
@@ -72,7 +72,7 @@ def test_a_machine_per_normal_force_is_scaled_to_that_of_each_point():
     assert drives(scaled, 2.0, 3.0) == expected
 
 
-def test_sticking_and_slipping_is_told_by_swing_period_and_velocity():
+def test_steady_pulling_has_no_swing_and_no_slip_period():
     actual = pulled(
         1e9,
         {"pull": {"velocity": VELOCITY, "distance": 64 * LENGTH / N}},
@@ -132,7 +132,7 @@ def test_a_trace_of_every_step_holds_those_of_a_slip_and_energies_that_balance()
     assert abs(float(actual.balance_residual)) < 1e-3
 
 
-def test_when_a_slider_turns_is_a_list_in_seconds():
+def test_times_of_reversals_are_in_seconds():
     back = {"pull": {"velocity": -VELOCITY, "distance": 32 * LENGTH / N}}
     there = PULL["pull"]["distance"] / VELOCITY
     actual = pulled(1e9, PULL, back, quantities=("trace", "slip_events"), start="relaxed")

@@ -42,7 +42,7 @@ def test_a_trace_under_a_very_light_load_is_unresolved_and_is_wrong(material):
 
 @pytest.mark.parametrize("material", [*BRANCHES, "kelvin"])
 @pytest.mark.parametrize("load", [1e-4, 1e-2])
-def test_what_is_resolved_keeps_its_bias_which_is_less_than_two_per_cent(material, load):
+def test_errors_of_resolved_traces_are_within_the_bias_below_two_per_cent(material, load):
     actual = traced(load, 8, material)
     assert actual.trace_resolution_status == RESOLVED
     assert actual.trace_samples_per_contact.min() >= 4.0
@@ -50,7 +50,7 @@ def test_what_is_resolved_keeps_its_bias_which_is_less_than_two_per_cent(materia
 
 
 @pytest.mark.parametrize("material", ["fast", "both", "kelvin"])
-def test_a_branch_far_faster_than_a_step_is_coarse_at_few_steps_whatever_the_others_are(material):
+def test_a_branch_far_faster_than_a_step_is_coarse_at_few_steps(material):
     """A dashpot behaves alike: its friction is off by 3 % at m = 4."""
     actual = traced(1e-2, 4, material)
     assert actual.trace_resolution_status == COARSE

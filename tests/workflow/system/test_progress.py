@@ -106,7 +106,7 @@ def compile_one():
     one(1.0)
 
 
-def test_it_is_said_once_and_only_where_something_is_compiled(saying, capsys):
+def test_compilation_is_announced_once(saying, capsys):
     with saying():
         assert capsys.readouterr().err == ""
         compile_one()
@@ -117,7 +117,7 @@ def test_it_is_said_once_and_only_where_something_is_compiled(saying, capsys):
     assert capsys.readouterr().err == ""
 
 
-def test_waiting_for_another_process_is_said_unless_this_one_compiles_too(saying, capsys):
+def test_waiting_for_another_process_is_announced_before_compilation(saying, capsys):
     with saying():
         for _ in range(2):
             with event.trigger_event("waiting"):

@@ -79,7 +79,7 @@ def test_page_says_where_a_result_comes_from(page):
     assert "2·10<sup>−6</sup>" in page
 
 
-def test_a_heading_says_at_which_scale_and_how_large_a_study_was(page):
+def test_a_heading_states_scale_and_realizations(page):
     actual = re.findall(r'<h2 id="fig\d">(.+?) <span class="extent">(.*?)</span></h2>', page)
     assert [extent for _, extent in actual] == ["default scale, 10 realizations"] * len(REPORTED)
     assert "Jump and steady friction over velocity for many normal forces" in actual[0][0]
@@ -129,7 +129,7 @@ def test_the_report_of_an_own_study_is_about_that_study(capsys, tmp_path, monkey
     assert (tmp_path / "mine.html").is_file()
 
 
-def test_smoke_data_wear_a_banner_whatever_their_file_is_called(tmp_path):
+def test_smoke_data_have_a_banner_for_any_file_name(tmp_path):
     write_bare(tmp_path, "fig6", study=read_study("fig6", "smoke").text)
     write_bare(tmp_path, "fig5")
     page = written(tmp_path, "fig5", "fig6")
@@ -143,7 +143,7 @@ def test_smoke_data_wear_a_banner_whatever_their_file_is_called(tmp_path):
     assert 'id="smoke"' not in page
 
 
-def test_a_point_that_was_drawn_says_its_value_and_error(tmp_path):
+def test_a_drawn_point_has_a_text_of_its_value_and_error(tmp_path):
     data = result("fig5", hurst=[0.7])
     v = xr.DataArray(data.velocity.values, dims="velocity")
     data = add(data, mu_1=v, mu_2=1.2 * v, jump=0.2 * v)
@@ -244,7 +244,7 @@ def test_realizations_that_differ_are_a_range(tmp_path):
     assert shown["files"] == ["fig6.nc", "fig6.csv", "fig6-columns.csv"]
 
 
-def test_a_study_whose_table_cannot_be_made_says_so(tmp_path, monkeypatch):
+def test_a_study_whose_table_cannot_be_made_has_a_message(tmp_path, monkeypatch):
     def refuse(*_):
         raise UserError("there is no disk")
 
@@ -254,7 +254,7 @@ def test_a_study_whose_table_cannot_be_made_says_so(tmp_path, monkeypatch):
     assert shown["files"] == ["fig6.nc"]
 
 
-def test_a_result_that_is_not_as_a_run_wrote_it_says_so(tmp_path):
+def test_a_result_that_was_changed_has_a_note(tmp_path):
     (tmp_path / "fig6.nc").write_bytes(b"edited")
     (tmp_path / "store").mkdir()
     journal.append(tmp_path / "store", [{"result": "fig6.nc", "digest": "0"}])
