@@ -141,3 +141,17 @@ def test_a_scheduler_that_is_there_is_used_with_a_warning_where_anyone_may(sched
         assert len(client.nthreads()) == 2
     (line,) = capsys.readouterr().err.splitlines()
     assert line.startswith(f"warning: --scheduler {scheduler}: neither encrypted nor authentic")
+
+
+def test_a_client_whose_scheduler_does_not_answer_counts_as_closed(scheduler, monkeypatch):
+    """As one that is garbage-collected open may deadlock."""
+    close = Client.close
+
+    async def unanswered(self, timeout):
+        await close(self, timeout)
+        self.status = "closing"
+        raise TimeoutError
+
+    with open_client(Cluster(scheduler)) as client:
+        monkeypatch.setattr(Client, "close", unanswered)
+    assert client.status == "closed"

@@ -108,6 +108,11 @@ def test_the_forged_shards_are_sound_without_their_faults():
     assert contents.records == [("01" * 16, 0), ("01" * 16, 1)]
 
 
+def test_equal_records_give_the_bytes_that_earlier_versions_gave():
+    arrays = SOUND | {"scalars": np.ones((2, 3))}
+    assert digest(shard.packed(arrays)) == "4e47aac4d471605408c8e3745909a649"
+
+
 @pytest.mark.parametrize("content", FORGED.values(), ids=FORGED)
 def test_a_forged_shard_is_refused_within_memory_in_proportion_to_its_bytes(content):
     tracemalloc.start()
