@@ -119,7 +119,9 @@ def test_a_submission_that_fails_is_one_line(tmp_path, monkeypatch, sbatch, refu
 
 
 def test_an_interface_that_is_not_there_is_named(tmp_path):
-    given = read_cluster(CLUSTER | {"interface": "no-such0", "log_folder": str(tmp_path)})
+    logs = tmp_path / "new" / "logs"
+    given = read_cluster(CLUSTER | {"interface": "no-such0", "log_folder": str(logs)})
     refusal = r"cluster\.interface = 'no-such0': .* from .*lo"
     with pytest.raises(UserError, match=refusal), slurm.job_cluster(None, given):
         pass
+    assert list(logs.iterdir()) == []  # the folder was made, and its key is gone

@@ -7,8 +7,9 @@ from threading import Event
 
 import pytest
 from distributed.comm import CommClosedError
+from distributed.scheduler import KilledWorker
 
-from elastomer_friction.workflow.cluster import Call, ResultLost
+from elastomer_friction.workflow.cluster import Call, ResultLost, WorkerDied
 from elastomer_friction.workflow.cluster import pool as module
 from elastomer_friction.workflow.cluster.pool import Pool
 from elastomer_friction.workflow.ground import UserError
@@ -138,3 +139,9 @@ def test_a_scheduler_that_is_lost_while_it_is_asked_is_reported(client, monkeypa
     monkeypatch.setattr(pool, "_scheduler", Lost())
     with pytest.raises(UserError, match="the scheduler was lost; run again to resume"):
         pool.request_snapshot().result(PATIENCE)
+
+
+def test_a_call_that_killed_its_workers_says_how_many():
+    died = module._meaning(None, KilledWorker("march-1", None, 3))
+    assert isinstance(died, WorkerDied)
+    assert (died.deaths, str(died)) == (4, "4 different workers died")

@@ -39,6 +39,14 @@ def test_no_page_is_served_unless_it_is_asked_for(tmp_path):
     assert options == {"dashboard": False, "dashboard_address": "127.0.0.1:0"}
 
 
+def test_only_jobs_have_their_files_quoted_for_a_command_line(tmp_path):
+    folder = tmp_path / "a b"
+    folder.mkdir()
+    for how, expected in (({}, f"{folder}/run.pem"), ({"quoted": True}, f"'{folder}/run.pem'")):
+        config = new_security(str(folder), **how).get_tls_config_for_role("worker")
+        assert {config[f"tls_{part}"] for part in ("ca_file", "cert", "key")} == {expected}
+
+
 def test_a_clock_that_is_set_back_leaves_our_certificate_valid(files):
     certificate = x509.load_pem_x509_certificate(Path(files["tls_cert"]).read_bytes())
     day = timedelta(days=1)

@@ -1,12 +1,14 @@
 """What a worker does with a batch: the numbers of the driver, or a refusal."""
 
 import asyncio
+from types import SimpleNamespace
 
 import dask
 import pytest
 
 from elastomer_friction.workflow.cluster import client as client_module
 from elastomer_friction.workflow.cluster.client import SCHEDULER_PACKAGES, open_client
+from elastomer_friction.workflow.cluster.worker import forget_tasks
 from elastomer_friction.workflow.ground import UserError
 from elastomer_friction.workflow.run.workers import run_batch
 from elastomer_friction.workflow.simulate.realizations import block_means
@@ -29,6 +31,12 @@ def test_a_batch_on_a_worker_gives_the_bits_of_the_driver(client):
 def test_a_worker_that_runs_something_else_computes_nothing():
     with pytest.raises(UserError, match="must have the versions of the driver"):
         run_batch(BATCH, {"numpy": "0.1"})
+
+
+def test_a_scheduler_forgets_how_to_compute_only_what_is_computed():
+    tasks = {state: SimpleNamespace(state=state, run_spec=1) for state in ("memory", "processing")}
+    forget_tasks(["gone", *tasks], SimpleNamespace(tasks=tasks))
+    assert [task.run_spec for task in tasks.values()] == [None, 1]
 
 
 def test_a_scheduler_of_other_versions_is_refused_before_a_client_connects(scheduler, monkeypatch):
