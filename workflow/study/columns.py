@@ -28,7 +28,7 @@ import numpy as np
 from ..ground import UserError, counted
 from ..text_tables import (
     MAX_TITLE_LINES,
-    TITLE_PATTERNS,
+    UNIT_MARK,
     UNREAD_NAME,
     TextTable,
     Title,
@@ -53,7 +53,7 @@ NAME_WORDS_TEXT = (
     "velocity vertical x y z \u03b4"
 )
 NAME_WORDS = frozenset(NAME_WORDS_TEXT.split())
-MARK = re.compile("|".join(pattern.separator for pattern in TITLE_PATTERNS[:4]))
+MARK = re.compile(UNIT_MARK)
 
 
 class ColumnSpec(NamedTuple):

@@ -6,7 +6,7 @@ Example: columns w, G', G'', G', G'' under a line with 20 °C and 40 °C above t
 from collections.abc import Sequence
 
 from ..ground import UserError
-from ..text_tables import TextTable, is_numeral, split, table_of_text, unit_of
+from ..text_tables import TextTable, is_numeral, split, unit_of
 from .columns import ColumnSpec
 from .sweeps import temperature_in
 
@@ -59,10 +59,10 @@ def _unfolded(table: TextTable, sweeps: Sequence[Sequence[int]], heads: Sequence
     rows = [table.row(n) for n in range(len(table.lines))]
     blocks = ["\n".join("\t".join(row[n] for n in sweep) for row in rows) for sweep in sweeps]
     text = "\n".join(f"# {head}\n{block}" for head, block in zip(heads, blocks, strict=True))
-    unfolded = table_of_text(table.key, table.name, text)
+    unfolded = TextTable(table.key, table.name, text)
     if len(unfolded.lines) == len(sweeps) * len(rows):
         unfolded.lines = table.lines * len(sweeps)
     unfolded.marks = table.marks
     unfolded.titles = tuple(table.title(n) for n in sweeps[0])
-    unfolded.above, unfolded.unread = (*table.above, heads[0]), table.unread
+    unfolded.gaps[0], unfolded.unread = (*table.above, heads[0]), table.unread
     return unfolded

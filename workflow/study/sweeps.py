@@ -45,7 +45,7 @@ def temperatures_of(
     elif (named := _temperature_column(table)) is not None:
         per_row, source = _sweep_means(table, named), f"temperatures: column {named.number}"
     else:
-        headed = [temperature_in(table.block_header(n)) for n in range(len(blocks))]
+        headed = [temperature_in(table.gaps.get(block.start, ())) for block in blocks]
         if len(blocks) < 2 or None in headed:
             return None, []
         per_row = _over_rows([t for t in headed if t is not None], blocks)

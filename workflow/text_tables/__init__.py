@@ -9,9 +9,9 @@ from ..ground import public_names
 
 if TYPE_CHECKING:
     from .cells import split
-    from .headers import MAX_TITLE_LINES, TITLE_PATTERNS, UNREAD_NAME, Title, contains_unit
+    from .headers import MAX_TITLE_LINES, UNIT_MARK, UNREAD_NAME, Title, contains_unit
     from .numerals import NUMERAL_TEXT, is_numeral
-    from .text_table import TextTable, read_text_table, table_of_text
+    from .text_table import TextTable, read_text_table
     from .units import ZERO, Unit, unit_of
 
 __all__, __getattr__, __dir__ = public_names(__name__, __file__)

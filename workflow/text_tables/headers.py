@@ -1,9 +1,9 @@
-"""Names and units of columns, recognised by two tables of patterns.
+"""Names and units of columns, recognised by patterns.
 
-One of LINE_PATTERNS divides a line above the rows into one title per column. One of TITLE_PATTERNS
-divides a title into name and unit. A line is unread if no pattern divides it, if two patterns
-divide it differently, or if it holds a unit that belongs to no column. Below an unread line,
-columns without a unit are refused.
+One of LINE_SEPARATORS divides a line above the rows into one title per column. SEPARATOR, or
+brackets, divide a title into name and unit. A line is unread if no pattern divides it, if two
+patterns divide it differently, or if it holds a unit that belongs to no column. Below an unread
+line, columns without a unit are refused.
 """
 
 import re
@@ -11,7 +11,7 @@ from collections.abc import Sequence
 from itertools import pairwise
 from typing import NamedTuple
 
-from .cells import MAX_TITLE_CHARACTERS, is_comment, split
+from .cells import MAX_TITLE_CHARACTERS, Cells, is_comment, split
 from .numerals import NUMERAL_TEXT, is_numeral
 from .units import unit_of
 
@@ -19,44 +19,21 @@ MAX_TITLE_LINES = 4  # lines above the rows that may hold titles
 UNREAD_NAME = "?"  # stands for names in an unread line
 
 
-class HeaderPattern(NamedTuple):
-    """A way to separate two titles, or a name and its unit."""
-
-    separator: str  # regular expression
-    example: str
-    meaning: str
-    stated: bool = True  # whether it marks a unit; otherwise the unit may be a word of the name
-
-
 # Separators of titles, in lines without the delimiter of the rows.
-LINE_PATTERNS = (
-    HeaderPattern(r'"[\s;,|]*"', '"x" "z"', "titles in quotes"),
-    HeaderPattern(r"\t+|\s{2,}", "Test time  v [mm/s]", "two blanks or more between titles"),
-    HeaderPattern(r"\|", "x [mm] | z [um]", "bars between titles"),
-    HeaderPattern(r";", "x [mm]; z [um]", "semicolons between titles"),
-    HeaderPattern(r",", "x [mm], z [um]", "commas between titles"),
-    HeaderPattern(
-        r"(?<=[\])>}])(?<!\([twfx]\))\s+(?![\[(<{])",
-        "Raw x [mm] Raw z [um]",
-        "a bracket ends each title",
-    ),
-    HeaderPattern(
-        r"(?<!\s/)(?<!\sin)(?<!\s)\s++(?!/\s|in\s|[\[(<{])(?![^\[(<{]{0,60}[\])>}])",
-        "x [mm] z_um",
-        "names of one word",
-    ),
+LINE_SEPARATORS = (
+    r'"[\s;,|]*"',  # "x" "z"
+    r"\t+|\s{2,}",  # Test time  v [mm/s]
+    r"\|",  # x [mm] | z [um]
+    ";",  # x [mm]; z [um]
+    ",",  # x [mm], z [um]
+    r"(?<=[\])>}])(?<!\([twfx]\))\s+(?![\[(<{])",  # Raw x [mm] Raw z [um]
+    # Names of one word, x [mm] z_um:
+    r"(?<!\s/)(?<!\sin)(?<!\s)\s++(?!/\s|in\s|[\[(<{])(?![^\[(<{]{0,60}[\])>}])",
 )
-# Separators of a name and its unit.
-TITLE_PATTERNS = (
-    HeaderPattern(r"\s*/\s*", "t / s", "unit after a slash"),
-    HeaderPattern(r"\s+in\s+", "x in mm", "unit after the word in"),
-    HeaderPattern(r"\s*[,;:|]\s*", "Fx, N", "unit after a mark"),
-    HeaderPattern(r"\s+[-\u2013]\s+", "v - mm/s", "unit after a dash"),
-    HeaderPattern(r"(?<=\S)[-.]\s*", "v.mm/s", "unit after a hyphen or a full stop"),
-    HeaderPattern(r"\s+", "Lateral um", "unit as the last words", stated=False),
-    HeaderPattern(r"_", "velocity_mm_s", "unit after an underscore", stated=False),
-)
-SEPARATOR = re.compile("|".join(f"({pattern.separator})" for pattern in TITLE_PATTERNS))
+# Separators of a name and its unit: t / s, x in mm, Fx, N, v - mm/s
+UNIT_MARK = r"\s*/\s*|\s+in\s+|\s*[,;:|]\s*|\s+[-\u2013]\s+"
+# v.mm/s; or, as words of the name, Lateral um, velocity_mm_s
+SEPARATOR = re.compile(rf"{UNIT_MARK}|(?<=\S)[-.]\s*|\s+|_")
 TITLE_WITH_BRACKETS = re.compile(
     r"(.*?)(?:\[([^\[\]]*)\]|\(([^()]*)\)|<([^<>]*)>|\{([^{}]*)\})([^\[\](){}<>]*)"
 )
@@ -85,7 +62,7 @@ class Header(NamedTuple):
     unread: str = ""  # line with units or names that no title contains
 
 
-def header_of(above: Sequence[str], delimiter: str | None, width: int) -> Header:
+def header_of(above: Sequence[str], table: Cells) -> Header:
     """Return the header of a table from the lines above its rows.
 
     The last MAX_TITLE_LINES lines may hold titles. A line of units belongs to the names above it,
@@ -94,8 +71,8 @@ def header_of(above: Sequence[str], delimiter: str | None, width: int) -> Header
     """
     near = [line for line in above if re.search(r"\w|%", line)][: -MAX_TITLE_LINES - 1 : -1]
     if sum(line.lstrip().startswith("%") for line in near[:2]) == 2:  # a mark, not a unit
-        return header_of([re.sub(r"^\s*%", "#", line) for line in above], delimiter, width)
-    lines = [_cells_of(line, delimiter, width) for line in near]
+        return header_of([re.sub(r"^\s*%", "!", line) for line in above], table)
+    lines = [_cells_of(line, table) for line in near]
     named = [_titles_in(cells) for cells in lines]
     counts = [sum(unit_of(title.unit) is not None for title in titles) for titles in named]
     for place, cells in enumerate(lines):
@@ -104,13 +81,13 @@ def header_of(above: Sequence[str], delimiter: str | None, width: int) -> Header
         labelled = bool(UNITS_LABEL.match(COMMENT_MARK.sub("", near[place])))
         if not cells or not (labelled or _are_units(cells, names_at is not None)):
             continue
-        if names_at is None:
-            unread = any(_may_be_names(near[n], width) for n in beside)
-            names, used = (Title(UNREAD_NAME if unread else ""),) * width, [near[place]]
-        elif counts[names_at]:
+        if names_at is not None and counts[names_at]:
             break
-        else:
-            names, used = named[names_at], [near[place], near[names_at]]
+        unread = any(_may_be_names(near[n], table.width) for n in beside)
+        names = (
+            (Title(UNREAD_NAME * unread),) * table.width if names_at is None else named[names_at]
+        )
+        used = [near[n] for n in (place, names_at) if n is not None]
         units = [_bare_unit(cell) or cell for cell in cells]
         pairs = zip(names, units, strict=True)
         titles = (name._replace(unit=unit, stated=True) if unit else name for name, unit in pairs)
@@ -119,13 +96,14 @@ def header_of(above: Sequence[str], delimiter: str | None, width: int) -> Header
     best = max(of_names, key=counts.__getitem__, default=None)
     if best is not None:
         return Header(named[best], _unread_line(above, near, [near[best]]))
-    if near and not is_comment(near[0]) and _may_be_names(near[0], width):
+    if near and not is_comment(near[0]) and _may_be_names(near[0], table.width):
         return Header((), near[0].strip())
     return Header((), _unread_line(above, near, []))
 
 
-def _cells_of(line: str, delimiter: str | None, width: int) -> list[str]:
+def _cells_of(line: str, table: Cells) -> list[str]:
     """Return the cells of a line of titles, one per column; empty for an unread line."""
+    delimiter, width = table.delimiter, table.width
     text = UNITS_LABEL.sub("", COMMENT_MARK.sub("", line).strip("\r\n"), count=1)
     if delimiter is None and text.count("\t") >= width:  # more titles than cells
         return [cell.strip() for cell in text.split("\t")[:width]]
@@ -140,19 +118,27 @@ def _cells_of(line: str, delimiter: str | None, width: int) -> list[str]:
         short = 2 * len(cells) >= width and _are_units(cells, named=False)
         fits = len(cells) == width or (short and len(cells) < width)
         return cells + [""] * (width - len(cells)) if fits else []
-    readings = list[list[str]]()
-    for pattern in LINE_PATTERNS:
-        cells = [cell.strip(' \t";,|') for cell in re.split(pattern.separator, text.strip())]
-        if len(cells) == width and cells not in readings and not any(map(_begins_with_unit, cells)):
-            readings.append(cells)
-    return readings[0] if len(readings) == 1 else []
+    cells = _divided(text, width)
+    if cells is None and delimiter is None and table.is_numbered and line.startswith("#"):
+        named = _divided(line, width) or []
+        return [] if any(map(_bare_unit, named[1:])) else named
+    return cells or []
 
 
-def _begins_with_unit(cell: str) -> bool:
-    """Return whether a cell begins with the unit of the title before it, as "K lg a_T"."""
-    first, _, rest = cell.partition(" ")
-    title = title_of(cell) if rest and unit_of(first) else None
-    return title is not None and not title.unit
+def _divided(text: str, width: int) -> list[str] | None:
+    """Return the titles of a line as all patterns divide it; None if none does."""
+
+    def fits(cells: tuple[str, ...]) -> bool:
+        # No cell begins with the unit of the title before it, as "K lg a_T".
+        begun = [cell for cell in cells if " " in cell and unit_of(cell.partition(" ")[0])]
+        return len(cells) == width and all(
+            (title := title_of(c)) is None or title.unit for c in begun
+        )
+
+    divided = (re.split(separator, text.strip()) for separator in LINE_SEPARATORS)
+    readings = {tuple(cell.strip(' \t";,|') for cell in cells) for cells in divided}
+    fitting = list(filter(fits, readings))
+    return (list(fitting[0]) if len(fitting) == 1 else []) if fitting else None
 
 
 def _titles_in(cells: list[str]) -> tuple[Title, ...]:
@@ -178,7 +164,7 @@ def title_of(cell: str) -> Title | None:
             unit = re.sub("_per_|_", "/", unit)
         is_number = unit == "1" and (match[0] in "-._" or match[0].isspace())  # Height-1, Set 1
         if name and unit_of(unit) and not is_number and not re.match(r"/|in\s", unit):
-            return Title(name, unit, TITLE_PATTERNS[(match.lastindex or 1) - 1].stated)
+            return Title(name, unit, stated=match[0].strip() not in ("", "_"))
     return Title(text)
 
 

@@ -2,7 +2,7 @@
 
 import math
 import re
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable
 from functools import lru_cache
 from typing import NamedTuple
 
@@ -54,10 +54,13 @@ def marks_of(words: Iterable[str]) -> Marks:
     or 1,234.5 resolve this. A decimal point in another number does not, since the formats of two
     columns may differ.
     """
-    uses: dict[tuple[str, str], str] = {}  # the first number with each use of a mark
-    for word in words:
-        for use in _uses_of_marks(word):
-            uses.setdefault(use, word)
+    uses: dict[tuple[str, str], str] = {}  # (mark, use) -> the first number with it
+    for word in filter(is_numeral, words):
+        digits = EXPONENT_MARK.split(word, maxsplit=1)[0]
+        for mark, groups in GROUPS.items():
+            if mark in digits:
+                several = "groups" if len(re.findall("[,.]", digits)) > 1 else "either"
+                uses.setdefault((mark, several if groups.fullmatch(digits) else "decimal"), word)
     advice = "write decimal points and no marks between thousands"
     # Numbers in which the decimal mark cannot be a point, and those in which it cannot be a comma.
     commas, points = (
@@ -72,17 +75,6 @@ def marks_of(words: Iterable[str]) -> Marks:
         )
     decimal, thousands = ",." if commas else ".,"
     return Marks(decimal, thousands if any(mark == thousands for mark, _ in uses) else "")
-
-
-def _uses_of_marks(word: str) -> Iterator[tuple[str, str]]:
-    """Yield (mark, use) for the marks in a number; the use is "decimal", "groups" or "either"."""
-    digits = EXPONENT_MARK.split(word, maxsplit=1)[0]
-    for mark, groups in GROUPS.items():
-        if mark in digits and is_numeral(word):
-            if not groups.fullmatch(digits):
-                yield mark, "decimal"
-            else:
-                yield mark, "groups" if len(re.findall("[,.]", digits)) > 1 else "either"
 
 
 @lru_cache(maxsize=MAX_CACHED_WORDS)

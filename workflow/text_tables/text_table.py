@@ -9,7 +9,7 @@ from pathlib import Path
 import numpy as np
 
 from ..ground import UserError, decoded, foreign_content, is_text, read_plain
-from .cells import Cells, cells_of, is_comment
+from .cells import Cells, is_comment
 from .headers import Title, header_of
 from .numerals import Marks, marks_of, seconds_of
 from .units import unit_of
@@ -22,55 +22,66 @@ def _is_words(line: str) -> bool:
     return bool(re.search(r"\w", line)) and not is_comment(line)
 
 
-class TextTable:
+class TextTable(Cells):
     """Rows of a text file, with titles and the lines between blocks."""
 
-    def __init__(self, key: str, name: str, cells: Cells, marks: Marks) -> None:
-        """Store the rows. ``key`` and the ``name`` of the file appear in messages."""
+    def __init__(self, key: str, name: str, text: str) -> None:
+        """Read a text. ``key`` and the ``name`` of the file begin every message.
+
+        Raises UserError if it has no row of numbers or rows of different lengths, or if its numbers
+        are ambiguous.
+        """
         self.key, self.name = key, name
-        self.row = cells.row  # returns the words of a row as written, always ``width``
-        self.width = cells.width  # number of columns, including columns of words
-        self.lines = cells.rows  # line number of each row, from 1
-        self.numeric = tuple(cells.numeric)  # indices of the columns of numbers
-        self.delimiter, self.marks = cells.delimiter, marks
-        (_, above), *below = cells.gaps()
-        self.above = tuple(above)  # lines before the first row
-        self.passed_over = tuple(
-            line.strip() for _, lines in below for line in lines if _is_words(line)
-        )  # lines of words below the first row
-        # (index of the next row, lines) between rows
-        self._between = [(at, lines) for at, lines in below if at < len(self.lines)]
-        self.titles, self.unread = header_of(above, cells.delimiter, self.width)
+        try:
+            super().__init__(text)
+            # Between cells that commas separate, decimal commas need quotes.
+            comma = '"' if self.delimiter == "," else ","
+            self.marks = Marks()
+            if re.search(rf"{comma}|\.\d+\.", text):  # not only decimal points
+                rows = map(self.row, range(len(self.lines)))
+                self.marks = marks_of(row[n] for row in rows for n in self.numeric)
+        except ValueError as error:
+            raise self.refused(str(error)) from None
+        self.titles, self.unread = header_of(self.above, self)
         self._check_blocks()
+
+    def refused(self, reason: str) -> UserError:
+        """Return the error with a reason to refuse the file, and the remedy."""
+        return UserError(f"{self.key} = {self.name!r}: {reason}")
+
+    @property
+    def above(self) -> tuple[str, ...]:
+        """Return the lines before the first row."""
+        return self.gaps[0]
+
+    @property
+    def passed_over(self) -> tuple[str, ...]:
+        """Return the lines of words below the first row."""
+        below = (line for at, lines in self.gaps.items() if at for line in lines)
+        return tuple(line.strip() for line in below if _is_words(line))
 
     @cached_property
     def blocks(self) -> tuple[slice, ...]:
         """Return the rows of each block. Lines of words, or empty lines, separate blocks."""
-        words = [at for at, lines in self._between if any(map(_is_words, lines))]
-        blank = [at for at, _ in self._between]
+        blank = [at for at in self.gaps if 0 < at < len(self.lines)]
+        words = [at for at in blank if any(map(_is_words, self.gaps[at]))]
         many = len(blank) * MIN_BLOCK_ROWS > len(self.lines)  # e.g. every other line is empty
         starts = [0, *(words if many else blank), len(self.lines)]
-        return tuple(slice(a, b) for a, b in pairwise(starts) if b > a)
-
-    def block_header(self, block: int) -> tuple[str, ...]:
-        """Return the lines before a block; ``above`` for the first block."""
-        start = self.blocks[block].start
-        return self.above if not start else tuple(dict(self._between).get(start, ()))
+        return tuple(slice(a, b) for a, b in pairwise(starts))
 
     def _check_blocks(self) -> None:
         """Raise UserError if titles below the first row state other units or another order."""
-        firsts = {tuple(lines): at for at, lines in self._between[::-1] if any(lines)}
-        for lines, at in firsts.items():
-            titles = header_of(lines, self.delimiter, self.width).titles
+        between = [(lines, at) for at, lines in self.gaps.items() if 0 < at < len(self.lines)]
+        for lines, at in dict(between[::-1]).items():  # the first of several alike
+            titles = header_of(lines, self).titles
             names = [[title.name for title in header] for header in (titles, self.titles)]
             units = [[unit_of(title.unit) for title in header] for header in (titles, self.titles)]
             pairs = zip(*units, strict=False)
             differ = any(first and second and first[1:] != second[1:] for first, second in pairs)
             if differ or (names[0] != names[1] and sorted(names[0]) == sorted(names[1])):
-                raise UserError(
-                    f"{self.key} = {self.name!r}: the titles above line {self.lines[at]} name "
-                    "other units or another order of columns than those above the first row: part "
-                    "the file there"
+                raise self.refused(
+                    f"the titles above line {self.lines[at]} name other units or another order of "
+                    "columns than those above the first row: part the file there"
                 )
 
     def title(self, column: int) -> Title:
@@ -88,9 +99,9 @@ class TextTable:
         """
         values = np.ascontiguousarray(self._numbers[:, column])
         for row in np.flatnonzero(np.isinf(values)).tolist():
-            raise UserError(
-                f"{self.key} = {self.name!r}: line {self.lines[row]} reads "
-                f"{' '.join(self.row(row))!r:.40}: must hold a number in column {column}"
+            words = " ".join(self.row(row))
+            raise self.refused(
+                f"line {self.lines[row]} reads {words!r:.40}: must hold a number in column {column}"
             )
         return values
 
@@ -139,19 +150,4 @@ def read_text_table(key: str, path: Path, name: str | None = None) -> TextTable:
         raise UserError(f"{key} = {name!r}: cannot be read: it is not text")
     text = decoded(data)
     del data
-    return table_of_text(key, name, text)
-
-
-def table_of_text(key: str, name: str, text: str) -> TextTable:
-    """Return the table of a text. Raises UserError as ``read_text_table`` does."""
-    try:
-        cells = cells_of(text)
-        rows = map(cells.row, range(len(cells.rows)))
-        # Between cells that commas separate, decimal commas need quotes.
-        comma = '"' if cells.delimiter == "," else ","
-        marks = Marks()
-        if re.search(rf"{comma}|\.\d+\.", text):  # not only decimal points
-            marks = marks_of(row[n] for row in rows for n in cells.numeric)
-    except ValueError as error:
-        raise UserError(f"{key} = {name!r}: {error}") from None
-    return TextTable(key, name, cells, marks)
+    return TextTable(key, name, text)

@@ -40,12 +40,8 @@ KILOPOND = 9.80665  # N
 
 def _units(words: str, factor: float, family: str, prefixes: Iterable[str] = ()) -> dict:
     """Return the entries of KNOWN_UNITS for words, without prefix and with each of ``prefixes``."""
-    factors = PREFIXES | PREFIX_WORDS
-    return {
-        f"{prefix}{word}": (factors[prefix] * factor, family)
-        for prefix in ("", *prefixes)
-        for word in words.split()
-    }
+    factors = {prefix: (PREFIXES | PREFIX_WORDS)[prefix] * factor for prefix in ("", *prefixes)}
+    return {f"{p}{word}": (factors[p], family) for p in factors for word in words.split()}
 
 
 KNOWN_UNITS: dict[str, tuple[float, str]] = {
@@ -124,39 +120,29 @@ def unit_of(text: str) -> Unit | None:
     if len(text) > MAX_UNIT_CHARACTERS:
         return None
     scaled = SCALED_UNIT.fullmatch(text.strip().strip("[](){}<>"))
-    if scaled:
-        base = None if SCALED_UNIT.fullmatch(scaled[2]) else unit_of(scaled[2])
-        factor = base.factor * float(f"1e{scaled[1].translate(SUPERSCRIPTS)}") if base else 0.0
-        return base._replace(text=text, factor=factor) if base and _is_finite(factor) else None
-    plain = _normalised(text)
+    plain = _normalised(scaled[2] if scaled else text)
     if plain.lower() in TEMPERATURES:
         return Unit(text, "temperature", *TEMPERATURES[plain.lower()])
     if CLOCK_UNIT.fullmatch(plain):
         return Unit(text, "time", 1.0)
     if not plain or plain in CLOCK_WORDS:
         return None
-    if plain in KNOWN_UNITS:
-        factor, family = KNOWN_UNITS[plain]
-        return Unit(text, family, factor)
     factor, dimension, single = 1.0, np.zeros(5, int), "/" not in plain and "*" not in plain
-    for number, part in enumerate(plain.split("/")):
+    for number, part in enumerate([plain] if plain in KNOWN_UNITS else plain.split("/")):
         for word in part.split("*") if part else ():
             match = UNIT_FACTOR.fullmatch(word)
-            symbol = match[1] if match else ""
+            symbol = match[1] if match else plain  # such as -
             if symbol == "M" and not single:  # M means metre in M/S, but not on its own
                 symbol = "m"
             known = KNOWN_UNITS.get(symbol, FOLDED_UNITS.get(symbol.lower()))
-            if not match or not known:
+            if not known:
                 return None
-            power = int(match[2] or 1) * (1 if number == 0 else -1)
+            power = int((match and match[2]) or 1) * (1 if number == 0 else -1)
             factor *= known[0] ** power
             dimension += power * np.array(DIMENSIONS[known[1]])
+    factor *= float(f"1e{scaled[1].translate(SUPERSCRIPTS)}") if scaled else 1.0
     family = FAMILIES.get(tuple(dimension.tolist()), "other")
-    return Unit(text, family, factor) if _is_finite(factor) else None
-
-
-def _is_finite(factor: float) -> bool:
-    return 0.0 < factor < math.inf
+    return Unit(text, family, factor) if 0.0 < factor < math.inf else None
 
 
 def _normalised(text: str) -> str:

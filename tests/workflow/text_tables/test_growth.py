@@ -14,8 +14,8 @@ import pytest
 import elastomer_friction.workflow as program
 from elastomer_friction.workflow.ground import UserError
 from elastomer_friction.workflow.study import ColumnSpec
-from elastomer_friction.workflow.text_tables import table_of_text
-from elastomer_friction.workflow.text_tables.headers import HeaderPattern
+from elastomer_friction.workflow.text_tables import TextTable
+from elastomer_friction.workflow.text_tables.headers import LINE_SEPARATORS
 
 # Rows and lines are made of one of these, repeated.
 UNITS = (
@@ -64,8 +64,8 @@ def patterns():
         module = importlib.import_module(info.name)
         pending = list(vars(module).values())
         for value in pending:
-            if isinstance(value, ColumnSpec | HeaderPattern):
-                found.add(value.names if isinstance(value, ColumnSpec) else value.separator)
+            if isinstance(value, ColumnSpec):
+                found.add(value.names)
             elif isinstance(value, tuple | list | dict):
                 pending.extend(value.values() if isinstance(value, dict) else value)
             elif isinstance(value, re.Pattern) and isinstance(value.pattern, str):
@@ -77,7 +77,7 @@ def patterns():
                 except (AttributeError, NameError):  # a local name, of what stands in a module
                     continue
                 found.add(value if isinstance(value, str) else "")
-    return sorted(found)
+    return sorted(found.union(LINE_SEPARATORS))
 
 
 @contextlib.contextmanager
@@ -139,4 +139,4 @@ def test_a_table_around_a_line_made_of_one_unit_ends(unit):
     for line in (f"# {long}!", long, f"a{long}z", f"5 {long} 3", many):
         for text in (f"{line}\n{rows}", f"{rows}\n{line}\n{rows}", line):
             with contextlib.suppress(UserError), cpu_limit(TABLE_SECONDS):
-                table_of_text("key", "f.txt", text)
+                TextTable("key", "f.txt", text)

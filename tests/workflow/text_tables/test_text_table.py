@@ -14,13 +14,13 @@ from elastomer_friction.workflow.study import (
     select_columns,
 )
 from elastomer_friction.workflow.study.surfaces.remarks import remarks_of
-from elastomer_friction.workflow.text_tables import read_text_table, table_of_text
+from elastomer_friction.workflow.text_tables import read_text_table, TextTable
 
 RNG = np.random.default_rng(7)
 
 
 def table(text):
-    return table_of_text("key", "f.txt", decoded(text.encode()))
+    return TextTable("key", "f.txt", decoded(text.encode()))
 
 
 def columns(text):
@@ -151,7 +151,7 @@ def test_remarks_blocks_and_what_is_passed_over():
     found = table(f"pitch = 0.5 um\n# Width: 96 µm\n\n{rows}\nT = 40 °C\n{rows}")
     assert remarks_of(found) == {"pitch": "0.5 um", "width": "96 µm"}
     assert [(block.start, block.stop) for block in found.blocks] == [(0, 3), (3, 6)]
-    assert found.block_header(1) == ("", "T = 40 °C")
+    assert found.gaps[3] == ("", "T = 40 °C")
     assert found.passed_over == ("T = 40 °C",)
     assert len(table("1 2\n\n2 3\n\n3 4\n\n4 5\n").blocks) == 1  # every other line is empty
 
@@ -365,7 +365,7 @@ def test_a_long_table_takes_memory_in_proportion_to_its_text(end):
     """A line of text takes 49 bytes beside its characters."""
     text = "x [um];z [um]\n" + "".join(f"{n / 2} ; 0.25{end}" for n in range(30_000))
     tracemalloc.start()
-    values = table_of_text("key", "f.txt", text).values(0)
+    values = TextTable("key", "f.txt", text).values(0)
     _, peak = tracemalloc.get_traced_memory()
     tracemalloc.stop()
     assert peak < 12 * len(text)
