@@ -21,7 +21,6 @@ from ..study import (
     PROGRAMME_AXES,
     Profile,
     Study,
-    map_of_array,
     positive,
     profile_of_array,
     read_grid_study,
@@ -101,8 +100,8 @@ def _profile(arguments: Mapping[str, Any]) -> Profile | None:
     body = toml_value("body", arguments["body"])
     if body is None and arguments["prescribed_indentation"] is None and _is_square(profile):
         body = HALF_SPACE
-    read_array = map_of_array if body == HALF_SPACE else profile_of_array
-    return read_array(profile, positive("length", toml_value("length", length)))
+    period = positive("length", toml_value("length", length))
+    return profile_of_array(profile, period, as_map=body == HALF_SPACE)
 
 
 def _is_square(profile: Any) -> bool:

@@ -10,9 +10,10 @@ from dataclasses import replace
 from functools import partial
 from typing import Any, NamedTuple
 
-from .effects import Material, Scene
+from .effects.material import Material
+from .effects.programme import Scene
 from .settings import Key, one_or_several
-from .surfaces import Surface
+from .surfaces.surface import Surface
 
 Grid = dict[str, tuple[float, ...]]
 

@@ -20,7 +20,7 @@ says so.
 """
 
 import re
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from typing import NamedTuple
 
 import numpy as np
@@ -54,6 +54,9 @@ NAME_WORDS_TEXT = (
 )
 NAME_WORDS = frozenset(NAME_WORDS_TEXT.split())
 MARK = re.compile(UNIT_MARK)
+
+
+POSITIVE_NUMBER = float(np.nextafter(0.0, 1.0))  # the smallest one
 
 
 class ColumnSpec(NamedTuple):
@@ -190,9 +193,9 @@ def _unclear_columns(table: TextTable, wanted: Sequence[ColumnSpec], option: str
     """Return the error for columns that the file does not determine, with example options."""
     for n in range(table.width):
         if n not in table.numeric and any(spec.fits_name(table.title(n)) for spec in wanted):
-            raise UserError(
-                f"{table.key} = {table.name!r}: column {n} {table.title(n).name!r} holds "
-                f"{table.row(0)[n]!r:.40}: write numbers, of times the seconds since the start"
+            raise table.refused(
+                f"column {n} {table.title(n).name!r} holds {table.row(0)[n]!r:.40}: write numbers, "
+                "of times the seconds since the start"
             )
     names = " and ".join(spec.meaning for spec in wanted)
     remedy = option
@@ -200,16 +203,15 @@ def _unclear_columns(table: TextTable, wanted: Sequence[ColumnSpec], option: str
         units = {spec.option: spec.unit or spec.default for spec in wanted if spec.option}
         example = " " + ",".join(map(str, table.numeric[: len(wanted)])) if wanted[1:] else ""
         remedy = " ".join([f"{option}{example}", *(f"{key} {unit}" for key, unit in units.items())])
-    return UserError(
-        f"{table.key} = {table.name!r}: holds {table.columns_text}, from 0: it is not clear which "
-        f"holds {names}; give {remedy}"
+    return table.refused(
+        f"holds {table.columns_text}, from 0: it is not clear which holds {names}; give {remedy}"
     )
 
 
 def _read_column(table: TextTable, spec: ColumnSpec, column: int, option: str) -> Column:
     """Return a column in SI units. Raises UserError for another quantity and unclear units."""
     title = table.title(column)
-    prefix = f"{table.key} = {table.name!r}: column {column}{f' {title.name!r}' * bool(title.name)}"
+    prefix = f"{table.prefix}: column {column}{f' {title.name!r}' * bool(title.name)}"
     if re.match(LOGARITHM_NAME, title.name, re.IGNORECASE) and not re.search(spec.names, "log"):
         raise UserError(
             f"{prefix}: holds logarithms, not {spec.meaning}: write the numbers themselves"
@@ -290,6 +292,25 @@ def describe_columns(table: TextTable, columns: Sequence[Column]) -> str:
     if table.passed_over:
         text += f"; passed over {counted(len(table.passed_over), 'line')} of words"
     return text
+
+
+def check_rows(
+    prefix: str, values: Mapping[str, np.ndarray], least: Sequence[float], rule: str
+) -> None:
+    """Raise UserError unless values are numbers from ``least`` on, and the first ones increase.
+
+    prefix : start of the message. values : by their meaning. rule : the rule of the values.
+    """
+    rows = np.array(list(values.values()))
+    ok = np.isfinite(rows) & (rows >= np.array(least)[:, None])
+    for row in np.flatnonzero(~ok.all(axis=0)).tolist():
+        held = " and ".join(f"{name} of {value[row]:g}" for name, value in values.items())
+        raise UserError(f"{prefix}: row {row + 1} holds {held}: {rule}")
+    for row in np.flatnonzero(np.diff(rows[0]) <= 0.0).tolist():
+        raise UserError(
+            f"{prefix}: {next(iter(values))} of {rows[0, row + 1]:g} in row {row + 2} follows "
+            f"{rows[0, row]:g}: must increase from row to row; sort them, and average equal ones"
+        )
 
 
 def count_named(line: str, patterns: Iterable[str]) -> int:

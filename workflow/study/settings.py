@@ -4,6 +4,7 @@ Each key of a table is defined once, as name -> Key. The reader, the JSON schema
 page are derived from it. The tables themselves are defined in the modules that use them.
 """
 
+import datetime
 import json
 import math
 import re
@@ -19,20 +20,34 @@ from ..ground import ErrorCollector, UserError, did_you_mean
 Schema = dict[str, Any]
 REQUIRED = object()
 SHIFT_KEYS = ("wlf", "arrhenius", "shifts")  # keys of [material]; here, where no package is loaded
-MAX_INTEGER = 10**9  # stands for "no upper bound"; messages do not mention it
+MAX_INTEGER = 10**9  # stands for "no upper bound"; messages mention it above it
+
+
+def shown(value: object) -> str:
+    """Return a value as Python writes it, but true, false, lists and dates as TOML does."""
+    if isinstance(value, bool | datetime.date | datetime.time):
+        return str(value).lower()
+    return repr(list(value) if isinstance(value, tuple) else value)
+
+
+def refuse_keys(where: str, given: Mapping[str, Any], refused: Iterable[str], reason: str) -> None:
+    """Raise UserError for the first given key that is refused."""
+    for key in given:
+        if key in refused:
+            raise UserError(f"{where}.{key} = {shown(given[key]):.40}: {reason}")
 
 
 def as_table(key: str, value: object) -> dict[str, Any]:
     """Return ``value`` if it is a table, or raise UserError naming the key."""
     if not isinstance(value, dict):
-        raise UserError(f"{key} = {value!r}: must be a table")
+        raise UserError(f"{key} = {shown(value)}: must be a table")
     return value
 
 
 def as_text(key: str, value: object) -> str:
     """Return ``value`` if it is a string, or raise UserError naming the key."""
     if not isinstance(value, str):
-        raise UserError(f"{key} = {value}: must be a string")
+        raise UserError(f"{key} = {shown(value)}: must be a string")
     return value
 
 
@@ -50,7 +65,7 @@ def matching(key: str, value: object, pattern: str, words: str) -> str:
 def flag(key: str, value: object) -> bool:
     """Return ``value`` if it is true or false, or raise UserError naming the key."""
     if not isinstance(value, bool):
-        raise UserError(f"{key} = {value!r}: must be true or false")
+        raise UserError(f"{key} = {shown(value)}: must be true or false")
     return value
 
 
@@ -61,7 +76,7 @@ def number(key: str, value: object) -> float:
             return float(value) + 0.0  # -0.0 becomes 0.0, so that both give the same key and seed
     except OverflowError:  # an integer too large for a float
         pass
-    raise UserError(f"{key} = {value!r:.40}: must be a finite number")
+    raise UserError(f"{key} = {shown(value):.40}: must be a finite number")
 
 
 def positive(key: str, value: object) -> float:
@@ -83,8 +98,9 @@ def within(key: str, value: object, least: float, most: float, hint: str = "") -
 def integer(key: str, value: object, least: int, most: int = MAX_INTEGER) -> int:
     """Return ``value`` as an int from ``least`` to ``most`` or raise UserError naming the key."""
     if isinstance(value, bool) or not isinstance(value, int) or not least <= value <= most:
-        limits = f"at least {least}" if most == MAX_INTEGER else f"from {least} to {most}"
-        raise UserError(f"{key} = {value!r:.40}: must be a whole number, {limits}")
+        open_end = most == MAX_INTEGER and not (isinstance(value, int | float) and value > most)
+        limits = f"at least {least}" if open_end else f"from {least} to {most}"
+        raise UserError(f"{key} = {shown(value):.40}: must be a whole number, {limits}")
     return value
 
 
@@ -94,7 +110,7 @@ Check = Callable[[str, object], float]
 def two_numbers(key: str, value: object, words: str, *checks: Check) -> tuple[float, float]:
     """Return the two numbers of a list, each checked by its own check, or raise UserError."""
     if not isinstance(value, list) or len(value) != 2:
-        raise UserError(f"{key} = {value!r:.60}: must be {words}")
+        raise UserError(f"{key} = {shown(value):.60}: must be {words}")
     first, second = (check(f"{key}[{i}]", value[i]) for i, check in enumerate(checks))
     return first, second
 
@@ -103,7 +119,7 @@ def choice(key: str, value: object, known: Iterable[str]) -> str:
     """Return ``value`` if it is one of ``known`` or raise UserError naming the key."""
     if value not in tuple(known):
         near = did_you_mean(value, known)
-        raise UserError(f"{key} = {value!r}: must be one of {', '.join(known)}{near}")
+        raise UserError(f"{key} = {shown(value)}: must be one of {', '.join(known)}{near}")
     return str(value)
 
 
@@ -185,6 +201,11 @@ def read_table(where: str, table: object, keys: Mapping[str, Key]) -> dict[str, 
     return filled(where, checked(where, table, keys), keys)
 
 
+def inline_table(key: str, value: object, keys: Mapping[str, Key], make: Any = dict) -> Any:
+    """Return ``make`` of the checked values of an inline table. Raises UserError."""
+    return make(**read_table(key, value, keys))
+
+
 def checked(where: str, table: object, keys: Mapping[str, Key]) -> dict[str, Any]:
     """Return name -> checked value of the given keys. Raises UserError as ``read_table`` does."""
     given, errors, values = as_table(where, table), ErrorCollector(), {}
@@ -233,6 +254,11 @@ def table_of(properties: dict[str, Schema]) -> Schema:
     return {"type": "object", "additionalProperties": False, "properties": properties}
 
 
+def schema_of_keys(keys: Mapping[str, Key]) -> Schema:
+    """Return the schema of a table with these keys."""
+    return table_of({name: schema_of(key) for name, key in keys.items()})
+
+
 def pair(first: Schema, second: Schema) -> Schema:
     """Return the schema of a list of two values."""
     return {"type": "array", "items": [first, second], "minItems": 2, "maxItems": 2}
@@ -267,6 +293,9 @@ def _accepted(check: Callable[..., Any]) -> tuple[Schema, str]:
     if not isinstance(check, partial):
         return SCHEMA_OF_CHECK[check]
     given = check.keywords
+    if "keys" in given:  # a table in the table
+        words = f"`{{{', '.join(f'{name} = …' for name in given['keys'])}}}`"
+        return schema_of_keys(given["keys"]), words
     if check.func is within:
         least, most = given["least"], given["most"]
         schema = {"type": "number", "minimum": least, "maximum": most}

@@ -5,7 +5,6 @@ Example: columns w, G', G'', G', G'' under a line with 20 °C and 40 °C above t
 
 from collections.abc import Sequence
 
-from ..ground import UserError
 from ..text_tables import TextTable, is_numeral, split, unit_of
 from .columns import ColumnSpec
 from .sweeps import temperature_in
@@ -29,16 +28,16 @@ def below_one_another(
         return table
     for sweep in sweeps:
         if [unit_of(named[n].unit) for n in sweep] != [unit_of(named[n].unit) for n in sweeps[0]]:
-            raise UserError(
-                f"{table.key} = {table.name!r}: sweeps side by side are in several units: give the "
-                f"columns of one with --columns {','.join(map(str, common + list(sweep)))}"
+            raise table.refused(
+                "sweeps side by side are in several units: give the columns of one with --columns "
+                f"{','.join(map(str, common + list(sweep)))}"
             )
     heads = [_head(table, common[0], sweep[0], sweeps[0][0]) for sweep in sweeps]
     if not given and any(temperature_in([head]) is None for head in heads):
         one = ",".join(map(str, common + list(sweeps[0])))
-        raise UserError(
-            f"{table.key} = {table.name!r}: holds {len(sweeps)} sweeps side by side: give "
-            f"--temperatures, one for each in order, or the columns of one with --columns {one}"
+        raise table.refused(
+            f"holds {len(sweeps)} sweeps side by side: give --temperatures, one for each in order, "
+            f"or the columns of one with --columns {one}"
         )
     return _unfolded(table, [common + list(sweep) for sweep in sweeps], heads)
 

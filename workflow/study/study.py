@@ -12,29 +12,19 @@ from ..ground import UserError
 from .axes import ALL_AXES, Grid, Parts, parts_at, separated, with_value
 from .body_choice import choose_body, settle_body
 from .cluster import THIS_MACHINE, Cluster, read_cluster
-from .effects import (
-    FOUNDATION,
-    HALF_SPACE,
-    PROGRAMME_AXES,
-    Material,
-    Scene,
-    SceneEffects,
-    check_quantities,
-    read_effects,
-    read_scene_table,
-)
+from .effects.material import Material
+from .effects.programme import PROGRAMME_AXES, Scene
+from .effects.quantities import check_quantities
+from .effects.scene import FOUNDATION, HALF_SPACE, read_scene_table
+from .effects.scene_effects import SceneEffects, read_effects
 from .grid import read_grid
 from .numerics import Numerics
 from .settings import filled
-from .surfaces import Profile, Surface, read_surface
+from .surfaces.profile import Profile
+from .surfaces.surface import Surface
+from .surfaces.table import read_surface
 from .tables import ONE_POINT, STUDY, checked_tables
-from .variants import (
-    check_all_effects,
-    check_bodies,
-    check_layers,
-    check_numerics,
-    read_variants,
-)
+from .variants import check_variants, read_variants
 
 MAX_BLOCKS = 100_000  # per problem; the block means of several problems are in memory together
 
@@ -192,10 +182,7 @@ def read_grid_study(
     surfaces = {label: _with_block_note(lines, head) for label, lines in surfaces.items()}
     single_line = one_point and head["realizations"] == 1 and not scene.listed
     check_quantities(scene, materials, single_line)
-    check_bodies(scene, surfaces)
-    check_layers(materials, surfaces)
-    check_all_effects(effects, materials, scene, surfaces)
-    check_numerics(variants, materials, scene, surfaces, effects)
+    check_variants(scene, variants, materials, surfaces, effects)
     for axis, values in grid.items() if one_point else ():
         if len(values) > 1 and axis not in PROGRAMME_AXES:
             raise UserError(f"grid.{axis} = {list(values)!r:.40}: must be one value in a scene")

@@ -8,11 +8,13 @@ from typing import Any
 from ..ground import ErrorCollector, UserError
 from .axes import with_lists
 from .cluster import CLUSTER
-from .effects import ARRHENIUS, DRIVE, EFFECT_TABLES, MATERIAL, SCENE, SEGMENTS, WLF
+from .effects.material import MATERIAL
+from .effects.scene import SCENE
+from .effects.segment_keys import SEGMENTS
 from .grid import GRID
 from .numerics import NUMERICS
 from .settings import Key, as_table, as_text, check_keys, checked, integer
-from .surfaces import SPECTRUM, SURFACE
+from .surfaces.table import SURFACE
 from .variants import COMPARE
 
 Keys = Mapping[str, Key]
@@ -62,19 +64,19 @@ TABLES = {
     "cluster": CLUSTER,
 }
 TABLE_NAMES = (*TABLES, "compare", "scales")
-SUBTABLES: dict[str, dict[str, Keys]] = {
-    "material": {"material.wlf": WLF, "material.arrhenius": ARRHENIUS},
-    "surface": {"surface.spectrum": SPECTRUM},
-    "scene": {
-        "scene.drive": DRIVE,
-        **{f"scene.{name}": keys for name, (keys, _) in EFFECT_TABLES.items()},
-        **{f"scene.programme.{kind}".removesuffix(".file"): SEGMENTS[kind] for kind in SEGMENTS},
-    },
-}
-ALL_TABLES: dict[str, Keys] = {  # tables and subtables of a grid study
+PROGRAMME = {f"scene.programme.{kind}".removesuffix(".file"): SEGMENTS[kind] for kind in SEGMENTS}
+ALL_TABLES: dict[str, Keys] = {  # tables of a grid study, each followed by the tables in it
     where: keys
     for name, table in TABLES.items()
-    for where, keys in {name: table, **SUBTABLES.get(name, {})}.items()
+    for where, keys in {
+        name: table,
+        **{
+            f"{name}.{key}": one.check.keywords["keys"]
+            for key, one in table.items()
+            if isinstance(one.check, partial) and "keys" in one.check.keywords
+        },
+        **(PROGRAMME if name == "scene" else {}),
+    }.items()
 }
 
 

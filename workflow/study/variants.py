@@ -6,29 +6,20 @@ from pathlib import Path
 from typing import Any
 
 from ..ground import UserError
-from .effects import (
-    EFFECT_TABLES,
-    ELEMENT_QUANTITIES,
-    FORCE,
-    FOUNDATION,
-    HALF_SPACE,
-    MATERIAL,
-    SCENE,
-    SHIFTS,
-    Material,
-    Scene,
-    SceneEffects,
-    check_effects,
-    compared_effect_key,
-    read_material,
-)
+from .effects.material import MATERIAL, Material, read_material
+from .effects.programme import FORCE, Scene
+from .effects.quantities import ELEMENT_QUANTITIES
+from .effects.scene import FOUNDATION, HALF_SPACE, SCENE
+from .effects.scene_effects import EFFECT_TABLES, SceneEffects, check_effects, compared_effect_key
+from .effects.shifting import SHIFTS
 from .numerics import DEFAULTS, NUMERICS, Numerics, read_numerics
-from .surfaces import LINE_KIND_KEYS, Surface, lines_like
+from .surfaces.surface import Surface
+from .surfaces.table import LINE_KIND_KEYS, lines_like
 
 # Not the temperature: it is an axis of the grid, which all variants share.
 COMPARE = NUMERICS | {key: MATERIAL[key] for key in MATERIAL if key != "temperature"}
 COMPARE |= LINE_KIND_KEYS | {"body": SCENE["body"]}
-COMPARE |= {name: compared_effect_key(name) for name in EFFECT_TABLES}
+COMPARE |= {name: compared_effect_key(SCENE[name]) for name in EFFECT_TABLES}
 MIN_LAYER_SHARE = 1e-3  # thickness over the period; thinner layers lose digits of stiffness
 ALTERNATIVES = (("branches", "branches_file"), tuple(SHIFTS))  # keys of a group exclude each other
 
@@ -69,10 +60,28 @@ def changed_material(material: Mapping[str, Any], given: Mapping[str, Any]) -> d
     return unchanged | {key: given[key] for key in given if key in MATERIAL}
 
 
-def check_bodies(scene: Scene, surfaces: Mapping[str, Surface]) -> None:
+def check_variants(
+    scene: Scene,
+    variants: Mapping[str, Numerics],
+    materials: Mapping[str, Material],
+    surfaces: Mapping[str, Surface],
+    effects: Mapping[str, SceneEffects],
+) -> None:
+    """Raise UserError for keys that the body, the material or an effect does not support."""
+    if any(surface.body != FOUNDATION for surface in surfaces.values()):
+        _check_half_space(scene)
+    for label, surface in surfaces.items():
+        of_scene, of_material, of_numerics = (
+            f"compare.{label}" if label else table for table in ("scene", "material", "numerics")
+        )
+        material, heat = materials[label], effects[label].heat
+        _check_layer(of_material, material, surface)
+        check_effects(of_scene, effects[label], material, scene.rests, surface.body != FOUNDATION)
+        _check_numerics(of_numerics, variants[label], scene, material, surface, heat is not None)
+
+
+def _check_half_space(scene: Scene) -> None:
     """Raise UserError for keys of a scene that a half-space does not support."""
-    if all(surface.body == FOUNDATION for surface in surfaces.values()):
-        return
     if scene.control != FORCE:
         raise UserError(
             f"scene.control = {scene.control!r}: the indentation of an infinite half-space is not "
@@ -91,73 +100,52 @@ def check_bodies(scene: Scene, surfaces: Mapping[str, Surface]) -> None:
             )
 
 
-def check_layers(materials: Mapping[str, Material], surfaces: Mapping[str, Surface]) -> None:
+def _check_layer(where: str, material: Material, surface: Surface) -> None:
     """Raise UserError for a layer of elements, or one so thin that its stiffness loses digits."""
-    for label, material in materials.items():
-        if material.thickness is None:
-            continue
-        key = f"compare.{label}" if label else "material"
-        key, surface = f"{key}.thickness = {material.thickness:g}", surfaces[label]
-        if surface.body == FOUNDATION:
-            raise UserError(
-                f"{key}: the elements of a foundation have no thickness; set scene.body = "
-                f'"{HALF_SPACE}", or omit it'
-            )
-        least = MIN_LAYER_SHARE * surface.length
-        if material.thickness < least:
-            raise UserError(
-                f"{key}: must be at least {least:g} m, {MIN_LAYER_SHARE:g} of surface.length"
-            )
+    if material.thickness is None:
+        return
+    key, least = f"{where}.thickness = {material.thickness:g}", MIN_LAYER_SHARE * surface.length
+    if surface.body == FOUNDATION:
+        raise UserError(
+            f"{key}: the elements of a foundation have no thickness; set scene.body = "
+            f'"{HALF_SPACE}", or omit it'
+        )
+    if material.thickness < least:
+        raise UserError(
+            f"{key}: must be at least {least:g} m, {MIN_LAYER_SHARE:g} of surface.length"
+        )
 
 
-def check_all_effects(
-    effects: Mapping[str, SceneEffects],
-    materials: Mapping[str, Material],
+def _check_numerics(
+    where: str,
+    numerics: Numerics,
     scene: Scene,
-    surfaces: Mapping[str, Surface],
-) -> None:
-    """Raise UserError for effects that a variant does not support."""
-    for label, own in effects.items():
-        where = f"compare.{label}" if label else "scene"
-        on_half_space = surfaces[label].body != FOUNDATION
-        check_effects(where, own, materials[label], scene.rests, on_half_space)
-
-
-def check_numerics(
-    variants: dict[str, Numerics],
-    materials: dict[str, Material],
-    scene: Scene,
-    surfaces: Mapping[str, Surface],
-    effects: Mapping[str, SceneEffects],
+    material: Material,
+    surface: Surface,
+    heated: bool,
 ) -> None:
     """Raise UserError for energies with an unsupported scheme, or accuracy without error laws."""
-    for label, numerics in variants.items():
-        where = f"compare.{label}" if label else "numerics"
-        if "energy" in scene.quantities and numerics.scheme != DEFAULTS.scheme:
-            raise UserError(
-                f'{where}.scheme = {numerics.scheme!r}: omit it, or omit "energy" from '
-                f"scene.quantities, which needs the scheme {DEFAULTS.scheme}"
-            )
-        if not numerics.accuracy:
-            continue
-        if effects[label].heat:
-            raise UserError(
-                f"{where}.accuracy = {numerics.accuracy!r}: no law predicts the scatter with "
-                "scene.heat; give steps_per_spacing and study.realizations instead"
-            )
-        surface = surfaces[label]
-        of_maps = surface.body != FOUNDATION
-        bounded = surface.cutoff or (surface.rolloff and not of_maps)
-        given = surface.profile is not None or surface.power is not None
-        if scene.programme or given or bounded or materials[label].branches:
-            raise UserError(
-                f"{where}.accuracy = {numerics.accuracy!r}: needs one velocity step of Kelvin "
-                "elements on self-affine lines or maps; give steps_per_spacing and "
-                "study.realizations instead"
-            )
-        if of_maps and "relaxation" in scene.quantities:
-            raise UserError(
-                f"{where}.accuracy = {numerics.accuracy!r}: on a half-space it is available for "
-                '"steady" and "jump", not for "relaxation", whose scatter follows no known law; '
-                'omit "relaxation" or give study.realizations instead'
-            )
+    if "energy" in scene.quantities and numerics.scheme != DEFAULTS.scheme:
+        raise UserError(
+            f'{where}.scheme = {numerics.scheme!r}: omit it, or omit "energy" from '
+            f"scene.quantities, which needs the scheme {DEFAULTS.scheme}"
+        )
+    if not numerics.accuracy:
+        return
+    key, of_maps = f"{where}.accuracy = {numerics.accuracy!r}", surface.body != FOUNDATION
+    instead = "give steps_per_spacing and study.realizations instead"
+    if heated:
+        raise UserError(f"{key}: no law predicts the scatter with scene.heat; {instead}")
+    bounded = surface.cutoff or (surface.rolloff and not of_maps)
+    given = surface.profile is not None or surface.power is not None
+    if scene.programme or given or bounded or material.branches:
+        raise UserError(
+            f"{key}: needs one velocity step of Kelvin elements on self-affine lines or maps; "
+            f"{instead}"
+        )
+    if of_maps and "relaxation" in scene.quantities:
+        raise UserError(
+            f'{key}: on a half-space it is available for "steady" and "jump", not for '
+            '"relaxation", whose scatter follows no known law; omit "relaxation" or give '
+            "study.realizations instead"
+        )

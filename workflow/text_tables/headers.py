@@ -118,11 +118,11 @@ def _cells_of(line: str, table: Cells) -> list[str]:
         short = 2 * len(cells) >= width and _are_units(cells, named=False)
         fits = len(cells) == width or (short and len(cells) < width)
         return cells + [""] * (width - len(cells)) if fits else []
-    cells = _divided(text, width)
-    if cells is None and delimiter is None and table.is_numbered and line.startswith("#"):
+    divided = _divided(text, width)
+    if divided is None and delimiter is None and table.is_numbered and line.startswith("#"):
         named = _divided(line, width) or []
         return [] if any(map(_bare_unit, named[1:])) else named
-    return cells or []
+    return divided or []
 
 
 def _divided(text: str, width: int) -> list[str] | None:

@@ -45,9 +45,14 @@ class TextTable(Cells):
         self.titles, self.unread = header_of(self.above, self)
         self._check_blocks()
 
+    @property
+    def prefix(self) -> str:
+        """Return the start of messages."""
+        return f"{self.key} = {self.name!r}"
+
     def refused(self, reason: str) -> UserError:
         """Return the error with a reason to refuse the file, and the remedy."""
-        return UserError(f"{self.key} = {self.name!r}: {reason}")
+        return UserError(f"{self.prefix}: {reason}")
 
     @property
     def above(self) -> tuple[str, ...]:

@@ -9,7 +9,6 @@ from elastomer_friction.kernels import amplitudes, draw_phases, sample_line
 from elastomer_friction.workflow.laboratory.measured_spectrum import skewness_of, spectrum_of
 from elastomer_friction.workflow.laboratory.rolloff_fit import fit_rolloff
 from elastomer_friction.workflow.study.surfaces.profile import (
-    map_of_array,
     map_of_lines,
     profile_of_array,
     profile_of_lines,
@@ -67,7 +66,7 @@ def test_the_lines_of_the_program_have_their_keys():
 
 
 def test_the_spectrum_of_a_map_has_its_height_and_slope():
-    profile = map_of_array(piece(1, (64, 64), cut=24, copies=1), LENGTH)
+    profile = profile_of_array(piece(1, (64, 64), cut=24, copies=1), LENGTH, as_map=True)
     spectrum = spectrum_of(profile)
     assert np.sum(spectrum.density * spectrum.area) == pytest.approx(profile.roughness**2)
     assert spectrum.slopes()[-1] == pytest.approx(profile.slope, rel=2e-3)  # q of a ring is a mean
@@ -91,7 +90,9 @@ def test_the_power_law_ends_at_a_cut_off_and_at_noise():
 
 
 def test_skewness_is_zero_within_its_error():
-    profiles = [map_of_array(piece(seed, (32, 32), copies=1), LENGTH) for seed in range(30)]
+    profiles = [
+        profile_of_array(piece(seed, (32, 32), copies=1), LENGTH, as_map=True) for seed in range(30)
+    ]
     assert 14 <= sum(abs(value) < error for value, error in map(skewness_of, profiles)) <= 27
 
 

@@ -21,7 +21,7 @@ from elastomer_friction.workflow.plan.half_space import (
 from elastomer_friction.workflow.plan.problems import line_slope
 from elastomer_friction.workflow.plan.shortest_wave import shortest_wave
 from elastomer_friction.workflow.simulate.tasks import LineShape, Problem
-from elastomer_friction.workflow.study.surfaces.profile import map_of_array
+from elastomer_friction.workflow.study.surfaces.profile import profile_of_array
 from elastomer_friction.workflow.study.surfaces.surface import Surface as StudySurface
 from tests.support.small import complaint, small_plan
 
@@ -65,7 +65,7 @@ def test_auto_takes_the_least_steps_that_keep_an_error(wanted):
 
 def wave_of(heights):
     """Return the shortest wave of a map of heights."""
-    profile = map_of_array(heights, 1.0)
+    profile = profile_of_array(heights, 1.0, as_map=True)
     surface = StudySurface(1.0, profile=profile, body="half-space")
     assert shortest_wave(surface._replace(lines="random-phase"), len(heights)) > 0.0
     return shortest_wave(surface, len(heights))

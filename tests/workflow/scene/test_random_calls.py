@@ -17,10 +17,11 @@ from elastomer_friction.workflow import scene
 from elastomer_friction.workflow.ground import UserError
 from elastomer_friction.workflow.plan import make_plan
 from elastomer_friction.workflow.scene import call
-from elastomer_friction.workflow.study.effects import DRIVE, MATERIAL
+from elastomer_friction.workflow.study.effects.material import MATERIAL
 from elastomer_friction.workflow.study.effects.quantities import QUANTITIES
+from elastomer_friction.workflow.study.effects.segment_keys import DRIVE
 from elastomer_friction.workflow.study.numerics import NUMERICS
-from elastomer_friction.workflow.study.surfaces import SURFACE
+from elastomer_friction.workflow.study.surfaces.table import SURFACE
 from tests.workflow.scene.scenes import KELVIN, LENGTH, heights, slide
 from tests.workflow.scene.scenes import MATERIAL as BRANCHED
 from tests.workflow.study.test_fuzz import FUZZ, NUMBERS, VALUES

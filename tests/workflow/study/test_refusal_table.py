@@ -45,10 +45,8 @@ ELSEWHERE = {"settle_body", "find_study", "read_grid_study", "_lines_in_blocks"}
 ELSEWHERE |= {"_read_npy", "_variables", "_read_with_surface_topography"}
 ELSEWHERE |= {
     "profile_of_array",
-    "map_of_array",
     "map_of_lines",
-    "heights_of_array",
-    "check_finite",
+    "_check_finite",
     "check_load",
     "read_scene",
 }
@@ -122,7 +120,7 @@ def raised(module):
         for part in tree.body
         if getattr(part, "name", None) not in ELSEWHERE
         for node in ast.walk(part)
-        if isinstance(node, ast.Raise) and "UserError" in ast.unparse(node)
+        if isinstance(node, ast.Raise) and re.search("UserError|refused|invalid", ast.unparse(node))
     ]
 
 

@@ -42,9 +42,9 @@ def read_branches(
         description = f"{describe_columns(table, columns)}; shares g_i, k_i, tau_i of Abaqus"
         return _branches_of_shares(key, columns, relaxed), description
     if len(table.numeric) == 3 and not table.titles:
-        raise UserError(
-            f"{key} = {path.name!r}: holds three columns; put the line *VISCOELASTIC above "
-            f"shares g_i, k_i, tau_i of Abaqus, or give two columns with {HEADER_ADVICE}"
+        raise table.refused(
+            "holds three columns; put the line *VISCOELASTIC above shares g_i, k_i, tau_i of "
+            f"Abaqus, or give two columns with {HEADER_ADVICE}"
         )
     if _has_share_name(table):
         columns = select_columns(table, (SHARE, BRANCH_TIME_COLUMN), None, HEADER_ADVICE)
@@ -54,10 +54,10 @@ def read_branches(
     moduli, description = columns[0].values, describe_columns(table, columns)
     for column in columns:
         if not np.isfinite(column.values).all():
-            raise UserError(f"{key} = {path.name!r}: {column.spec.meaning} is missing in a row")
+            raise table.refused(f"{column.spec.meaning} is missing in a row")
     if columns[0].unit_source == "assumed" and moduli.sum() < 1.0:
-        raise UserError(
-            f"{key} = {path.name!r}: the moduli sum to {moduli.sum():.3g}; name the column alpha "
+        raise table.refused(
+            f"the moduli sum to {moduli.sum():.3g}; name the column alpha "
             f"if they are shares of G_0, or give {HEADER_ADVICE} with their unit"
         )
     if columns[0].unit_source == "assumed" and moduli.sum() < MIN_BRANCH_SHARE * relaxed:

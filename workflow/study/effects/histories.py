@@ -7,7 +7,7 @@ import numpy as np
 
 from ...ground import UserError
 from ...text_tables import read_text_table
-from ..columns import ColumnSpec, describe_columns, select_columns
+from ..columns import ColumnSpec, check_rows, describe_columns, select_columns
 from ..settings import number
 from .programme import FromFile
 
@@ -26,11 +26,11 @@ def read_history(key: str, path: Path, wanted: ColumnSpec) -> tuple[np.ndarray, 
 
     wanted : column of values. Raises UserError for missing values and times that do not increase.
     """
-    table = read_text_table(key, path, path.name)
     second = f"{wanted.meaning.split()[-1]} [{wanted.default}]"
+    table = read_text_table(key, path, path.name)
     columns = select_columns(table, (TIME_COLUMN, wanted), None, f"the header time [s], {second}")
     samples = np.array([column.values for column in columns])
-    _check_samples(f"{key} = {path.name!r}", samples)
+    _check_samples(table.prefix, wanted.meaning, samples)
     return samples, f"; read {describe_columns(table, columns)}"
 
 
@@ -52,24 +52,16 @@ def velocity_arrays(where: str, table: dict[str, Any]) -> FromFile:
             "numbers of both"
         )
     samples = np.array([[number(where, v) for v in values] for values in (times, velocities)])
-    _check_samples(where, samples)
+    _check_samples(where, "a velocity", samples)
     return _segment(where, samples, "")
 
 
-def _check_samples(key: str, samples: np.ndarray) -> None:
+def _check_samples(key: str, meaning: str, samples: np.ndarray) -> None:
     """Raise UserError for times that do not increase and for missing values."""
     if not 2 <= samples.shape[1] <= MAX_SAMPLES:
         raise UserError(f"{key}: holds {samples.shape[1]} rows; must be 2 to {MAX_SAMPLES}")
-    is_missing = ~np.isfinite(samples).all(axis=0)
-    if is_missing.any():
-        raise UserError(f"{key}: a value is missing in row {np.argmax(is_missing) + 1}")
-    not_later = np.diff(samples[0]) <= 0.0
-    if not_later.any():
-        row = np.argmax(not_later)
-        raise UserError(
-            f"{key}: time {samples[0, row + 1]:g} s does not come after {samples[0, row]:g} s; "
-            "times must increase"
-        )
+    values = {"a time (s)": samples[0], meaning: samples[1]}
+    check_rows(key, values, (-np.inf, -np.inf), "must be numbers; leave the row out")
 
 
 def _segment(where: str, samples: np.ndarray, source: str) -> FromFile:

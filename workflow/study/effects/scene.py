@@ -6,14 +6,14 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 from ...ground import UserError
-from ..settings import Key, as_text, choice, filled, flag, integer, read_table
+from ..settings import Key, as_text, choice, filled, flag, inline_table, integer
 from .histories import INDENTATION_COLUMN, read_history
 from .material import Material
 from .programme import FORCE, FRESH, INDENTATION, RELAXED, STEADY, Scene, Spring
 from .quantities import QUANTITIES, read_quantities
 from .scene_effects import EFFECT_TABLES, effect_key
-from .segment_keys import DRIVE
-from .segments import MAX_SEGMENTS, is_pulled, read_programme
+from .segment_keys import DRIVE, MAX_SEGMENTS, PROGRAMME_SCHEMA
+from .segments import is_pulled, read_programme
 
 FOUNDATION, HALF_SPACE = "foundation", "half-space"
 DEFAULT_SCENE = Scene()
@@ -188,7 +188,7 @@ SCENE = {
         default=1,
     ),
     "drive": Key(
-        lambda key, value: read_table(key, value, DRIVE),
+        partial(inline_table, keys=DRIVE),
         "The spring and damper through which a drive pulls the line; segments `pull` move the "
         "drive. Initially the spring carries steady friction, or is slack without steady sliding.",
         default=None,
@@ -212,5 +212,6 @@ SCENE = {
         default=None,
         values="a segment or a list of up to 1000: either `slide`, `hold`, `ramp`, `oscillate` and "
         "`file`, or only `pull`",
+        schema=PROGRAMME_SCHEMA,
     ),
 }

@@ -1,11 +1,12 @@
 """Effects of a scene besides the loss of the elastomer, for the study and each comparison."""
 
 from collections.abc import Callable, Mapping
+from functools import partial
 from pathlib import Path
 from typing import Any, NamedTuple
 
 from ...ground import UserError
-from ..settings import Key, Schema, as_table, checked
+from ..settings import Key, checked, schema_of
 from .heat_keys import HEAT, HeatProperties, read_heat
 from .material import Material
 from .shearing import SHEAR, Shear, read_shear
@@ -28,27 +29,17 @@ EFFECT_TABLES: dict[str, tuple[Mapping[str, Key], EffectReader]] = {
 
 def effect_key(name: str, means: str) -> Key:
     """Return the key of an effect table in [scene]."""
-    keys = EFFECT_TABLES[name][0]
-    return Key(
-        lambda key, value: checked(key, as_table(key, value), keys),
-        means,
-        default=None,
-        values=f"a table, `[scene.{name}]`",
-    )
+    check = partial(checked, keys=EFFECT_TABLES[name][0])
+    return Key(check, means, default=None, values=f"a table, `[scene.{name}]`")
 
 
-def compared_effect_key(name: str) -> Key:
+def compared_effect_key(key: Key) -> Key:
     """Return the key of an effect table in a comparison, which may also be false: no effect."""
-    keys = EFFECT_TABLES[name][0]
     return Key(
-        lambda key, value: None if value is False else checked(key, as_table(key, value), keys)
+        lambda name, value: None if value is False else key.check(name, value),
+        f"{key.means} In a comparison, false: none.",
+        schema={"anyOf": [schema_of(key), {"const": False}]},
     )
-
-
-def compared_effect_schema(table: Schema) -> Schema:
-    """Return the schema of an effect table in a comparison. table : schema of the table."""
-    described = {"description": f"{table['description']} In a comparison, false: none."}
-    return {"anyOf": [table, {"const": False}]} | described
 
 
 def read_effects(

@@ -7,6 +7,7 @@ from ...ground import UserError
 from ..settings import (
     NOT_ZERO,
     NUMBER,
+    TEXT,
     Key,
     as_text,
     flag,
@@ -15,10 +16,13 @@ from ..settings import (
     one_or_several,
     pair,
     positive,
+    schema_of_keys,
+    table_of,
     two_numbers,
     within,
 )
 
+MAX_SEGMENTS = 1000
 MAX_MASS_OR_DAMPING = 1e12  # kg or N s/m; beyond it nothing moves
 
 
@@ -202,4 +206,15 @@ SEGMENTS = {  # kind -> keys
     "oscillate": OSCILLATE,
     "pull": PULL,
     "file": FILE,
+}
+SEGMENT_SCHEMA = {  # a table with one key, its kind
+    **table_of({kind: schema_of_keys(SEGMENTS[kind]) for kind in SEGMENTS} | {"file": TEXT}),
+    "minProperties": 1,
+    "maxProperties": 1,
+}
+PROGRAMME_SCHEMA = {
+    "anyOf": [
+        {"type": "array", "minItems": 1, "maxItems": MAX_SEGMENTS, "items": SEGMENT_SCHEMA},
+        SEGMENT_SCHEMA,
+    ]
 }

@@ -16,9 +16,8 @@ from .programme import (
     SlideSegment,
     Velocity,
 )
-from .segment_keys import SEGMENTS
+from .segment_keys import MAX_SEGMENTS, SEGMENTS
 
-MAX_SEGMENTS = 1000
 ARRAYS = {"time", "velocity"}  # keys of a sampled velocity from Python
 SINGLE_LIST: dict[type[HoldSegment | Oscillate], str] = {
     HoldSegment: "hold: only one hold of a programme may have a list of durations",

@@ -8,11 +8,16 @@ from functools import partial
 from pathlib import Path
 from typing import Any, NamedTuple
 
-import numpy as np
-
 from ...ground import UserError
 from ...text_tables import read_text_table
-from ..columns import STRESS_NAME, ColumnSpec, describe_columns, select_columns
+from ..columns import (
+    POSITIVE_NUMBER,
+    STRESS_NAME,
+    ColumnSpec,
+    check_rows,
+    describe_columns,
+    select_columns,
+)
 from ..settings import Key, as_text, filled, number, positive, within
 
 MAX_SHEAR_STRESS = 1e12  # Pa
@@ -90,20 +95,9 @@ def _read_rows(key: str, path: Path) -> tuple[tuple[tuple[float, float], ...], s
     table = read_text_table(key, path, path.name)
     columns = select_columns(table, (SPEED_COLUMN, STRESS_COLUMN), None, SHEAR_HEADER_ADVICE)
     speeds, stresses = (column.values for column in columns)
-    where = f"{key} = {path.name!r}"
-    for values, least, meaning in ((speeds, 5e-324, "a velocity"), (stresses, 0.0, "a stress")):
-        bad = np.flatnonzero(~((values >= least) & np.isfinite(values)))
-        if bad.size:
-            raise UserError(
-                f"{where}: row {bad[0] + 1} holds {meaning} of {values[bad[0]]:g}; give positive "
-                "velocities, and stresses that are not negative"
-            )
-    if np.any(np.diff(speeds) <= 0.0):
-        row = int(np.argmax(np.diff(speeds) <= 0.0))
-        raise UserError(
-            f"{where}: velocity {speeds[row + 1]:g} m/s does not come after {speeds[row]:g} m/s; "
-            "velocities must increase"
-        )
+    values = {"a velocity (m/s)": speeds, "a stress (Pa)": stresses}
+    rule = "give positive velocities, and stresses that are not negative"
+    check_rows(table.prefix, values, (POSITIVE_NUMBER, 0.0), rule)
     rows = zip(speeds.tolist(), stresses.tolist(), strict=True)
     return tuple(rows), describe_columns(table, columns)
 

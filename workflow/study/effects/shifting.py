@@ -2,6 +2,7 @@
 
 import math
 import re
+from functools import partial
 from itertools import pairwise
 from pathlib import Path
 
@@ -11,7 +12,7 @@ from ....kernels import ZERO_CELSIUS, Arrhenius, ShiftLaw, ShiftTable, Wlf
 from ...ground import UserError
 from ...text_tables import read_text_table
 from ..columns import ColumnSpec, describe_columns, select_columns
-from ..settings import NUMBER, Key, as_text, number, pair, positive, read_table, two_numbers
+from ..settings import NUMBER, Key, as_text, inline_table, number, pair, positive, two_numbers
 
 MAX_SHIFT_DECADES = 30.0
 KELVIN_SUSPICION = 230.0  # degrees above the reference: the value is probably in K
@@ -54,25 +55,22 @@ def read_shift_table(key: str, path: Path) -> ShiftTable:
     Raises UserError, which begins with ``key``.
     """
     table = read_text_table(key, path, path.name)
-    temperature, shift = select_columns(
-        table, (TEMPERATURE_COLUMN, DECADES), None, SHIFT_HEADER_ADVICE
-    )
+    columns = select_columns(table, (TEMPERATURE_COLUMN, DECADES), None, SHIFT_HEADER_ADVICE)
+    temperature, shift = columns
     values, name, read_as = shift.values, shift.title.name, ""
     if re.match(r"-|1\s*/", name):
-        raise UserError(
-            f"{key} = {path.name!r}: the column {name!r} holds shifts of frequencies: change their "
-            f"sign, and give {SHIFT_HEADER_ADVICE}"
+        raise table.refused(
+            f"the column {name!r} holds shifts of frequencies: change their sign, and give "
+            f"{SHIFT_HEADER_ADVICE}"
         )
     if re.match(r"ln", name, re.IGNORECASE):
         values, read_as = values / math.log(10.0), "; these are ln a_T"
     elif re.search(r"^(?!.*(log|lg)).*(a_?T|factor)", name, re.IGNORECASE):
         if np.any(values <= 0.0):
-            raise UserError(
-                f"{key} = {path.name!r}: a_T must be greater than zero; give {SHIFT_HEADER_ADVICE}"
-            )
+            raise table.refused(f"a_T must be greater than zero; give {SHIFT_HEADER_ADVICE}")
         values, read_as = np.log10(values), "; these are a_T itself"
     rows = np.stack([temperature.values - ZERO_CELSIUS, values], axis=1).tolist()
-    description = describe_columns(table, (temperature, shift)) + read_as
+    description = describe_columns(table, columns) + read_as
     return _shift_table(key, rows)._replace(told=description)
 
 
@@ -151,19 +149,17 @@ ARRHENIUS = {
 }
 SHIFTS = {
     "wlf": Key(
-        lambda key, value: Wlf(**read_table(key, value, WLF)),
+        partial(inline_table, keys=WLF, make=Wlf),
         "The shift of Williams, Landel and Ferry, log₁₀ a_T = −c1 (T − reference)/(c2 + T − "
         "reference); a_T multiplies all relaxation times. The law of Vogel, Fulcher and Tammann "
         "has c2 = reference − T₀ and c1 = B/(c2 ln 10).",
         default=None,
-        values="`{c1 = …, c2 = …, reference = …}`",
     ),
     "arrhenius": Key(
-        lambda key, value: Arrhenius(**read_table(key, value, ARRHENIUS)),
+        partial(inline_table, keys=ARRHENIUS, make=Arrhenius),
         "The shift of Arrhenius, ln a_T = E_a/R (1/T − 1/reference) with temperatures in K, in "
         "place of `wlf`.",
         default=None,
-        values="`{activation_energy = …, reference = …}`",
     ),
     "shifts": Key(
         _shift_table,

@@ -1,12 +1,14 @@
 """Readers of measured lines: text, npy, netCDF, and the formats of SurfaceTopography."""
 
+from typing import Any
+
 import numpy as np
 
-from ...ground import UserError, foreign_content, is_text, open_plain, read_plain
+from ...ground import foreign_content, is_text, open_plain, read_plain
 from ...system import unreadable
 from .instrument_files import read_instrument_file
 from .positions import rounding
-from .raw_lines import KEY, LineFile, Lines, RawLines, check_numbered, lines_of, plain, row_spacing
+from .raw_lines import LineFile, Lines, RawLines, check_numbered, lines_of, plain, row_spacing
 from .text_lines import read_text_lines
 
 DEFAULT_COLUMNS = (0, 1)
@@ -30,14 +32,14 @@ def read_lines(file: LineFile) -> Lines:
             data = read_plain(file.path)
             kind = foreign_content(data)
             if kind and suffix not in ARCHIVE_SUFFIXES:
-                raise UserError(f"{KEY} = {file.name!r}: is {kind}")
+                raise file.refused(f"is {kind}")
             text = is_text(data) and suffix not in SCALED_TEXT_SUFFIXES
             del data
             reader = read_text_lines if text else read_instrument_file
         return lines_of(file, reader(file))
     except (OSError, EOFError, ValueError, TypeError, RuntimeError) as error:
         reason = getattr(error, "strerror", None) or str(error).partition("\n")[0]
-        raise UserError(f"{KEY} = {file.name!r}: cannot be read: {reason}") from None
+        raise file.refused(f"cannot be read: {reason}") from None
 
 
 def _read_npy(file: LineFile) -> RawLines:
@@ -54,16 +56,16 @@ def _read_npy(file: LineFile) -> RawLines:
     if values.ndim == 1 and file.step is not None:
         values = values[:, None]
     if values.ndim != 2 or values.shape[1] <= max(columns) or values.dtype.kind not in "fiu":
-        raise UserError(
-            f"{KEY} = {file.name!r}: holds an array of shape {values.shape} and type "
-            f"{values.dtype}: must be numbers, a row per sample, with columns {list(columns)}"
+        raise file.refused(
+            f"holds an array of shape {values.shape} and type {values.dtype}: must be numbers, a "
+            f"row per sample, with columns {list(columns)}"
         )
     with np.errstate(invalid="ignore"):  # NaN of single precision
         table = values[:, columns].T.astype(float)
+    description = f"columns {list(columns)}"
     if file.step is not None:
-        return RawLines(table, None, np.empty(0), file.step, (), f"columns {list(columns)}")
-    precision = np.full(table.shape[1], rounding(values[:, columns[0]]))
-    return RawLines(table[1:], table[0], precision, None, (), f"columns {list(columns)}")
+        return RawLines(table, (), description, step=file.step)
+    return RawLines(table[1:], (), description, table[0], rounding(values[:, columns[0]]))
 
 
 def _read_netcdf(file: LineFile) -> RawLines:
@@ -75,18 +77,23 @@ def _read_netcdf(file: LineFile) -> RawLines:
         x, z = _variables(file, data.variables)
         if z.size > MAX_HEIGHTS:
             raise ValueError(f"{z.size} heights, more than {MAX_HEIGHTS}")
-        units = tuple(str(getattr(v, "units", getattr(v, "unit", ""))) for v in (x, z))
-        precision = np.full(x.size, rounding(x[:]))
         heights = np.moveaxis(plain(z[:]), z.dimensions.index(x.dimensions[0]), -1)
-        description = f"variables {x.name} and {z.name}"
         across = [data.variables.get(name) for name in z.dimensions if name not in x.dimensions]
         rows = None
         if len(across) == 1 and across[0] is not None:
-            unit = str(getattr(across[0], "units", getattr(across[0], "unit", units[0])))
-            rows = row_spacing(plain(across[0][:]), unit)
+            rows = row_spacing(plain(across[0][:]), _unit(across[0]) or _unit(x))
         return RawLines(
-            heights.reshape(-1, x.size), plain(x[:]), precision, None, units, description, rows
+            heights.reshape(-1, x.size),
+            (_unit(x), _unit(z)),
+            f"variables {x.name} and {z.name}",
+            plain(x[:]),
+            rounding(x[:]),
+            row_spacing=rows,
         )
+
+
+def _unit(variable: Any) -> str:
+    return str(getattr(variable, "units", getattr(variable, "unit", "")))
 
 
 def _variables(file: LineFile, variables: dict) -> tuple:
@@ -98,14 +105,14 @@ def _variables(file: LineFile, variables: dict) -> tuple:
         along = variables[heights[0]].dimensions if len(heights) == 1 else ("",)
         names = ("x" if "x" in along else along[-1], *heights)
     if len(names) != 2 or any(name not in variables for name in names):
-        raise UserError(
-            f"{KEY} = {file.name!r}: holds the variables {', '.join(variables)}: name positions "
-            'and heights, as surface.columns = ["x", "height"]'
+        raise file.refused(
+            f"holds the variables {', '.join(variables)}: name positions and heights, as "
+            'surface.columns = ["x", "height"]'
         )
     x, z = (variables[name] for name in names)
     if x.ndim != 1 or not set(x.dimensions) <= set(z.dimensions):
-        raise UserError(
-            f"{KEY} = {file.name!r}: {names[0]!r} does not hold the positions of the samples "
-            f"of {names[1]!r}: must have one dimension, shared with the heights"
+        raise file.refused(
+            f"{names[0]!r} does not hold the positions of the samples of {names[1]!r}: must have "
+            "one dimension, shared with the heights"
         )
     return x, z

@@ -7,10 +7,9 @@ from typing import Any
 
 import numpy as np
 
-from ...ground import UserError
 from ...system import limit_cpu_time, limit_memory, read_apart, requested_paths
 from .positions import rounding
-from .raw_lines import KEY, LineFile, RawLines, plain, row_spacing
+from .raw_lines import LineFile, RawLines, plain, row_spacing
 
 MIN_READ_SECONDS, READ_BYTES_PER_SECOND = 5.0, 2e6  # CPU time
 MIN_MEMORY_BYTES, MEMORY_PER_BYTE = 2.0**29, 16.0  # beyond that of the imported packages
@@ -28,18 +27,23 @@ def read_instrument_file(file: LineFile) -> RawLines:
         raise ValueError(fault)
     arrays = np.load(io.BytesIO(output), allow_pickle=False)
     if "missing" in arrays:
-        raise UserError(
-            f"{KEY} = {file.name!r}: files {file.path.suffix or 'without suffix'} that are not "
-            "text are read by SurfaceTopography, which is not installed: pip install "
-            "SurfaceTopography"
+        raise file.refused(
+            f"files {file.path.suffix or 'without suffix'} that are not text are read by "
+            "SurfaceTopography, which is not installed: pip install SurfaceTopography"
         )
     if "fault" in arrays:
         raise ValueError(str(arrays["fault"]))
-    x, heights, unit = arrays["x"], arrays["heights"], str(arrays["unit"])
-    is_map = "row_pixel" in arrays
-    rows = row_spacing(np.array([0.0, arrays["row_pixel"]]), unit) if is_map else None
-    description = f"read by SurfaceTopography as a {'map' if is_map else 'line'}"
-    return RawLines(heights, x, np.full(len(x), rounding(x)), None, (unit, unit), description, rows)
+    unit, rows, kind = str(arrays["unit"]), None, "line"
+    if "row_pixel" in arrays:
+        rows, kind = row_spacing(np.array([0.0, arrays["row_pixel"]]), unit), "map"
+    return RawLines(
+        arrays["heights"],
+        (unit, unit),
+        f"read by SurfaceTopography as a {kind}",
+        arrays["x"],
+        rounding(arrays["x"]),
+        row_spacing=rows,
+    )
 
 
 def _arrays(path: Path) -> dict[str, Any]:

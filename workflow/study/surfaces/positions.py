@@ -15,12 +15,12 @@ MIN_ROUNDED_SHARE = 0.01  # minimum share of uneven steps if positions are round
 MIN_GRID_SHARE = 0.5  # minimum share of the points of a grid that a list contains
 
 
-def uniform_step(key: str, name: str, x: np.ndarray, precision: np.ndarray) -> float:
+def uniform_step(prefix: str, x: np.ndarray, precision: np.ndarray | float) -> float:
     """Return the step of uniform positions; it is negative if they descend.
 
-    precision : of each position, shape of x. The step is the slope of a fitted straight line.
-    Positions written with few decimals have uneven steps, such as 0.1 and 0.2; they must lie
-    within their precision of the line.
+    prefix : start of an error message. precision : of the positions. The step is the slope of a
+    fitted straight line. Positions written with few decimals have uneven steps, such as 0.1 and
+    0.2; they must lie within their precision of the line.
 
     Raises UserError if the positions are not uniform. A single longer step is a gap, even if the
     precision is as coarse as a step.
@@ -29,13 +29,13 @@ def uniform_step(key: str, name: str, x: np.ndarray, precision: np.ndarray) -> f
     if step == 0.0 or not even:
         steps, worst = np.diff(x), int(np.argmax(uneven))
         raise UserError(
-            f"{key} = {name!r}: sample {worst + 2} is {steps[worst]:.6g} after the one before, in "
+            f"{prefix}: sample {worst + 2} is {steps[worst]:.6g} after the one before, in "
             f"the mean steps are {step:.6g}: bring the samples to equal steps first"
         )
     return step
 
 
-def is_uniform(x: np.ndarray, precision: np.ndarray) -> bool:
+def is_uniform(x: np.ndarray, precision: np.ndarray | float) -> bool:
     """Return whether values ascend or descend in equal steps, like positions and unlike heights."""
     if x.size < 2:
         return False
@@ -43,7 +43,7 @@ def is_uniform(x: np.ndarray, precision: np.ndarray) -> bool:
     return bool(even and abs(step) > 0.0 and np.all(np.diff(x) * step >= 0.0))
 
 
-def _fitted_step(x: np.ndarray, precision: np.ndarray) -> tuple[float, np.ndarray, bool]:
+def _fitted_step(x: np.ndarray, precision: np.ndarray | float) -> tuple[float, np.ndarray, bool]:
     """Return the fitted step, the deviations of steps from their median, and whether all fit."""
     index = np.arange(x.size) - 0.5 * (x.size - 1)
     step = float(np.sum(index * (x - x.mean())) / np.sum(index**2))
@@ -51,7 +51,7 @@ def _fitted_step(x: np.ndarray, precision: np.ndarray) -> tuple[float, np.ndarra
     steps = np.diff(x)
     uneven = np.abs(steps - np.median(steps))
     even = np.all(off <= STEP_TOLERANCE * abs(step))
-    rounded_steps = np.count_nonzero(uneven > 0.5 * precision[1:])
+    rounded_steps = np.count_nonzero(uneven > 0.5 * np.broadcast_to(precision, x.shape)[1:])
     if not even and rounded_steps >= max(2.0, MIN_ROUNDED_SHARE * x.size):
         even = np.all(off <= precision + STEP_TOLERANCE * abs(step))
     return step, uneven, bool(even)

@@ -10,7 +10,7 @@ from ....kernels.half_space.surface import map_amplitudes, rms_slope_of
 from ...ground import UserError
 from .line_correlation import LineCorrelation, line_correlation
 from .positions import STEP_TOLERANCE
-from .raw_lines import KEY, MAX_MAP_ASPECT, MIN_SAMPLES, LineFile, Lines, plain
+from .raw_lines import MAX_MAP_ASPECT, MIN_SAMPLES, LineFile, Lines, plain
 
 SLOPE_LIMITS = 1e-5, 30.0  # of the rms slope; beyond them heights and lengths differ in unit
 LOAD_LIMITS = 1e-8, 1e6  # F_N/(4 G L h)
@@ -81,7 +81,7 @@ def is_map(lines: Lines, loaded_by_force: bool = False) -> bool:
 def profile_of_lines(file: LineFile, lines: Lines, detrend: str, periodic: str) -> Profile:
     """Return the prepared lines of a file. Raises UserError, one line that names key and file."""
     levelled = level(lines.heights, detrend)
-    check_not_flat(f"{KEY} = {file.name!r}", levelled, lines.heights)
+    check_not_flat(file.prefix, levelled, lines.heights)
     read = f"{file.name}: {lines.size}, {lines.notes}"
     notes, hint = f"{read}; {_preparation_text(detrend, periodic)}", ""
     if spike_count := spikes(levelled):
@@ -99,31 +99,29 @@ def map_of_lines(file: LineFile, lines: Lines, detrend: str, periodic: str) -> P
 
     The row spacing must equal the sample spacing. This is assumed if the file does not state it.
     """
-    prefix = f"{KEY} = {file.name!r}"
     if file.gaps == "drop":
         raise UserError('surface.gaps = "drop": leaves rows out of a map; use "fill"')
     rows, samples = lines.heights.shape
     if rows < MIN_SAMPLES:
-        raise UserError(
-            f"{prefix}: {rows} rows of {samples} samples are not a map, which a half-space needs; "
-            'use scene.body = "foundation", or scene.run with a line contact'
+        raise file.refused(
+            f"{rows} rows of {samples} samples are not a map, which a half-space needs; use "
+            'scene.body = "foundation", or scene.run with a line contact'
         )
     if lines.row_spacing is not None and abs(lines.row_spacing / lines.step - 1.0) > STEP_TOLERANCE:
-        raise UserError(
-            f"{prefix}: its rows are {lines.row_spacing:.4g} m apart and samples "
-            f"{lines.step:.4g} m: a half-space needs a map of square cells; resample it, or set "
-            'scene.body = "foundation"'
+        raise file.refused(
+            f"its rows are {lines.row_spacing:.4g} m apart and samples {lines.step:.4g} m: a "
+            'half-space needs a map of square cells; resample it, or set scene.body = "foundation"'
         )
     square = central_square(lines.heights)
     side = len(square)
     levelled = _level_map(square, detrend)
-    check_not_flat(prefix, levelled[None], square[None])
+    check_not_flat(file.prefix, levelled[None], square[None])
     assumed = " (row distance assumed equal)" if lines.row_spacing is None else ""
     cut = "" if rows == samples else f", the middle of {rows} x {samples}"
     whole = make_periodic(make_periodic(levelled, periodic).T, periodic).T
     notes = (
         f"{file.name}: map of {side} x {side}{cut}, pitch {lines.step:.4g} m{assumed}, "
-        f"{lines.notes}; {_map_preparation_text(detrend, periodic, len(whole))}"
+        f"{lines.notes}; {_preparation_text(detrend, periodic, len(whole))}"
     )
     return _measured_profile(file, whole[None], lines.step, periodic, notes)
 
@@ -141,61 +139,43 @@ def _measured_profile(
     """Return the profile of one period of heights, with its rms height and slope in the notes."""
     length = step * heights.shape[-1]
     profile = _read_only_profile(heights, length, PERIODICS[periodic], notes)
-    check_slope(f"{KEY} = {file.name!r}", f"check surface.units{hint}", profile)
+    check_slope(file.prefix, f"check surface.units{hint}", profile)
     statistics = f"; h = {profile.roughness:.4g} m, rms slope {profile.slope:.4g}"
     return profile._replace(notes=profile.notes + statistics)
 
 
 @quietly
-def profile_of_array(heights: object, length: float) -> Profile:
-    """Return the profile of heights given in m, shape (n,) or (lines, n), one period each.
+def profile_of_array(heights: object, length: float, as_map: bool = False) -> Profile:
+    """Return the profile of one period of heights in m: lines of shape (n,) or (lines, n).
 
-    length : of the period (m), n steps; one element per sample. Raises UserError that names the
-    argument ``profile``.
+    as_map : whether they are a map (rows, n), whose rows are as far apart as samples and whose
+    central square is used, or a line contact (n,) of a half-space. length : of n steps (m); one
+    element per sample. Raises UserError that names the argument ``profile``.
     """
-    lines = heights_of_array(heights)
-    if lines.ndim != 2 or not lines.size or lines.shape[1] < MIN_SAMPLES:
-        raise UserError(
-            f"profile: has the shape {lines.shape}: must hold at least {MIN_SAMPLES} "
-            "heights, or lines of them"
-        )
-    notes = f"given from Python: {len(lines)} of {lines.shape[1]} samples, one period as it is"
-    profile = _given_profile(heights, lines, length, notes)
-    return profile._replace(correlation=line_correlation(level(lines, "mean")))
-
-
-@quietly
-def map_of_array(heights: object, length: float) -> Profile:
-    """Return the map of one period of heights in m, shape (rows, n), or (n,) for a line contact.
-
-    Rows are as far apart as samples. Of a rectangular map the square at its centre is used.
-    length : of n steps along x (m); one element per sample. Raises UserError that names the
-    argument ``profile``.
-    """
-    values = heights_of_array(heights)
-    line = values.ndim == 2 and values.shape[0] == 1
-    if values.ndim != 2 or min(values.shape if not line else values.shape[1:]) < MIN_SAMPLES:
-        raise UserError(
-            f"profile: has the shape {values.shape}: a half-space takes a map (rows, n), the last "
-            f"axis along x, or a line contact (n,), of {MIN_SAMPLES} samples or more each way"
-        )
-    kind = "line contact" if line else "map"
-    square = values if line else central_square(values)
-    cut = "" if square.shape == values.shape else f", the middle {len(square)} x {len(square)}"
-    notes = f"given from Python: a {kind} of {values.shape}{cut}, one period as it is"
-    side = length * square.shape[1] / values.shape[1]
-    return _given_profile(heights, square[None], side, notes)
-
-
-def _given_profile(heights: object, values: np.ndarray, length: float, notes: str) -> Profile:
-    """Check lines, or one map, from Python, and return them as a profile."""
-    check_finite(
-        heights, values.reshape(-1, values.shape[-1]), "line" if values.ndim == 2 else "row"
-    )
-    check_not_flat("profile", values, values)
-    profile = _read_only_profile(values, length, 1, notes)
+    try:
+        values = np.atleast_2d(plain(heights))  # NaN if masked
+    except (OverflowError, TypeError, ValueError):
+        raise UserError("profile: must be an array of heights in m") from None
+    square = as_map and len(values) > 1
+    if values.ndim != 2 or min(values.shape[not square :]) < MIN_SAMPLES or not values.size:
+        needs = f"at least {MIN_SAMPLES} heights, or lines of them"
+        if as_map:
+            needs = f"a map (rows, n), or a line contact (n,), of {MIN_SAMPLES} samples each way"
+        raise UserError(f"profile: has the shape {values.shape}: must hold {needs}")
+    used = central_square(values) if square else values
+    notes = f"{len(values)} of {values.shape[1]} samples"
+    if as_map:
+        cut = "" if used.shape == values.shape else f", the middle {len(used)} x {len(used)}"
+        notes = f"a {'map' if square else 'line contact'} of {values.shape}{cut}"
+    _check_finite(heights, used, "row" if as_map else "line")
+    period = used[None] if as_map else used
+    check_not_flat("profile", period, period)
+    notes = f"given from Python: {notes}, one period as it is"
+    profile = _read_only_profile(period, length * used.shape[1] / values.shape[1], 1, notes)
     check_slope("profile", "give heights and length both in m", profile)
-    return profile
+    if as_map:
+        return profile
+    return profile._replace(correlation=line_correlation(level(used, "mean")))
 
 
 def rows_of_map(profile: Profile) -> Profile:
@@ -206,18 +186,7 @@ def rows_of_map(profile: Profile) -> Profile:
     return lines._replace(measured_length=profile.measured_length, correlation=correlation)
 
 
-def heights_of_array(heights: object) -> np.ndarray:
-    """Return heights given from Python as an array of two or more dimensions, NaN if masked.
-
-    One dimension becomes one row. Raises UserError if they do not form an array.
-    """
-    try:
-        return np.atleast_2d(plain(heights))
-    except (OverflowError, TypeError, ValueError):
-        raise UserError("profile: must be an array of heights in m") from None
-
-
-def check_finite(given: object, heights: np.ndarray, row_name: str) -> None:
+def _check_finite(given: object, heights: np.ndarray, row_name: str) -> None:
     """Raise UserError for heights, shape (rows, n), that are masked in ``given`` or not finite."""
     if not np.isfinite(heights).all():
         row, sample = np.argwhere(~np.isfinite(heights))[0]
@@ -253,28 +222,28 @@ def check_slope(prefix: str, hint: str, profile: Profile) -> None:
         )
 
 
-def _preparation_text(detrend: str, periodic: str) -> str:
-    """Return the preparation of lines in words."""
-    removed = "nothing" if detrend == "none" else f"its {detrend}"
-    made = {
-        "none": "taken as one period",
-        "mirror": "mirrored: the period is the line followed by its reverse and carries twice "
-        "normal_force",
-        "taper": f"brought to its mean by a cosine over {TAPER_SHARE:.0%} of its length at each "
-        "end",
-    }
-    return f"{removed} removed from each line, which is {made[periodic]}"
-
-
-def _map_preparation_text(detrend: str, periodic: str, side: int) -> str:
-    """Return the preparation of a map with ``side`` samples a side in words."""
-    removed = {"none": "nothing", "line": "tilt"}.get(detrend, detrend)
-    made = {
-        "none": "taken as one period",
-        "mirror": f"mirrored to {side} x {side}",
-        "taper": f"brought to its mean over {TAPER_SHARE:.0%} of each side",
-    }
-    return f"{removed} removed, {made[periodic]}"
+def _preparation_text(detrend: str, periodic: str, side: int | None = None) -> str:
+    """Return the preparation of lines, or of a map with ``side`` samples a side, in words."""
+    removed = {"none": "nothing", "line": "tilt" if side else "its line"}.get(
+        detrend, detrend if side else f"its {detrend}"
+    )
+    of_lines, of_map = {
+        "none": ("taken as one period", "taken as one period"),
+        "mirror": (
+            "mirrored: the period is the line followed by its reverse and carries twice "
+            "normal_force",
+            f"mirrored to {side} x {side}",
+        ),
+        "taper": (
+            f"brought to its mean by a cosine over {TAPER_SHARE:.0%} of its length at each end",
+            f"brought to its mean over {TAPER_SHARE:.0%} of each side",
+        ),
+    }[periodic]
+    return (
+        f"{removed} removed, {of_map}"
+        if side
+        else f"{removed} removed from each line, which is {of_lines}"
+    )
 
 
 def _read_only_profile(heights: np.ndarray, length: float, copies: int, notes: str) -> Profile:
@@ -285,7 +254,7 @@ def _read_only_profile(heights: np.ndarray, length: float, copies: int, notes: s
     return Profile(values, length, length / copies, notes, digest)
 
 
-DETRENDS = {"none": None, "mean": 0, "line": 1, "parabola": 2}  # degree of the removed polynomial
+DETRENDS = {"none": -1, "mean": 0, "line": 1, "parabola": 2}  # degree of the removed polynomial
 PERIODICS = {"none": 1, "mirror": 2, "taper": 1}  # measured lengths in one period
 TAPER_SHARE = 0.1  # of the length, at either end
 FLAT_TOLERANCE = 1e-9  # of the largest height: rounding in a levelled straight line
@@ -293,11 +262,9 @@ FLAT_TOLERANCE = 1e-9  # of the largest height: rounding in a levelled straight 
 
 def level(heights: np.ndarray, detrend: str) -> np.ndarray:
     """Subtract the polynomial fitted to each line from heights of shape (lines, n)."""
-    degree = DETRENDS[detrend]
-    if degree is None:
-        return heights
     t = np.linspace(-1.0, 1.0, heights.shape[1])
-    for polynomial in (np.ones_like(t), t, t**2 - np.mean(t**2))[: degree + 1]:  # orthogonal
+    orthogonal = np.ones_like(t), t, t**2 - np.mean(t**2)
+    for polynomial in orthogonal[: DETRENDS[detrend] + 1]:
         part = np.sum(heights * polynomial, axis=1) / np.sum(polynomial**2)
         heights = heights - part[:, None] * polynomial
     return heights
@@ -306,7 +273,7 @@ def level(heights: np.ndarray, detrend: str) -> np.ndarray:
 def _level_map(heights: np.ndarray, detrend: str) -> np.ndarray:
     """Subtract the fitted polynomial in x and y from a map: mean, plane or parabola."""
     degree = DETRENDS[detrend]
-    if degree is None:
+    if degree < 0:
         return heights
     t = np.linspace(-1.0, 1.0, len(heights))
     terms = [

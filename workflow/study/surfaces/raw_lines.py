@@ -28,16 +28,25 @@ class LineFile(NamedTuple):
     gaps: str = "refuse"  # treatment of missing samples
     spikes: str = "refuse"  # treatment of spikes
 
+    @property
+    def prefix(self) -> str:
+        """Return the start of messages."""
+        return f"{KEY} = {self.name!r}"
+
+    def refused(self, reason: str) -> UserError:
+        """Return the error with a reason to refuse the file, and the remedy."""
+        return UserError(f"{self.prefix}: {reason}")
+
 
 class RawLines(NamedTuple):
     """Lines in the units of a file, with their metadata."""
 
     heights: np.ndarray  # shape (lines, n), NaN if a sample is missing
-    x: np.ndarray | None  # positions, shape (n,); None: the step is known
-    precision: np.ndarray  # of each position, shape (n,)
-    step: float | None  # m, if positions are absent
     units: tuple[str, ...]  # of positions, then one for each line or one for all; "" if absent
-    description: str = ""  # columns or variables, in words
+    description: str  # columns or variables, in words
+    x: np.ndarray | None = None  # positions, shape (n,); None: the step is known
+    precision: np.ndarray | float = 0.0  # of the positions
+    step: float = 0.0  # m, if positions are absent
     row_spacing: float | None = None  # m, of the rows of a map; None: not stated
 
 
@@ -87,28 +96,30 @@ def lines_of(file: LineFile, raw: RawLines) -> Lines:
     gaps, unless surface.spikes does, for missing units, for too few samples, for a step above
     MAX_STEP, and for positions that are not uniform.
     """
-    prefix = f"{KEY} = {file.name!r}"
-    _check_positions(prefix, raw.x)
-    heights, gap_note = marked_gaps(prefix, raw.heights, file.gaps)
+    if raw.x is not None and not np.isfinite(raw.x).all():
+        sample = int(np.argmin(np.isfinite(raw.x)))
+        raise file.refused(
+            f"the position of sample {sample + 1} is missing: give surface.step in place of "
+            "positions, or write it"
+        )
+    heights, gap_note = marked_gaps(file.prefix, raw.heights, file.gaps)
     unit, (of_positions, *of_lines) = _factors(file, raw)
-    samples = heights.shape[1]
+    samples, step = heights.shape[1], raw.step
     if samples < MIN_SAMPLES:
-        raise UserError(f"{prefix}: {samples} samples per line: needs at least {MIN_SAMPLES}")
-    step = raw.step
+        raise file.refused(f"{samples} samples per line: needs at least {MIN_SAMPLES}")
     if raw.x is not None:
-        step = uniform_step(KEY, file.name, raw.x, raw.precision) * of_positions
-    assert step is not None
+        step = uniform_step(file.prefix, raw.x, raw.precision) * of_positions
     if abs(step) > MAX_STEP:
-        raise UserError(
-            f"{prefix}: samples are {abs(step):.4g} m apart: must be at most {MAX_STEP:g} m; give "
+        raise file.refused(
+            f"samples are {abs(step):.4g} m apart: must be at most {MAX_STEP:g} m; give "
             "surface.units, or the heights as text with the step that the instrument states"
         )
     if len(of_lines) != len(raw.heights):  # one unit for all lines
         of_lines = of_lines[:1] * len(raw.heights)
     in_metres = np.array(of_lines[: len(heights)])[:, None]
     least = SPIKE_SLOPE * abs(step) / in_metres
-    heights, spike_note = marked_spikes(prefix, heights, least, file.spikes)
-    heights = gaps_filled(prefix, heights) * in_metres
+    heights, spike_note = marked_spikes(file.prefix, heights, least, file.spikes)
+    heights = gaps_filled(file.prefix, heights) * in_metres
     if step < 0.0:
         heights = heights[:, ::-1]
     distance = f"{abs(step):.6g} m apart{' in the mean' if raw.x is not None else ''}"
@@ -116,16 +127,6 @@ def lines_of(file: LineFile, raw: RawLines) -> Lines:
     size = f"{counted(len(heights), 'line')} of {samples} samples, {distance}"
     notes = "; ".join(filter(None, (units, raw.description, gap_note, spike_note)))
     return Lines(heights, abs(step), size, notes, raw.row_spacing)
-
-
-def _check_positions(prefix: str, x: np.ndarray | None) -> None:
-    """Raise UserError for a missing position."""
-    if x is not None and not np.isfinite(x).all():
-        sample = int(np.argmin(np.isfinite(x)))
-        raise UserError(
-            f"{prefix}: the position of sample {sample + 1} is missing: give surface.step in place "
-            "of positions, or write it"
-        )
 
 
 def _factors(file: LineFile, raw: RawLines) -> tuple[str, list[float]]:

@@ -17,8 +17,8 @@ import numpy as np
 
 from ....kernels import IsotropicSpectrum, isotropic_of_cut, isotropic_of_equivalent
 from ...ground import UserError
-from ...text_tables import read_text_table
-from ..columns import ColumnSpec, describe_columns, select_columns
+from ...text_tables import TextTable, read_text_table
+from ..columns import POSITIVE_NUMBER, ColumnSpec, check_rows, describe_columns, select_columns
 from ..settings import Key, as_text, choice, positive
 
 SPECTRUM_KEY = "surface.spectrum"
@@ -74,8 +74,7 @@ def read_spectrum(table: Mapping[str, Any], folder: Path) -> tuple[IsotropicSpec
     wanted = WAVE_NUMBER_COLUMN, ColumnSpec("C(q)", family, DENSITY_NAMES, unit, ADVICE)
     columns = select_columns(rows, wanted, None, ADVICE.replace("m^4", unit))
     q, density = (column.values for column in columns)
-    prefix = f"{SPECTRUM_KEY}.file = {name!r}"
-    _check_rows(prefix, rows.lines, q, density)
+    _check_rows(rows, q, density)
     surface = isotropic(q, table["times"] * density)
     lost = ~(np.isfinite(surface) & (surface > 0.0))
     if lost.any():
@@ -89,23 +88,16 @@ def read_spectrum(table: Mapping[str, Any], folder: Path) -> tuple[IsotropicSpec
     return IsotropicSpectrum(tuple(q.tolist()), tuple(surface.tolist())), told
 
 
-def _check_rows(prefix: str, lines: Any, q: np.ndarray, density: np.ndarray) -> None:
+def _check_rows(table: TextTable, q: np.ndarray, density: np.ndarray) -> None:
     """Raise UserError unless q and C are positive, and q ascends without gaps."""
     if q.size < 2:
-        raise UserError(f"{prefix}: holds one row: needs two wave numbers or more")
-    for row in np.flatnonzero(~((q > 0.0) & (density > 0.0) & np.isfinite(q * density))):
-        raise UserError(
-            f"{prefix}: line {lines[row]} has q = {q[row]:g} 1/m and C = {density[row]:g}: both "
-            "must be greater than zero; leave the row out"
-        )
+        raise table.refused("holds one row: needs two wave numbers or more")
+    values = {"q (1/m)": q, "C": density}
+    rule = "both must be greater than zero; leave the row out"
+    check_rows(table.prefix, values, (POSITIVE_NUMBER, POSITIVE_NUMBER), rule)
     ratio = q[1:] / q[:-1]
-    for row in np.flatnonzero(ratio <= 1.0):
-        raise UserError(
-            f"{prefix}: q = {q[row + 1]:g} 1/m of line {lines[row + 1]} follows {q[row]:g} 1/m: "
-            "must increase from row to row; sort the rows, and average those of one q"
-        )
     for row in np.flatnonzero(ratio > MAX_ROW_RATIO * (1.0 + 1e-9)):
-        raise UserError(
-            f"{prefix}: has no row between q = {q[row]:g} and {q[row + 1]:g} 1/m: a gap of more "
+        raise table.refused(
+            f"has no row between q = {q[row]:g} and {q[row + 1]:g} 1/m: a gap of more "
             f"than a factor of {MAX_ROW_RATIO:g}; add rows, or cut the table there"
         )

@@ -10,7 +10,7 @@ import numpy as np
 
 from ....kernels.lines.self_affine import NORMALISATIONS
 from ...ground import UserError
-from ..effects import FOUNDATION, HALF_SPACE
+from ..effects.scene import FOUNDATION, HALF_SPACE
 from ..settings import (
     TEXT,
     Key,
@@ -19,9 +19,10 @@ from ..settings import (
     choice,
     filled,
     flag,
+    inline_table,
     pair,
     positive,
-    read_table,
+    refuse_keys,
     within,
 )
 from .files import read_lines
@@ -98,11 +99,10 @@ RANDOM_KEYS = {
 }
 SPECTRUM_KEYS = {
     "spectrum": Key(
-        lambda key, value: read_table(key, value, SPECTRUM),
+        partial(inline_table, keys=SPECTRUM),
         "The measured power spectrum of an isotropic surface, in place of `grid.hurst` and "
         "`grid.roughness`. It is zero beyond its rows; `rolloff` makes C₂D flat above λ_r.",
         default=None,
-        values="`{file = …, kind = …, times = …}`",
     ),
     "rms_slope": Key(
         positive,
@@ -207,60 +207,53 @@ def read_surface(
     for ``is_map``.
     """
     if "file" in given:
-        settings = filled("surface", given, FILE_KEYS)
-        random = (RANDOM_KEYS | SPECTRUM_KEYS).keys() - {"rolloff"}
-        for key in filter(random.__contains__, given):
-            raise UserError(
-                f"surface.{key} = {given[key]!r:.40}: leave it out with surface.file, "
-                "measured lines"
-            )
-        if body == HALF_SPACE:
-            _check_map_kind("surface", given)
-        name = settings["file"]
-        reading = (settings[key] for key in ("columns", "units", "step", "gaps", "spikes"))
-        if settings["step"] is None and len(settings["columns"]) == 1:
-            raise UserError(
-                f"surface.columns = {list(settings['columns'])!r}: must be that of positions and "
-                "those of heights, as [0, 1]; of heights alone with surface.step"
-            )
-        file = LineFile(folder / name, name, *reading)
-        lines = read_lines(file)
-        if body is None:
-            body = HALF_SPACE if is_map(lines, loaded_by_force) else FOUNDATION
-        prepare = map_of_lines if body == HALF_SPACE else profile_of_lines
-        profile = prepare(file, lines, settings["detrend"], settings["periodic"])
-        line_kind = {key: value for key, value in given.items() if key in LINE_KIND_KEYS}
-        rolloff = given.get("rolloff", 0.0)
-        if rolloff > profile.measured_length * (1.0 + 1e-9):
-            raise UserError(
-                f"surface.rolloff = {rolloff!r}: must not be longer than the lines of "
-                f"surface.file, {profile.measured_length:.6g} m"
-            )
-        surface = Surface(profile.measured_length, rolloff=rolloff, profile=profile, body=body)
-        check_cutoff(surface, (profile.spacing,))
-        return lines_like("surface", surface, line_kind)
-    for key in filter(MEASURED_KEYS.__contains__, given):
-        value = list(given[key]) if isinstance(given[key], tuple) else given[key]  # as in TOML
-        raise UserError(f"surface.{key} = {value!r:.40}: goes with surface.file alone")
+        return _read_measured(given, folder, body, loaded_by_force)
+    refuse_keys("surface", given, MEASURED_KEYS, "goes with surface.file alone")
     surface = Surface(**filled("surface", given, RANDOM_KEYS), body=body or FOUNDATION)
     if "spectrum" in given:
         surface = _with_spectrum(surface, given, folder)
-    elif "rms_slope" in given:
-        raise UserError(
-            f"surface.rms_slope = {given['rms_slope']!r}: goes with {SPECTRUM_KEY} alone"
-        )
+    else:
+        refuse_keys("surface", given, ("rms_slope",), f"goes with {SPECTRUM_KEY} alone")
     for key in ("rolloff", "cutoff"):
         if given.get(key, 0.0) > surface.length:
-            raise UserError(
-                f"surface.{key} = {given[key]!r}: must not be longer than surface.length = "
-                f"{surface.length!r}"
-            )
+            reason = f"must not be longer than surface.length = {surface.length!r}"
+            refuse_keys("surface", given, (key,), reason)
     if surface.rolloff and surface.rolloff <= surface.cutoff:
-        raise UserError(
-            f"surface.rolloff = {surface.rolloff!r}: must be longer than surface.cutoff = "
-            f"{surface.cutoff!r}"
-        )
+        reason = f"must be longer than surface.cutoff = {surface.cutoff!r}"
+        refuse_keys("surface", given, ("rolloff",), reason)
     return surface
+
+
+def _read_measured(
+    given: Mapping[str, Any], folder: Path, body: str | None, loaded_by_force: bool
+) -> Surface:
+    """Return the surface of a file; see ``read_surface``."""
+    settings = filled("surface", given, FILE_KEYS)
+    random = (RANDOM_KEYS | SPECTRUM_KEYS).keys() - {"rolloff"}
+    refuse_keys("surface", given, random, "leave it out with surface.file, measured lines")
+    if body == HALF_SPACE:
+        _check_map_kind("surface", given)
+    if settings["step"] is None and len(settings["columns"]) == 1:
+        reason = (
+            "must be that of positions and those of heights, as [0, 1]; of heights alone with "
+            "surface.step"
+        )
+        refuse_keys("surface", given, ("columns",), reason)
+    reading = (settings[key] for key in ("columns", "units", "step", "gaps", "spikes"))
+    file = LineFile(folder / settings["file"], settings["file"], *reading)
+    lines = read_lines(file)
+    if body is None:
+        body = HALF_SPACE if is_map(lines, loaded_by_force) else FOUNDATION
+    prepare = map_of_lines if body == HALF_SPACE else profile_of_lines
+    profile = prepare(file, lines, settings["detrend"], settings["periodic"])
+    length, rolloff = profile.measured_length, given.get("rolloff", 0.0)
+    if rolloff > length * (1.0 + 1e-9):
+        reason = f"must not be longer than the lines of surface.file, {length:.6g} m"
+        refuse_keys("surface", given, ("rolloff",), reason)
+    surface = Surface(length, rolloff=rolloff, profile=profile, body=body)
+    check_cutoff(surface, (profile.spacing,))
+    like = {key: value for key, value in given.items() if key in LINE_KIND_KEYS}
+    return lines_like("surface", surface, like)
 
 
 def _with_spectrum(surface: Surface, given: Mapping[str, Any], folder: Path) -> Surface:
@@ -268,10 +261,9 @@ def _with_spectrum(surface: Surface, given: Mapping[str, Any], folder: Path) -> 
 
     given : checked values of the table. Raises UserError.
     """
-    for key in ("normalisation", *(("cutoff",) if "rms_slope" in given else ())):
-        if key in given:
-            other = "surface.rms_slope" if key == "cutoff" else SPECTRUM_KEY
-            raise UserError(f"surface.{key} = {given[key]!r}: leave it out with {other}")
+    refuse_keys("surface", given, ("normalisation",), f"leave it out with {SPECTRUM_KEY}")
+    if "rms_slope" in given:
+        refuse_keys("surface", given, ("cutoff",), "leave it out with surface.rms_slope")
     power, told = read_spectrum(given["spectrum"], folder)
     longest, shortest = 2.0 * math.pi / power.q[0], 2.0 * math.pi / power.q[-1]
     waves = f"those of {given['spectrum']['file']!r}, {shortest:.4g} to {longest:.4g} m"
@@ -337,8 +329,8 @@ def lines_like(where: str, surface: Surface, table: Mapping[str, Any]) -> Surfac
 
     ``where`` is the name of the table of checked values. Raises UserError.
     """
-    for key in table if surface.profile is None else ():
-        raise UserError(f"{where}.{key} = {table[key]!r:.40}: goes with surface.file alone")
+    if surface.profile is None:
+        refuse_keys(where, table, LINE_KIND_KEYS, "goes with surface.file alone")
     if surface.profile is not None and surface.profile.heights.ndim > 2:
         _check_map_kind(where, table)
     changed = surface._replace(**table)

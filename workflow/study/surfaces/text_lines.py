@@ -11,7 +11,7 @@ import numpy as np
 from ...ground import UserError, counted
 from ...text_tables import UNREAD_NAME, TextTable, Title, is_numeral, read_text_table, unit_of
 from ..columns import count_named
-from .positions import PointGrid, grid_of, is_uniform, precision, repeats
+from .positions import grid_of, is_uniform, precision, repeats
 from .raw_lines import (
     KEY,
     MAX_MAP_ASPECT,
@@ -74,8 +74,9 @@ def _lines_of_table(file: LineFile, table: TextTable) -> RawLines:
         return _lines_of_columns(file, table, file.columns, "as given")
     columns = _columns_by_titles(file, table)
     if len(columns) == POINT_COLUMNS:
-        raw = _lines_of_points(file, table, columns[0], columns[2], (columns[1],))
-        return raw or _lines_of_columns(file, table, (columns[0], columns[2]), "by their names")
+        x, y, z = columns
+        raw = _lines_of_points(file, table, (x, z), (y,))
+        return raw or _lines_of_columns(file, table, (x, z), "by their names")
     source = "by their names" if table.titles else "the first two, as nothing names others"
     return _lines_of_columns(file, table, columns, source)
 
@@ -85,61 +86,48 @@ def _lines_of_columns(file: LineFile, table: TextTable, columns: tuple, source: 
     x = table.values(columns[0])
     if x.size > MIN_SAMPLES and repeats(x):
         others = tuple(n for n in table.numeric if n not in columns)
-        raw = _lines_of_points(
-            file, table, columns[0], columns[1], others, along_x=bool(file.columns)
+        if raw := _lines_of_points(file, table, columns, others):
+            return raw
+        raise table.refused(
+            f"positions in column {columns[0]} repeat, as in a list of points of a map; no other "
+            "column makes a grid of them: give surface.columns"
         )
-        if raw is None:
-            raise UserError(
-                f"{KEY} = {file.name!r}: positions in column {columns[0]} repeat, as in a list of "
-                "points of a map; no other column makes a grid of them: give surface.columns"
-            )
-        return raw
     heights = np.array([table.values(n) for n in columns[1:]])
-    if (
-        not file.columns
-        and not table.titles
-        and is_uniform(heights[0], _precisions(table, columns[1]))
-    ):
-        raise UserError(
-            f"{KEY} = {file.name!r}: columns 0 and 1 both go in equal steps, as positions do: "
-            f"give surface.columns, out of {table.width}, from 0"
+    unnamed = not file.columns and not table.titles
+    if unnamed and is_uniform(heights[0], _precisions(table, columns[1])):
+        raise table.refused(
+            "columns 0 and 1 both go in equal steps, as positions do: give surface.columns, out of "
+            f"{table.width}, from 0"
         )
     units = tuple(_unit(file, table, column) for column in columns)
     description = f"columns {', '.join(_label(table, n) for n in columns)}, {source}"
-    return RawLines(heights, x, _precisions(table, columns[0]), None, units, description)
+    return RawLines(heights, units, description, x, _precisions(table, columns[0]))
 
 
 def _lines_of_points(
-    file: LineFile,
-    table: TextTable,
-    x: int,
-    z: int,
-    others: tuple[int, ...],
-    along_x: bool = False,
+    file: LineFile, table: TextTable, columns: tuple, others: tuple[int, ...]
 ) -> RawLines | None:
-    """Return the lines of a list of points, or None if no other column forms a grid with x."""
+    """Return the lines of a list of points, or None if no other column forms a grid with x.
+
+    columns : of x and z. Lines run along the x that the user gives.
+    """
+    x, z, *_ = columns
     for y in others:
         if _is_other_quantity(table.title(y)):
             continue
-        grid = grid_of(table.values(x), table.values(y), table.values(z), along_x)
-        if grid is not None:
-            return _lines_of_grid(file, table, grid, (x, y, z))
+        of_x, of_y, of_z = (table.values(n) for n in (x, y, z))
+        if (grid := grid_of(of_x, of_y, of_z, bool(file.columns))) is None:
+            continue
+        along, across = (y, x) if grid.turned else (x, y)
+        description = (
+            f"map of points in columns {_label(table, along)}, {_label(table, across)}, heights in "
+            f"{_label(table, z)}"
+        )
+        units = _unit(file, table, along), _unit(file, table, z)
+        precisions = _precisions(table, along)[grid.first]
+        rows = row_spacing(grid.rows, file.units[0] if file.units else table.title(across).unit)
+        return RawLines(grid.heights, units, description, grid.x, precisions, row_spacing=rows)
     return None
-
-
-def _lines_of_grid(
-    file: LineFile, table: TextTable, grid: PointGrid, columns: tuple[int, int, int]
-) -> RawLines:
-    x, y, z = columns
-    along, across = (y, x) if grid.turned else (x, y)
-    units = (_unit(file, table, along), _unit(file, table, z))
-    description = (
-        f"map of points in columns {_label(table, along)}, {_label(table, across)}, heights in "
-        f"{_label(table, z)}"
-    )
-    precisions = _precisions(table, along)[grid.first]
-    rows = row_spacing(grid.rows, file.units[0] if file.units else table.title(across).unit)
-    return RawLines(grid.heights, grid.x, precisions, None, units, description, rows)
 
 
 def _heights_alone(file: LineFile, table: TextTable) -> RawLines:
@@ -148,69 +136,61 @@ def _heights_alone(file: LineFile, table: TextTable) -> RawLines:
     The step is given by the user or by a remark.
     """
     columns = file.columns or table.numeric
-    if len(columns) > 1 and not file.columns and any(title.name for title in table.titles):
-        raise UserError(
-            f"{KEY} = {file.name!r}: holds {table.columns_text}, from 0: give those of heights, "
-            "as surface.columns = [1]"
+    matrix = not file.columns and len(columns) > 1
+    if matrix and any(title.name for title in table.titles):
+        raise table.refused(
+            f"holds {table.columns_text}, from 0: give those of heights, as surface.columns = [1]"
         )
-    if not file.columns and len(columns) > 1 and len(table.blocks) > 1:
+    if matrix and len(table.blocks) > 1:
         line = table.lines[table.blocks[1].start]
-        raise UserError(
-            f"{KEY} = {file.name!r}: another block begins at line {line}, as of a second channel: "
-            "part the file there"
+        raise table.refused(
+            f"another block begins at line {line}, as of a second channel: part the file there"
         )
     values = np.array([table.values(n) for n in columns])
-    matrix = not file.columns and len(columns) > 1
     heights = values.T if matrix else values
     content = "a matrix of heights, a row for each line" if matrix else "heights alone"
-    units = (_unit(file, table, columns[0]) or stated_unit(table),)
-    step = file.step if file.step is not None else _step_of_remarks(file, table, heights)
-    if step is None:
-        raise UserError(
-            f"{KEY} = {file.name!r}: holds {content}, without positions: give surface.step, the "
-            "distance of two samples along a line, in m"
+    pitch, width, height = (
+        stated_length(file, table, pattern)
+        for pattern in (PITCH_REMARK, WIDTH_REMARK, HEIGHT_REMARK)
+    )
+    step = file.step or pitch or (width or 0.0) / heights.shape[1]
+    if not step:
+        raise table.refused(
+            f"holds {content}, without positions: give surface.step, the distance of two samples "
+            "along a line, in m"
         )
-    source = "as given" if file.step is not None else "as the file says"
-    description = f"{content}, step {source}"
-    height = stated_length(file, table, HEIGHT_REMARK) if matrix else None
-    spacing = None if height is None else height / len(heights)
+    description = f"{content}, step {'as given' if file.step else 'as the file says'}"
+    spacing = height / len(heights) if matrix and height else None
     rows, samples = sorted(heights.shape)
     if matrix and spacing is None and rows > MIN_MAP_ROWS and samples <= MAX_MAP_ASPECT * rows:
         description += (
             '; if its rows are one step apart, scene.body = "half-space" reads them as a map'
         )
-    return RawLines(heights, None, np.empty(0), step, ("", *units), description, spacing)
-
-
-def _step_of_remarks(file: LineFile, table: TextTable, heights: np.ndarray) -> float | None:
-    """Return the step (m) from a remark such as "pitch = 0.5 um" or "Width: 96 um", or None."""
-    pitch, width = (stated_length(file, table, pattern) for pattern in (PITCH_REMARK, WIDTH_REMARK))
-    return width / heights.shape[1] if pitch is None and width is not None else pitch
+    units = ("", _unit(file, table, columns[0]) or stated_unit(table))
+    return RawLines(heights, units, description, step=step, row_spacing=spacing)
 
 
 def _is_matrix(file: LineFile, table: TextTable) -> bool:
     """Return whether a table without titles holds heights in every column."""
-    if (
-        file.columns
-        or len(table.numeric) < MIN_MATRIX_COLUMNS
-        or any(title.name for title in table.titles)
-    ):
+    few = len(table.numeric) < MIN_MATRIX_COLUMNS
+    if file.columns or few or any(title.name for title in table.titles):
         return False
     if any(map(WIDTH_REMARK.fullmatch, remarks_of(table))):
         return True
-    if len(table.numeric) == POINT_COLUMNS and repeats(table.values(table.numeric[0])):
-        return False
     first = table.numeric[0]
-    return table.width >= MIN_SAMPLES and not is_uniform(
-        table.values(first), _precisions(table, first)
-    )
+    if len(table.numeric) == POINT_COLUMNS and repeats(table.values(first)):
+        return False
+    uniform = is_uniform(table.values(first), _precisions(table, first))
+    return table.width >= MIN_SAMPLES and not uniform
 
 
 def _columns_by_titles(file: LineFile, table: TextTable) -> tuple[int, ...]:
     """Return the columns of positions and heights, or x, y and z of a map, from the titles."""
     numeric = table.numeric
     if not table.titles:
-        if len(numeric) >= POINT_COLUMNS and any(map(_names_both, table.above)):
+        if len(numeric) >= POINT_COLUMNS and any(
+            count_named(line, (POSITION_NAME, HEIGHT_NAME)) == 2 for line in table.above
+        ):
             raise _unclear_columns(file, table)
         points = len(numeric) == POINT_COLUMNS and repeats(table.values(numeric[0]))
         return numeric[:POINT_COLUMNS] if points else numeric[:2]
@@ -220,10 +200,9 @@ def _columns_by_titles(file: LineFile, table: TextTable) -> tuple[int, ...]:
     lengths = [n for n in candidates if metres(table.title(n).unit) is not None]
     for group in (candidates, lengths):
         if len(group) == 2:
-            turned = _has_name(table, group[0], HEIGHT_NAME) and _has_name(
-                table, group[1], POSITION_NAME
-            )
-            return (group[1], group[0]) if turned else tuple(group)
+            one, two = group
+            turned = _has_name(table, one, HEIGHT_NAME) and _has_name(table, two, POSITION_NAME)
+            return (two, one) if turned else (one, two)
         names = [table.title(n).name.lower()[:1] for n in group]
         if sorted(names) == ["x", "y", "z"]:
             return tuple(group[names.index(name)] for name in "xyz")
@@ -239,23 +218,17 @@ def _unclear_columns(file: LineFile, table: TextTable) -> UserError:
     columns = list(table.numeric[:2])
     units = [table.title(n).unit for n in columns]
     if any(unit.startswith("1/") for unit in units):
-        return UserError(
-            f"{KEY} = {file.name!r}: holds {table.columns_text}: a power spectrum, as its units "
-            f'state; give surface.spectrum = {{file = "{file.name}", kind = "2D"}} in its place'
+        return table.refused(
+            f"holds {table.columns_text}: a power spectrum, as its units state; give "
+            f'surface.spectrum = {{file = "{file.name}", kind = "2D"}} in its place'
         )
-    units = [
-        unit if metres(unit) else default for unit, default in zip(units, ("mm", "um"), strict=True)
-    ]
-    return UserError(
-        f"{KEY} = {file.name!r}: holds {table.columns_text}, from 0: it is not clear which hold "
-        f"positions and heights; give surface.columns and surface.units, as columns = {columns} "
-        f"and units = {json.dumps(units)}, or surface.step in place of positions"
+    pairs = zip(units, ("mm", "um"), strict=True)
+    units = [unit if metres(unit) else default for unit, default in pairs]
+    return table.refused(
+        f"holds {table.columns_text}, from 0: it is not clear which hold positions and heights; "
+        f"give surface.columns and surface.units, as columns = {columns} and units = "
+        f"{json.dumps(units)}, or surface.step in place of positions"
     )
-
-
-def _names_both(line: str) -> bool:
-    """Return whether a line names positions and heights without assigning columns."""
-    return count_named(line, (POSITION_NAME, HEIGHT_NAME)) == 2
 
 
 def _has_name(table: TextTable, column: int, pattern: str) -> bool:
@@ -283,11 +256,13 @@ def _unit(file: LineFile, table: TextTable, column: int) -> str:
         return title.unit
     if title.stated:
         known = unit_of(title.unit)
-        problem = "is not a unit of length" if known else "is not known"
-        remedy = "surface.columns" if known else "surface.units"
-        raise UserError(
-            f"{KEY} = {file.name!r}: the unit {title.unit!r:.40} of column {_label(table, column)} "
-            f"{problem}: give {remedy}"
+        raise table.refused(
+            f"the unit {title.unit!r:.40} of column {_label(table, column)} is "
+            + (
+                "not a unit of length: give surface.columns"
+                if known
+                else "not known: give surface.units"
+            )
         )
     return ""
 

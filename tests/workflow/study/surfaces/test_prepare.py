@@ -26,7 +26,7 @@ SEEDS = st.integers(0, 2**32 - 1)
 
 def step_of(x, known=0.0):
     x = np.asarray(x, dtype=float)
-    return uniform_step("surface.file", "f", x, np.full(x.size, known))
+    return uniform_step("surface.file = 'f'", x, known)
 
 
 @pytest.mark.parametrize("detrend", ["mean", "line", "parabola"])
@@ -143,7 +143,7 @@ OWN = ("mm", "um")
 
 
 def lines(x=X, z=Z, own=OWN, units=(), known=0.0, **how):
-    raw = RawLines(np.asarray(z), np.asarray(x), np.full(np.shape(x), known), None, own)
+    raw = RawLines(np.asarray(z), own, "", np.asarray(x), known)
     return lines_of(LineFile(Path("f"), "f", (), units, **how), raw)
 
 
