@@ -63,5 +63,5 @@ def _unfolded(table: TextTable, sweeps: Sequence[Sequence[int]], heads: Sequence
         unfolded.lines = table.lines * len(sweeps)
     unfolded.marks = table.marks
     unfolded.titles = tuple(table.title(n) for n in sweeps[0])
-    unfolded.gaps[0], unfolded.unread = (*table.above, heads[0]), table.unread
+    unfolded.above, unfolded.unread = (*table.above, heads[0]), table.unread
     return unfolded

@@ -38,7 +38,7 @@ class Cells:
         length.
         """
         text_lines = ["", *text.splitlines()]  # at their line numbers
-        self.delimiter, self.width, sample = _best_division(_sample_of(text_lines))
+        self.delimiter, self.width, sample = _best_division(text_lines)
         self.numeric = _numeric_columns(sample, self.width)  # indices of the columns of numbers
         self.lines = array("q")  # line number of each row
         for number, line in enumerate(text_lines):
@@ -56,17 +56,13 @@ class Cells:
             n: tuple(text_lines[ends[n] + 1 : ends[n + 1]])
             for n in sorted({0, *np.flatnonzero(np.diff(ends) > 1).tolist()})
         }
+        self.above = self.gaps[0]
         self._check_words()
 
     def row(self, number: int) -> list[str]:
         """Return the cells of a row as written, ``width`` in number."""
         cells = split(self._rows[number], self.delimiter)
         return cells[: self.width] + [""] * (self.width - len(cells))
-
-    @property
-    def is_numbered(self) -> bool:
-        """Return whether the first column numbers the rows, so that # may be its name."""
-        return [self.row(n)[0] for n in range(min(2, len(self.lines)))] in (["0", "1"], ["1", "2"])
 
     def _check_words(self) -> None:
         """Raise ValueError if the lines that are not rows exceed the limits."""
@@ -107,8 +103,7 @@ class Cells:
 def split(line: str, delimiter: str | None) -> list[str]:
     """Return the cells of a line, without quotes."""
     if delimiter is None:
-        parts = line.split()
-        return [word.strip('"') if word.count('"') == 2 else word for word in parts]
+        return [word.strip('"') if word.count('"') == 2 else word for word in line.split()]
     if '"' in line:
         with suppress(csv.Error):  # a cell of 131 072 characters is not a number
             (cells,) = csv.reader([line.strip()], delimiter=delimiter, skipinitialspace=True)
@@ -121,17 +116,16 @@ def is_comment(line: str) -> bool:
     return line.lstrip().startswith(COMMENT_MARKS)
 
 
-def _sample_of(lines: list[str]) -> list[str]:
-    """Return lines from the start and the middle of a text that are not empty or comments."""
+def _best_division(lines: list[str]) -> tuple[str | None, int, list[list[str]]]:
+    """Return the delimiter, the number of cells per row, and the cells of a sample of lines.
+
+    The sample is taken from the start and the middle, without comments.
+    """
     content = [line for line in lines if line.strip() and not is_comment(line)]
     longest = max(map(len, content), default=1)
     count = max(MIN_SAMPLE_LINES, min(MAX_SAMPLE_LINES, MAX_SAMPLE_CHARACTERS // longest))
-    sample = content[:count] + content[max(len(content) // 2, count) :][:count]
-    return [TRAILING_REMARK.sub("", line) for line in sample]
-
-
-def _best_division(sample: list[str]) -> tuple[str | None, int, list[list[str]]]:
-    """Return the delimiter, the number of cells per row, and the cells of a sample of lines."""
+    content = content[:count] + content[max(len(content) // 2, count) :][:count]
+    sample = [TRAILING_REMARK.sub("", line) for line in content]
     best: tuple[str | None, int, list[list[str]]] = (None, 1, [])
     most = 0
     for delimiter in DELIMITERS:

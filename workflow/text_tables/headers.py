@@ -13,7 +13,7 @@ from typing import NamedTuple
 
 from .cells import MAX_TITLE_CHARACTERS, Cells, is_comment, split
 from .numerals import NUMERAL_TEXT, is_numeral
-from .units import unit_of
+from .units import CLOCK_WORDS, unit_of
 
 MAX_TITLE_LINES = 4  # lines above the rows that may hold titles
 UNREAD_NAME = "?"  # stands for names in an unread line
@@ -55,25 +55,23 @@ class Title(NamedTuple):
     stated: bool = False  # whether marked as a unit, not only the last word of the name
 
 
-class Header(NamedTuple):
-    """Titles of the columns, and a line with further names or units."""
+def header_of(above: Sequence[str], table: Cells) -> tuple[tuple[Title, ...], str]:
+    """Return the titles of all columns, or none, and a line with units that no title contains.
 
-    titles: tuple[Title, ...] = ()  # of all columns, or empty
-    unread: str = ""  # line with units or names that no title contains
-
-
-def header_of(above: Sequence[str], table: Cells) -> Header:
-    """Return the header of a table from the lines above its rows.
-
-    The last MAX_TITLE_LINES lines may hold titles. A line of units belongs to the names above it,
-    or below it. Among several lines of names, the one with the most units is used; in a tie, the
-    last one.
+    above : lines above the rows; the last MAX_TITLE_LINES may hold titles. A line of units belongs
+    to the names above it, or below it. Among several lines of names, the one with the most units
+    is used; in a tie, the last one.
     """
+    width = table.width
     near = [line for line in above if re.search(r"\w|%", line)][: -MAX_TITLE_LINES - 1 : -1]
     if sum(line.lstrip().startswith("%") for line in near[:2]) == 2:  # a mark, not a unit
         return header_of([re.sub(r"^\s*%", "!", line) for line in above], table)
     lines = [_cells_of(line, table) for line in near]
-    named = [_titles_in(cells) for cells in lines]
+    read = [tuple(filter(None, map(title_of, cells))) for cells in lines]
+    named = [
+        titles if any(cells) and len(titles) == len(cells) else ()  # all cells are titles
+        for titles, cells in zip(read, lines, strict=True)
+    ]
     counts = [sum(unit_of(title.unit) is not None for title in titles) for titles in named]
     for place, cells in enumerate(lines):
         beside = [n for n in (place + 1, place - 1) if 0 <= n < len(lines)]
@@ -83,22 +81,19 @@ def header_of(above: Sequence[str], table: Cells) -> Header:
             continue
         if names_at is not None and counts[names_at]:
             break
-        unread = any(_may_be_names(near[n], table.width) for n in beside)
-        names = (
-            (Title(UNREAD_NAME * unread),) * table.width if names_at is None else named[names_at]
-        )
+        unread = any(_may_be_names(near[n], width) for n in beside)
+        names = (Title(UNREAD_NAME * unread),) * width if names_at is None else named[names_at]
         used = [near[n] for n in (place, names_at) if n is not None]
         units = [_bare_unit(cell) or cell for cell in cells]
         pairs = zip(names, units, strict=True)
         titles = (name._replace(unit=unit, stated=True) if unit else name for name, unit in pairs)
-        return Header(tuple(titles), _unread_line(above, near, used))
-    of_names = (n for n in range(len(named)) if any(title.name for title in named[n]))
-    best = max(of_names, key=counts.__getitem__, default=None)
-    if best is not None:
-        return Header(named[best], _unread_line(above, near, [near[best]]))
-    if near and not is_comment(near[0]) and _may_be_names(near[0], table.width):
-        return Header((), near[0].strip())
-    return Header((), _unread_line(above, near, []))
+        return tuple(titles), _unread_line(above, near, used)
+    if of_names := [n for n, titles in enumerate(named) if any(title.name for title in titles)]:
+        best = max(of_names, key=counts.__getitem__)
+        return named[best], _unread_line(above, near, [near[best]])
+    if near and not is_comment(near[0]) and _may_be_names(near[0], width):
+        return (), near[0].strip()
+    return (), _unread_line(above, near, [])
 
 
 def _cells_of(line: str, table: Cells) -> list[str]:
@@ -119,7 +114,8 @@ def _cells_of(line: str, table: Cells) -> list[str]:
         fits = len(cells) == width or (short and len(cells) < width)
         return cells + [""] * (width - len(cells)) if fits else []
     divided = _divided(text, width)
-    if divided is None and delimiter is None and table.is_numbered and line.startswith("#"):
+    numbered = [table.row(n)[0] for n in range(len(table.lines[:2]))] in (["0", "1"], ["1", "2"])
+    if divided is None and delimiter is None and numbered and line.startswith("#"):  # of the column
         named = _divided(line, width) or []
         return [] if any(map(_bare_unit, named[1:])) else named
     return divided or []
@@ -139,12 +135,6 @@ def _divided(text: str, width: int) -> list[str] | None:
     readings = {tuple(cell.strip(' \t";,|') for cell in cells) for cells in divided}
     fitting = list(filter(fits, readings))
     return (list(fitting[0]) if len(fitting) == 1 else []) if fitting else None
-
-
-def _titles_in(cells: list[str]) -> tuple[Title, ...]:
-    """Return the titles in the cells of a line; empty if a cell is not a title or all are empty."""
-    titles = tuple(title for title in map(title_of, cells) if title is not None)
-    return titles if any(cells) and len(titles) == len(cells) else ()
 
 
 def title_of(cell: str) -> Title | None:
@@ -170,16 +160,11 @@ def title_of(cell: str) -> Title | None:
 
 def _is_remark(text: str) -> bool:
     """Return whether a text is a label or contains a quantity, such as "2 µm" or "02:10 PM"."""
-    return (
-        "=" in text
-        or text.endswith(":")
-        or bool(REMARK_WITH_UNIT.search(text))
-        or any(
-            re.fullmatch(NUMERAL_TEXT, one)
-            and (unit_of(other.strip(",;")) or other in ("AM", "PM"))
-            for one, other in pairwise(re.split(r"[\s:]+|(?<!\d),", text))
-        )
+    quantity = any(
+        re.fullmatch(NUMERAL_TEXT, one) and (unit_of(other.strip(",;")) or other in CLOCK_WORDS)
+        for one, other in pairwise(re.split(r"[\s:]+|(?<!\d),", text))
     )
+    return quantity or "=" in text or text.endswith(":") or bool(REMARK_WITH_UNIT.search(text))
 
 
 def _bare_unit(cell: str) -> str:

@@ -6,11 +6,11 @@ from collections.abc import Iterable
 from functools import lru_cache
 from typing import NamedTuple
 
-MISSING_WORDS = (
-    "nan na n/a #n/a - -- --- ---- * ** *** null none bad inf +inf -inf infinity #num! #div/0! "
+MISSING_TEXT = (
+    " nan na n/a #n/a - -- --- ---- * ** *** null none bad inf +inf -inf infinity #num! #div/0! "
     "#value! err error invalid missing ?"
 )
-MISSING_CELLS = {"", *MISSING_WORDS.split()}
+MISSING_CELLS = set(MISSING_TEXT.split(" "))
 NUMERAL = re.compile(  # at most one decimal mark and one other mark, or grouped digits
     r"[+-]?(?:\d+(?:\.(?:\d+(?:,\d+)?)?|,\d+(?:\.\d*)?)?|[.,]\d+"
     r"|[1-9]\d{0,2}(?:(?:,\d{3})+(?:\.\d*)?|(?:\.\d{3})+(?:,\d+)?))(?:[eEdD][+-]?\d+)?"
@@ -22,7 +22,6 @@ GROUPS = {  # 1,234,567.8 and 1.234.567,8
     mark: re.compile(rf"[+-]?[1-9]\d{{0,2}}(?:[{mark}]\d{{3}})+(?:[{other}]\d*)?")
     for mark, other in (",.", ".,")
 }
-MAX_CACHED_WORDS = 1000
 
 
 class Marks(NamedTuple):
@@ -77,7 +76,7 @@ def marks_of(words: Iterable[str]) -> Marks:
     return Marks(decimal, thousands if any(mark == thousands for mark, _ in uses) else "")
 
 
-@lru_cache(maxsize=MAX_CACHED_WORDS)
+@lru_cache(maxsize=1000)
 def is_numeral(word: str) -> bool:
     """Return whether a word is a number, with any separators."""
     return bool(NUMERAL.fullmatch(word))

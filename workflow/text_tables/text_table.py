@@ -31,7 +31,7 @@ class TextTable(Cells):
         Raises UserError if it has no row of numbers or rows of different lengths, or if its numbers
         are ambiguous.
         """
-        self.key, self.name = key, name
+        self.key, self.name, self.prefix = key, name, f"{key} = {name!r}"
         try:
             super().__init__(text)
             # Between cells that commas separate, decimal commas need quotes.
@@ -45,19 +45,9 @@ class TextTable(Cells):
         self.titles, self.unread = header_of(self.above, self)
         self._check_blocks()
 
-    @property
-    def prefix(self) -> str:
-        """Return the start of messages."""
-        return f"{self.key} = {self.name!r}"
-
     def refused(self, reason: str) -> UserError:
         """Return the error with a reason to refuse the file, and the remedy."""
         return UserError(f"{self.prefix}: {reason}")
-
-    @property
-    def above(self) -> tuple[str, ...]:
-        """Return the lines before the first row."""
-        return self.gaps[0]
 
     @property
     def passed_over(self) -> tuple[str, ...]:
@@ -78,7 +68,7 @@ class TextTable(Cells):
         """Raise UserError if titles below the first row state other units or another order."""
         between = [(lines, at) for at, lines in self.gaps.items() if 0 < at < len(self.lines)]
         for lines, at in dict(between[::-1]).items():  # the first of several alike
-            titles = header_of(lines, self).titles
+            titles, _ = header_of(lines, self)
             names = [[title.name for title in header] for header in (titles, self.titles)]
             units = [[unit_of(title.unit) for title in header] for header in (titles, self.titles)]
             pairs = zip(*units, strict=False)

@@ -10,9 +10,7 @@ from typing import NamedTuple
 import numpy as np
 
 MAX_UNIT_CHARACTERS = 60
-Dimension = tuple[int, int, int, int, int]  # of length, mass, time, temperature, angle
-
-FAMILIES: dict[Dimension, str] = {
+FAMILIES: dict[tuple[int, ...], str] = {  # powers of length, mass, time, temperature, angle
     (1, 0, 0, 0, 0): "length",  # in m
     (0, 0, 1, 0, 0): "time",  # in s
     (1, 0, -1, 0, 0): "velocity",  # in m/s
@@ -83,10 +81,10 @@ FOLDED_UNITS = {
     word.lower(): entry for word, entry in reversed(KNOWN_UNITS.items()) if len(word) > 1
 } | {name.lower(): KNOWN_UNITS[name] for name in ("MPa", "MHz", "s")}
 ZERO = 273.15  # K at 0 °C
-TEMPERATURES = {  # spelling in lower case -> factor, offset in K
-    **dict.fromkeys(("°c", "c", "degc", "deg c", "deg. c", "ºc", "oc"), (1.0, ZERO)),
-    **dict.fromkeys(("celsius", "degrees celsius"), (1.0, ZERO)),
-    **dict.fromkeys(("°f", "degf", "deg f", "fahrenheit"), (5.0 / 9.0, 459.67 * 5.0 / 9.0)),
+TEMPERATURES = {  # normalised spelling in lower case -> factor, offset in K
+    **dict.fromkeys(("°c", "c", "degc", "deg*c", "deg.*c", "ºc", "oc"), (1.0, ZERO)),
+    **dict.fromkeys(("celsius", "degrees*celsius"), (1.0, ZERO)),
+    **dict.fromkeys(("°f", "degf", "deg*f", "fahrenheit"), (5.0 / 9.0, 459.67 * 5.0 / 9.0)),
 }
 SUPERSCRIPTS = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁻", "0123456789-")
 SCALED_UNIT = re.compile(
@@ -147,11 +145,7 @@ def unit_of(text: str) -> Unit | None:
 
 def _normalised(text: str) -> str:
     """Return a unit in normalised spelling: u for micro, * between factors, / for per."""
-    if text.isascii() and text.isalnum():
-        return text
     word = unicodedata.normalize("NFKC", text.strip().strip("[](){}<>").strip())
     word = word.replace("μ", "u").replace("\u2212", "-").replace("**", "^")
     word = re.sub(r"\s+per\s+|\s*/\s*", "/", word)
-    if word.lower() in TEMPERATURES:
-        return word
     return re.sub(r"\s*[·⋅×*•]\s*|\s+|(?<=[a-z])\.(?=[a-z])", "*", word)
