@@ -87,7 +87,9 @@ def fit_moduli(
     fit = laboratory.fit_material(str(file), measured, branches)
     described = laboratory.describe_material(measured, fit, branches)
     if figure:
-        (picture,) = laboratory.draw_moduli(measured, fit, master, Path(figure))
+        (picture,) = report.write_figure(
+            lambda: laboratory.figure_of_moduli(measured, fit, master), Path(figure)
+        )
         described.append(f"figure: {picture.png}")
     comments = [f"# {line}" for line in (*measured.description, *described)]
     return FittedMaterial(fit, comments, keys)
@@ -177,7 +179,8 @@ def run_fit(options: argparse.Namespace) -> None:
     records = [laboratory.read_record(Path(f), columns, *units) for f in options.files]
     fit = laboratory.fit_records(records, known, options.window, options.stiffness)
     print(*laboratory.describe(fit), sep="\n")
-    report.print_pictures(laboratory.draw_fit(fit, Path(options.out)))
+    pictures = report.write_figure(lambda: laboratory.figure_of_fit(fit), Path(options.out))
+    report.print_pictures(pictures)
 
 
 def run_spectrum(options: argparse.Namespace) -> None:
@@ -204,4 +207,7 @@ def run_spectrum(options: argparse.Namespace) -> None:
         instead = f'spectrum = {{file = "{_name_for_study(out)}", kind = "2D"}}'
         described.append(f"# or, in place of hurst and roughness: {instead}")
     print(*described, "# figure", sep="\n")
-    report.print_pictures(laboratory.draw_spectrum(spectrum, fit, Path(options.figure)))
+    pictures = report.write_figure(
+        lambda: laboratory.figure_of_spectrum(spectrum, fit), Path(options.figure)
+    )
+    report.print_pictures(pictures)

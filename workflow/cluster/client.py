@@ -61,12 +61,10 @@ def open_client(
     with contextlib.ExitStack() as stack:
         stack.enter_context(dask.config.set(settings))
         loop = stack.enter_context(loop_without_ctrl_c())
-        if cluster.where == LOCAL:
+        if cluster.where == LOCAL or cluster.where in BATCH_SYSTEMS:
             local = _local_cluster(loop, workers or CPU_COUNT, dashboard)
-            client = sync(loop, _connected, stack.enter_context(local))
-        elif cluster.where in BATCH_SYSTEMS:
-            jobs = job_cluster(loop, cluster, dashboard)
-            client = sync(loop, _connected, stack.enter_context(jobs))
+            own = local if cluster.where == LOCAL else job_cluster(loop, cluster, dashboard)
+            client = sync(loop, _connected, stack.enter_context(own))
         else:
             client = _client_of(loop, cluster)
         stack.callback(sync, loop, _closed, client)

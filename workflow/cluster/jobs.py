@@ -52,8 +52,9 @@ def job_cluster(loop: IOLoop, cluster: Cluster, dashboard: bool = False) -> Iter
         shared = {"loop": loop, "security": security, "scheduler_options": options}
         with dask.config.set(pages), start(**shared, **_settings(cluster, pages)) as jobs:
             _try_submitting(name, jobs.job_script())
-            count = {"minimum_jobs": cluster.jobs, "maximum_jobs": cluster.jobs}
-            jobs.adapt(**count, interval=ADAPT_INTERVAL)
+            jobs.adapt(
+                minimum_jobs=cluster.jobs, maximum_jobs=cluster.jobs, interval=ADAPT_INTERVAL
+            )
             yield jobs
 
 
@@ -63,8 +64,7 @@ def _settings(cluster: Cluster, pages: dict[str, Any]) -> dict[str, Any]:
     exported = [f"export {k}={shlex.quote(str(v))}" for k, v in {**THREADS, **settings}.items()]
     stagger = LIFETIME_STAGGER * cluster.lifetime
     lifetime = f"--lifetime {cluster.lifetime:.0f}s --lifetime-stagger {stagger:.0f}s"
-    system = BATCH_SYSTEMS[cluster.where]
-    own = [*system.directives, *_output_directives(Path(cluster.log_folder))]
+    own = [*BATCH_SYSTEMS[cluster.where].directives, *_output_directives(Path(cluster.log_folder))]
     own = [line for line in own if line.split()[0] not in cluster.leave_out]
     same = ("queue", "account", "cores", "memory", "walltime")
     return {name: getattr(cluster, name) or None for name in same} | {

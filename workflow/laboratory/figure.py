@@ -1,7 +1,6 @@
 """Figure of a fit: each step with fits and residuals, rates over speed, jumps over friction."""
 
 import math
-from pathlib import Path
 
 import numpy as np
 from matplotlib import pyplot as plt
@@ -9,7 +8,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from ..kinetic_law import relaxation_rate
-from ..report import COLOURS, Picture, write_below, write_figure
+from ..report import COLOURS, write_below
 from .step_fit import StepFit
 from .together import Fit, Rates, friction_after, predicted_jump
 
@@ -20,12 +19,7 @@ EQ_6, AGEING = COLOURS[4], COLOURS[0]
 MEASURED_COLOUR = "0.6"
 
 
-def draw_fit(fit: Fit, path: Path) -> list[Picture]:
-    """Draw the fit as PNG and PDF. Raises UserError if the files cannot be written."""
-    return write_figure(lambda: figure_of(fit), path)
-
-
-def figure_of(fit: Fit) -> Figure:
+def figure_of_fit(fit: Fit) -> Figure:
     """Return the figure of a fit."""
     steps = list(zip(fit.steps, fit.ageing, strict=True))[:MAX_DRAWN_STEPS]
     rows = math.ceil(len(steps) / STEPS_PER_ROW)

@@ -1,6 +1,5 @@
 """Figure of a fitted material: moduli with their Prony series, and the shifts of sweeps."""
 
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -9,7 +8,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from ...kernels import Arrhenius, ShiftTable, Wlf
-from ..report import COLOURS, Picture, write_below, write_figure
+from ..report import COLOURS, write_below
 from ..study import Moduli
 from .master import MasterCurve
 from .prony_fit import PronyFit, in_oscillation, in_relaxation
@@ -19,17 +18,8 @@ MEGA = 1e-6  # MPa per Pa
 SWEEP_COLOURS = "coolwarm"  # from the coldest to the warmest sweep
 
 
-def draw_moduli(
-    measured: Moduli, fit: PronyFit, master: MasterCurve | None, path: Path
-) -> list[Picture]:
-    """Draw moduli and fit as PNG and PDF. Raises UserError if the files cannot be written.
-
-    measured : moduli at one temperature. master : the shifts to it, or None for a single sweep.
-    """
-    return write_figure(lambda: _figure_of_moduli(measured, fit, master), path)
-
-
-def _figure_of_moduli(measured: Moduli, fit: PronyFit, master: MasterCurve | None) -> Figure:
+def figure_of_moduli(measured: Moduli, fit: PronyFit, master: MasterCurve | None) -> Figure:
+    """Return the figure of moduli at one temperature, their fit, and the shifts of the sweeps."""
     panels = 2 if master else 1
     figure, axes = plt.subplots(1, panels, figsize=(0.6 + 3.4 * panels, 3.0), squeeze=False)
     _moduli(axes[0, 0], measured, fit)

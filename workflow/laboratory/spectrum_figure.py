@@ -1,23 +1,17 @@
 """Figure of a measured power spectrum: C(q) with its fit, and the rms slope over the cut-off."""
 
-from pathlib import Path
-
 import numpy as np
 from matplotlib import pyplot as plt
 from matplotlib.figure import Figure
 
 from ..ground import with_error
-from ..report import COLOURS, Picture, legend_in_room, write_below, write_figure
+from ..report import COLOURS, legend_in_room, write_below
 from .measured_spectrum import MeasuredSpectrum
 from .rolloff_fit import RolloffFit
 
 
-def draw_spectrum(spectrum: MeasuredSpectrum, fit: RolloffFit, path: Path) -> list[Picture]:
-    """Draw spectrum and fit as PNG and PDF. Raises UserError if the files cannot be written."""
-    return write_figure(lambda: _figure_of(spectrum, fit), path)
-
-
-def _figure_of(spectrum: MeasuredSpectrum, fit: RolloffFit) -> Figure:
+def figure_of_spectrum(spectrum: MeasuredSpectrum, fit: RolloffFit) -> Figure:
+    """Return the figure of a spectrum and its fit."""
     figure, (left, right) = plt.subplots(1, 2, figsize=(6.4, 2.8))
     bins, q = fit.bins, np.exp(fit.bins.log_q)
     error = bins.density * np.sqrt(fit.mode_variance / bins.modes)

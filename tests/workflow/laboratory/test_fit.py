@@ -7,9 +7,10 @@ from matplotlib import pyplot as plt
 
 from elastomer_friction.workflow.kinetic_law import KineticLaw
 from elastomer_friction.workflow.laboratory.estimate import Estimate
-from elastomer_friction.workflow.laboratory.figure import MAX_DRAWN_STEPS, draw_fit, figure_of
+from elastomer_friction.workflow.laboratory.figure import MAX_DRAWN_STEPS, figure_of_fit
 from elastomer_friction.workflow.laboratory.sentences import describe, shown
 from elastomer_friction.workflow.laboratory.together import Known, fit_records
+from elastomer_friction.workflow.report import write_figure
 from elastomer_friction.workflow.report.panels import STYLE
 from tests.workflow.laboratory.given import HURST, Q_MAX, SLOPE, TAU, record, records
 
@@ -70,7 +71,7 @@ def test_one_step_has_a_jump_and_a_rate_and_no_tau():
 def test_nothing_that_is_not_determined_has_a_number():
     fit = fit_records([record(jump=0.02), record(1, jump=0.02)], Known())
     assert fit.rates is None
-    assert len(figure_of(fit).axes) == 4
+    assert len(figure_of_fit(fit).axes) == 4
     lines = describe(fit)
     assert lines[-1] == "no step determines its rate; tau, H and q_max are not determined"
     assert any(line.endswith("rate: no relaxation exceeds the noise") for line in lines)
@@ -97,7 +98,7 @@ def _style():
 
 def test_residuals_are_what_the_fit_leaves():
     fit = fit_records([record()], Known())
-    upper, lower = figure_of(fit).axes
+    upper, lower = figure_of_fit(fit).axes
     (step,) = fit.steps
     shown = lower.lines[1].get_ydata()
     np.testing.assert_allclose(shown, step.step.after - step.curve)
@@ -106,13 +107,13 @@ def test_residuals_are_what_the_fit_leaves():
 
 def test_several_steps_have_their_rates_and_jumps_drawn_with_errors(tmp_path):
     fit = fit_records(records([0.03, 0.1, 0.4]), Known())
-    figure = figure_of(fit)
+    figure = figure_of_fit(fit)
     assert len(figure.axes) == 2 * 3 + 2
     rates, jumps = figure.axes[-2:]
     assert len(rates.containers[0].lines[0].get_xdata()) == 3
     assert rates.get_legend().get_texts()
     assert jumps.get_legend() is not None
-    (drawn,) = draw_fit(fit, tmp_path / "f.png")
+    (drawn,) = write_figure(lambda: figure_of_fit(fit), tmp_path / "f.png")
     assert (drawn.png.name, drawn.pdf.name) == ("f.png", "f.pdf")
 
 
@@ -120,6 +121,6 @@ def test_more_steps_than_fit_on_a_page_are_said():
     fit = fit_records(
         [record(seed, n=60, span=1.0) for seed in range(MAX_DRAWN_STEPS + 1)], Known()
     )
-    figure = figure_of(fit)
+    figure = figure_of_fit(fit)
     assert len(figure.axes) == 2 * MAX_DRAWN_STEPS + 2
     assert figure.get_label().startswith("The first 12 of 13 steps are drawn.")
