@@ -23,7 +23,7 @@ SHIFT_KEYS = ("wlf", "arrhenius", "shifts")  # keys of [material]; here, where n
 MAX_INTEGER = 10**9  # stands for "no upper bound"; messages mention it above it
 
 
-def shown(value: object) -> str:
+def toml_text(value: object) -> str:
     """Return a value as Python writes it, but true, false, lists and dates as TOML does."""
     if isinstance(value, bool | datetime.date | datetime.time):
         return str(value).lower()
@@ -34,20 +34,20 @@ def refuse_keys(where: str, given: Mapping[str, Any], refused: Iterable[str], re
     """Raise UserError for the first given key that is refused."""
     for key in given:
         if key in refused:
-            raise UserError(f"{where}.{key} = {shown(given[key]):.40}: {reason}")
+            raise UserError(f"{where}.{key} = {toml_text(given[key]):.40}: {reason}")
 
 
 def as_table(key: str, value: object) -> dict[str, Any]:
     """Return ``value`` if it is a table, or raise UserError naming the key."""
     if not isinstance(value, dict):
-        raise UserError(f"{key} = {shown(value)}: must be a table")
+        raise UserError(f"{key} = {toml_text(value)}: must be a table")
     return value
 
 
 def as_text(key: str, value: object) -> str:
     """Return ``value`` if it is a string, or raise UserError naming the key."""
     if not isinstance(value, str):
-        raise UserError(f"{key} = {shown(value)}: must be a string")
+        raise UserError(f"{key} = {toml_text(value)}: must be a string")
     return value
 
 
@@ -65,7 +65,7 @@ def matching(key: str, value: object, pattern: str, words: str) -> str:
 def flag(key: str, value: object) -> bool:
     """Return ``value`` if it is true or false, or raise UserError naming the key."""
     if not isinstance(value, bool):
-        raise UserError(f"{key} = {shown(value)}: must be true or false")
+        raise UserError(f"{key} = {toml_text(value)}: must be true or false")
     return value
 
 
@@ -76,7 +76,7 @@ def number(key: str, value: object) -> float:
             return float(value) + 0.0  # -0.0 becomes 0.0, so that both give the same key and seed
     except OverflowError:  # an integer too large for a float
         pass
-    raise UserError(f"{key} = {shown(value):.40}: must be a finite number")
+    raise UserError(f"{key} = {toml_text(value):.40}: must be a finite number")
 
 
 def positive(key: str, value: object) -> float:
@@ -100,7 +100,7 @@ def integer(key: str, value: object, least: int, most: int = MAX_INTEGER) -> int
     if isinstance(value, bool) or not isinstance(value, int) or not least <= value <= most:
         open_end = most == MAX_INTEGER and not (isinstance(value, int | float) and value > most)
         limits = f"at least {least}" if open_end else f"from {least} to {most}"
-        raise UserError(f"{key} = {shown(value):.40}: must be a whole number, {limits}")
+        raise UserError(f"{key} = {toml_text(value):.40}: must be a whole number, {limits}")
     return value
 
 
@@ -110,7 +110,7 @@ Check = Callable[[str, object], float]
 def two_numbers(key: str, value: object, words: str, *checks: Check) -> tuple[float, float]:
     """Return the two numbers of a list, each checked by its own check, or raise UserError."""
     if not isinstance(value, list) or len(value) != 2:
-        raise UserError(f"{key} = {shown(value):.60}: must be {words}")
+        raise UserError(f"{key} = {toml_text(value):.60}: must be {words}")
     first, second = (check(f"{key}[{i}]", value[i]) for i, check in enumerate(checks))
     return first, second
 
@@ -119,7 +119,7 @@ def choice(key: str, value: object, known: Iterable[str]) -> str:
     """Return ``value`` if it is one of ``known`` or raise UserError naming the key."""
     if value not in tuple(known):
         near = did_you_mean(value, known)
-        raise UserError(f"{key} = {shown(value)}: must be one of {', '.join(known)}{near}")
+        raise UserError(f"{key} = {toml_text(value)}: must be one of {', '.join(known)}{near}")
     return str(value)
 
 
