@@ -44,7 +44,7 @@ def test_only_jobs_have_their_files_quoted_for_a_command_line(tmp_path):
     folder.mkdir()
     for how, expected in (({}, f"{folder}/run.pem"), ({"quoted": True}, f"'{folder}/run.pem'")):
         config = new_security(str(folder), **how).get_tls_config_for_role("worker")
-        assert {config[f"tls_{part}"] for part in ("ca_file", "cert", "key")} == {expected}
+        assert {config["ca_file"], config["cert"], config["key"]} == {expected}
 
 
 def test_a_clock_that_is_set_back_leaves_our_certificate_valid(files):
