@@ -15,8 +15,7 @@ import numpy as np
 
 from elastomer_friction.kernels import Case, Line, Quantities, amplitudes, draw_phases, run_case
 from elastomer_friction.workflow.plan import horizon_steps, steps_per_spacing
-from elastomer_friction.workflow.plan.error_laws import rate_error
-from elastomer_friction.workflow.plan.error_laws import LAWS
+from elastomer_friction.workflow.plan.error_laws import LAWS, rate_error
 from elastomer_friction.workflow.reduce import FITTED, fit_relaxation, replicates
 from elastomer_friction.workflow.simulate import Problem, curve_times, record_steps
 from elastomer_friction.workflow.study import Numerics, Scene
