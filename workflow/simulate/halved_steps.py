@@ -13,7 +13,7 @@ from .bodies import CaseGroup, body_of
 from .layout import HALVED_STEP_SCALARS, Layout, add_to, unpack
 from .programmes import scalars_of, steady_ends
 from .recorded_steps import curve_times, record_steps
-from .tasks import Batch, Task
+from .tasks import SCALARS, Batch, Task
 
 REFINEMENT_FACTOR = 2  # of the steps per spacing
 
@@ -65,7 +65,8 @@ def _add_change(batch: Batch, task: Task, k: int, pair: Pair, parts: dict[str, n
     halved_task = task._replace(steps_per_spacing=REFINEMENT_FACTOR * task.steps_per_spacing)
     numbers = []
     for line, outcome, own_task in zip(*pair, (task, halved_task), strict=True):
-        scalars = scalars_of(outcome, k, steady_ends(batch, line, own_task))
+        values = scalars_of(outcome, k, steady_ends(batch, line, own_task))
+        scalars = dict(zip(SCALARS, values, strict=True))
         numbers.append([scalars[name] for name in HALVED_STEP_SCALARS])
     add_to(parts["halved_steps"], [1.0, *np.subtract(numbers[1], numbers[0])])
     if "halved_steps_curve" in parts:

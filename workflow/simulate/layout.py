@@ -77,8 +77,10 @@ def unpack(rows: np.ndarray, places: Layout) -> dict[str, np.ndarray]:
 def add_to(part: np.ndarray, values: Any) -> None:
     """Add values to a part of a row, as ``unpack`` returns it; the rest of the part becomes NaN."""
     flat, added = part.reshape(-1), np.ravel(values)
-    flat[: added.size] += added
-    flat[added.size :] = np.nan
+    if added.size < flat.size:
+        flat[added.size :] = np.nan
+        flat = flat[: added.size]
+    flat += added
 
 
 def _snapshots(task: Task, line_shape: tuple[int, ...]) -> dict[str, tuple[int, ...]]:

@@ -3,6 +3,7 @@
 import math
 from collections.abc import Callable
 from functools import partial
+from operator import attrgetter
 from typing import Any
 
 import numpy as np
@@ -16,6 +17,7 @@ from .recorded_steps import trace_steps
 from .tasks import SCALARS, Batch, Recording, Task
 
 SHAPE_ERROR = 0.5  # times m^-2: of heights, due to straight lines between samples
+FIELDS_OF_SCALARS = attrgetter(*SCALARS)
 STEADY_ONLY = Quantities(steady=True, jump=False, relaxation=False, areas=True)
 
 
@@ -110,15 +112,17 @@ def steady_ends(batch: Batch, line: Any, task: Task) -> Outcome | None:
     return outcome
 
 
-def scalars_of(outcome: Outcome, k: int, ends: Outcome | None) -> dict[str, float]:
-    """Return the scalars of velocity jump k of a case.
+def scalars_of(outcome: Outcome, k: int, ends: Outcome | None) -> list[float]:
+    """Return the SCALARS of velocity jump k of a case.
 
     ends : as ``steady_ends`` returns it; its scalars replace all but the jump.
     """
-    scalars = {name: at_jump(getattr(outcome, name), k) for name in SCALARS}
+    scalars = [at_jump(value, k) for value in FIELDS_OF_SCALARS(outcome)]
     if ends is None:
         return scalars
-    return {**{name: at_jump(getattr(ends, name), 0) for name in SCALARS}, "jump": scalars["jump"]}
+    jump = SCALARS.index("jump")
+    at_ends = [at_jump(value, 0) for value in FIELDS_OF_SCALARS(ends)]
+    return [*at_ends[:jump], scalars[jump], *at_ends[jump + 1 :]]
 
 
 def at_jump(value: Any, k: int) -> Any:

@@ -134,7 +134,7 @@ def _add_case(
         else:
             spent[row, 1:] += [seconds / len(rows) for seconds in outcome.seconds]
             ends = steady_ends(batch, line, task)
-            sums.scalars[row] += list(scalars_of(outcome, k, ends).values())
+            sums.scalars[row] += scalars_of(outcome, k, ends)
             _add_parts(outcome, k, ends, parts)
         spent[row, -1] += add_programme(batch, line, task, parts, sums.lines)
 
@@ -198,9 +198,10 @@ def _add_parts(
     outcome: Outcome, k: int, ends: Outcome | None, parts: dict[str, np.ndarray]
 ) -> None:
     """Add velocity jump k of a case to the parts of one row; ends : as for ``scalars_of``."""
-    for name in FIELDS.keys() & parts.keys():
-        source, jump = (ends, 0) if ends is not None and name in OF_ENDS else (outcome, k)
-        add_to(parts[name], at_jump(FIELDS[name](source), jump))
+    for name, part in parts.items():
+        if name in FIELDS:
+            source, jump = (ends, 0) if ends is not None and name in OF_ENDS else (outcome, k)
+            add_to(part, at_jump(FIELDS[name](source), jump))
     if outcome.tiles is not None:
         tiles = outcome.tiles[k]
         if ends is not None and ends.tiles is not None:
