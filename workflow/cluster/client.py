@@ -23,7 +23,6 @@ from ..system import THREADS, loop_without_ctrl_c, own_versions, require, say
 from .jobs import ADAPT_INTERVAL, job_cluster
 from .security import new_security, private_pages, security_of
 
-SCHEDULER_PACKAGES = ("dask", "distributed")  # a scheduler needs nothing else
 CONNECT_SECONDS = 10
 MUTE_SECONDS = 30  # timeout for a scheduler that accepts connections but does not answer
 CLOSE_SECONDS = 2.0  # timeout for closing a client
@@ -104,7 +103,7 @@ def _client_of(loop: IOLoop, cluster: Cluster) -> Client:
     try:  # first, as the client of one version does not connect to every other
         versions = sync(loop, _scheduler_versions, cluster.where, security)
         own = own_versions()
-        require({name: own[name] for name in SCHEDULER_PACKAGES}, versions, "scheduler")
+        require({name: own[name] for name in ("dask", "distributed")}, versions, "scheduler")
         return sync(loop, _connected, cluster.where, security)
     # MemoryError: the greeting of another service is misread as a huge message length.
     except (OSError, ValueError, MemoryError) as error:

@@ -64,7 +64,9 @@ def _settings(cluster: Cluster, pages: dict[str, Any]) -> dict[str, Any]:
     exported = [f"export {k}={shlex.quote(str(v))}" for k, v in {**THREADS, **settings}.items()]
     stagger = LIFETIME_STAGGER * cluster.lifetime
     lifetime = f"--lifetime {cluster.lifetime:.0f}s --lifetime-stagger {stagger:.0f}s"
-    own = [*BATCH_SYSTEMS[cluster.where].directives, *_output_directives(Path(cluster.log_folder))]
+    logs = re.sub(r'(["\\])', r"\\\1", str(Path(cluster.log_folder))).replace("%", "%%")
+    outputs = (f'-{kind[0]} "{logs}/dask-worker-%J.{kind}"' for kind in ("err", "out"))  # for SLURM
+    own = [*BATCH_SYSTEMS[cluster.where].directives, *outputs]
     own = [line for line in own if line.split()[0] not in cluster.leave_out]
     same = ("queue", "account", "cores", "memory", "walltime")
     return {name: getattr(cluster, name) or None for name in same} | {
@@ -79,13 +81,6 @@ def _settings(cluster: Cluster, pages: dict[str, Any]) -> dict[str, Any]:
         "worker_extra_args": [*lifetime.split(), "--no-dashboard"],
         "protocol": "tls://",
     }
-
-
-def _output_directives(folder: Path) -> list[str]:
-    """Return the directives for the output of jobs, quoted as SLURM reads them."""
-    escaped = re.sub(r'(["\\])', r"\\\1", str(folder)).replace("%", "%%")
-    name = f"{escaped}/dask-worker-%J"
-    return [f'-e "{name}.err"', f'-o "{name}.out"']
 
 
 def _try_submitting(name: str, script: str) -> None:

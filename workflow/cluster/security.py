@@ -55,8 +55,7 @@ def new_security(folder: str, *, quoted: bool = False) -> Security:
     """
     file = Path(folder) / "run.pem"
     write_certificate(file)
-    roles = ("client", "scheduler", "worker")
-    parts = [f"tls_{role}_{part}" for role in roles for part in ("key", "cert")]
+    parts = [f"tls_{r}_{p}" for r in ("client", "scheduler", "worker") for p in ("key", "cert")]
     kind = QuotedSecurity if quoted else Security
     return kind(require_encryption=True, **dict.fromkeys(["tls_ca_file", *parts], str(file)))
 
@@ -69,9 +68,8 @@ def security_of(cluster: Cluster) -> Security | None:
     """
     if not cluster.where.startswith("tls://"):
         say(
-            f"warning: --scheduler {cluster.where}: neither encrypted nor authenticated: anyone "
-            "who reaches it can run code as you; start it with TLS "
-            "(docs/cluster.md, Who may connect)"
+            f"warning: --scheduler {cluster.where}: neither encrypted nor authenticated: whoever "
+            "reaches it can run code as you; start it with TLS (docs/cluster.md, Who may connect)"
         )
         return None
     files = {name: getattr(cluster, name) for name in TLS_FILES if getattr(cluster, name)}

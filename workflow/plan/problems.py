@@ -152,7 +152,7 @@ def _numbers(study: Study, label: str, all_parts: list[Parts], points: Points) -
     else:
         _check("normal_force", "F_N/(4 G L h)", load, LOAD_LIMITS)
         if study.surface.profile is not None:
-            check_load("grid.normal_force", study.surface.profile, load)
+            check_load(study.surface.profile, load)
     if study.scene.moves:
         _check("velocity", "v1 tau/dx", speed, SPEED_LIMITS)
     if study.scene.programme:  # a programme has its own speeds

@@ -6,7 +6,7 @@ from typing import Any, NamedTuple
 
 from ...kernels import SCHEMES
 from ..ground import UserError
-from .settings import Key, choice, filled, integer, within
+from .settings import OPTIONAL, Key, choice, filled, integer, within
 
 LONG_HORIZON = 6.0  # expected relaxation times; beyond 4, b changes by 0.5 %, at worst by 5 %
 LONG_HORIZON_ACCURACY = 0.01  # the long horizon is used for smaller accuracies
@@ -53,7 +53,7 @@ NUMERICS = {
         "With a given `steps_per_spacing` its µ₁, µ₂ and Δµ₀ are those of the steps.",
         default=DEFAULTS.scheme,
     ),
-    "steps_per_spacing": Key(
+    "steps_per_spacing": OPTIONAL(
         _steps,
         'The number m of time steps, and of samples of the line, per spacing Δx. With `"auto"` '
         "each point takes the smallest m that keeps the discretisation error of the requested "
@@ -62,7 +62,6 @@ NUMERICS = {
         "every point; `resolution_status` marks contacts that it does not resolve.",
         "Doubled, the error of µ₁ falls to about a third, those of Δµ₀ and b to about half; "
         "steady states take twice the time, relaxation up to four times.",
-        default=None,
         values='a whole number, at least 1, or `"auto"`',
         usual='`"auto"`',
         schema={"anyOf": [{"const": AUTO}, {"type": "integer", "minimum": 1}]},
@@ -74,19 +73,17 @@ NUMERICS = {
         default=DEFAULTS.curve_samples,
         usual="64; 200 in `scene.run`",
     ),
-    "horizon": Key(
+    "horizon": OPTIONAL(
         partial(within, least=1.0, most=100.0),
         "The duration of the marched relaxation, in expected relaxation times.",
         "Doubled, the march takes twice as long; beyond 4 the rate changes by about 0.5 %.",
-        default=None,
         usual="4; 6 if `accuracy` is below 1 %",
     ),
-    "accuracy": Key(
+    "accuracy": OPTIONAL(
         ACCURACY,
         "The requested relative error of µ₁, Δµ₀ and b: standard error plus bound of the "
         "discretisation error. The program chooses m and the number of lines.",
         "Doubled, a quarter of the lines and often fewer steps suffice.",
-        default=None,
     ),
     "max_realizations": Key(
         partial(integer, least=1),
@@ -95,12 +92,11 @@ NUMERICS = {
         "Doubled, hard points take twice the time for an error smaller by √2.",
         default=DEFAULTS.max_realizations,
     ),
-    "negligible": Key(
+    "negligible": OPTIONAL(
         partial(within, least=0.0, most=1.0),
         "A share of the jump Δµ₀. If the relaxation is significantly smaller, no line is added to "
         "determine b (`fit_status` is `negligible`).",
         "Doubled, b remains undetermined at more points with x < 1.",
-        default=None,
         usual="0; 0.01 if `accuracy` is given",
     ),
     "record": Key(
@@ -109,12 +105,11 @@ NUMERICS = {
         "slid, or the logarithm of time.",
         default=DEFAULTS.record,
     ),
-    "trace": Key(
+    "trace": OPTIONAL(
         partial(integer, least=1),
         "The number of steps between two stored points of a trace, in place of `samples` and "
         "`record`; of the steps of the line itself if a drive pulls a single line.",
         "Doubled, a trace has half as many points.",
-        default=None,
     ),
 }
 

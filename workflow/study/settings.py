@@ -192,6 +192,10 @@ class Key:
     schema: Mapping[str, Any] | None = None  # JSON schema of the accepted values
 
 
+OPTIONAL = partial(Key, default=None)
+FILE_NAME = partial(Key, as_text, values="the name of a file")
+
+
 def read_table(where: str, table: object, keys: Mapping[str, Key]) -> dict[str, Any]:
     """Return name -> checked value for all ``keys`` of the table named ``where``.
 

@@ -13,7 +13,7 @@ from .effects.scene import SCENE
 from .effects.segment_keys import SEGMENTS
 from .grid import GRID
 from .numerics import NUMERICS
-from .settings import Key, as_table, as_text, check_keys, checked, integer
+from .settings import OPTIONAL, Key, as_table, as_text, check_keys, checked, integer
 from .surfaces.table import SURFACE
 from .variants import COMPARE
 
@@ -33,12 +33,11 @@ HEAD = {
     ),
 }
 STUDY = HEAD | {
-    "realizations": Key(
+    "realizations": OPTIONAL(
         partial(integer, least=2),
         "The number of lines over which estimates are averaged. For random lines it is rounded up "
         "to whole quartets and to at least two blocks.",
         "Doubled, standard errors fall by √2 and the time doubles.",
-        default=None,
         usual='all measured lines with `surface.lines = "measured"`, else required',
     ),
     "realizations_per_block": Key(

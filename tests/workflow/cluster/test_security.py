@@ -83,4 +83,4 @@ def test_certificates_that_cannot_be_read_are_refused_by_name(files, name, tmp_p
 def test_a_scheduler_that_asks_for_nothing_is_warned_of(capsys):
     assert security_of(Cluster("tcp://127.0.0.1:8786")) is None
     (line,) = capsys.readouterr().err.splitlines()
-    assert "neither encrypted nor authenticated: anyone who reaches it can run code as you" in line
+    assert "neither encrypted nor authenticated: whoever reaches it can run code as you" in line

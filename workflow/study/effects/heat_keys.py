@@ -5,7 +5,7 @@ from functools import partial
 from pathlib import Path
 from typing import Any, NamedTuple
 
-from ..settings import Key, filled, positive, within
+from ..settings import OPTIONAL, Key, filled, positive, within
 
 MIN_SHARE = 1e-3  # of the heat that enters the elastomer
 
@@ -53,13 +53,12 @@ HEAT = {
         "Doubled, friction of a given size warms twice as much.",
         default=1.0,
     ),
-    "block": Key(
+    "block": OPTIONAL(
         positive,
         "The thickness of a block of elastomer whose far side stays at the temperature of the "
         "scene. The mean heat flux warms it, in a programme from its start.",
         "Doubled, the steady mean rise doubles, and takes four times as long.",
         "m",
-        default=None,
         usual="none: the mean flux warms nothing, as a half-space has no steady state",
     ),
 }

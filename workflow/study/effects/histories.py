@@ -7,7 +7,8 @@ import numpy as np
 
 from ...ground import UserError
 from ...text_tables import read_text_table
-from ..columns import ColumnSpec, check_rows, describe_columns, select_columns
+from ..columns import ColumnSpec, describe_columns, select_columns
+from ..row_checks import check_rows
 from ..settings import number
 from .programme import FromFile
 

@@ -13,10 +13,11 @@ from typing import Any, NamedTuple
 from ....kernels import BACKINGS, Arrhenius, Layer, ShiftLaw, ShiftTable, Spectrum, Wlf
 from ...ground import UserError
 from ..settings import (
+    FILE_NAME,
+    OPTIONAL,
     POSITIVE,
     SHIFT_KEYS,
     Key,
-    as_text,
     checked,
     choice,
     filled,
@@ -220,13 +221,12 @@ MATERIAL = {
         "Doubled, a Kelvin element behaves as under half the normal force.",
         "Pa",
     ),
-    "relaxation_time": Key(
+    "relaxation_time": OPTIONAL(
         partial(within, least=0.0, most=TIME_RANGE[1]),
         "The relaxation time τ = η/G of a dashpot of viscosity η parallel to the springs. 0 means "
         "no dashpot, and needs branches.",
         "Doubled, friction of a Kelvin element at v equals its former friction at 2v.",
         "s",
-        default=None,
         usual="0 with branches, else required",
     ),
     "branches": Key(
@@ -245,22 +245,19 @@ MATERIAL = {
             ),
         },
     ),
-    "branches_file": Key(
-        as_text,
+    "branches_file": FILE_NAME(
         "A text file beside `study.toml` with columns g_b (Pa) and t_b (s), or as its header "
         "says, in place of `branches`. Shares of G₀ (a column `alpha`, or rows below "
         "`*VISCOELASTIC`) are read too.",
         default="",
-        values="the name of a file",
     ),
     **SHIFTS,
-    "temperature": Key(
+    "temperature": OPTIONAL(
         number,
         "The temperature of the elastomer, with `wlf`, `arrhenius` or a table of shifts.",
         "Friction at v equals that at a_T v and the reference temperature; doubling degrees "
         "Celsius has no meaning.",
         "°C",
-        default=None,
         values="a number above `reference` − c2, or within the table",
     ),
     "poisson": Key(
@@ -270,12 +267,11 @@ MATERIAL = {
         "Doubled from 0.25 to 0.5, E* rises by half.",
         default=0.5,
     ),
-    "thickness": Key(
+    "thickness": OPTIONAL(
         positive,
         "The thickness of the elastomer on a rigid base, for a half-space only.",
         "Doubled, waves longer than the thickness meet a softer elastomer.",
         "m",
-        default=None,
         values="a positive number, at least a thousandth of `surface.length`",
         usual="a deep elastomer",
     ),

@@ -6,7 +6,16 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 from ...ground import UserError
-from ..settings import Key, as_text, choice, filled, flag, inline_table, integer
+from ..settings import (
+    FILE_NAME,
+    OPTIONAL,
+    Key,
+    choice,
+    filled,
+    flag,
+    inline_table,
+    integer,
+)
 from .histories import INDENTATION_COLUMN, read_history
 from .material import Material
 from .programme import FORCE, FRESH, INDENTATION, RELAXED, STEADY, Scene, Spring
@@ -31,8 +40,8 @@ def read_scene_table(
     for name in ("body", *EFFECT_TABLES):  # read by variant (study/variants.py)
         del values[name]
     segments, history = values.pop("programme"), values.pop("indentation_file")
-    programme = () if segments is None else read_programme("scene.programme", segments, folder)
-    drive = _drive(values.pop("drive"), is_pulled("scene.programme", segments or []))
+    programme = () if segments is None else read_programme(segments, folder)
+    drive = _drive(values.pop("drive"), is_pulled(segments or []))
     times, description = None, ""
     if history and values["control"] != INDENTATION:
         raise UserError('scene.indentation_file: needs scene.control = "indentation"')
@@ -134,20 +143,18 @@ def _check(table: Mapping[str, Any], scene: Scene, materials: tuple[Material, ..
 
 
 SCENE = {
-    "body": Key(
+    "body": OPTIONAL(
         partial(choice, known=(FOUNDATION, HALF_SPACE)),
         "`foundation` is the paper's row of independent elements along a line; `half-space` is a "
         "deep elastic block under a periodic square surface of side `surface.length` "
         "(docs/bodies.md).",
-        default=None,
         usual="a half-space for a random surface under `grid.normal_pressure` and for a measured "
         "map whose steps are known both ways, unless `surface.lines` or a prescribed indentation "
         "requests lines; else the foundation",
     ),
-    "quantities": Key(
+    "quantities": OPTIONAL(
         read_quantities,
         "The computed quantities, by the names of the table below. The result contains only these.",
-        default=None,
         values="a list of names of quantities",
         usual='`["steady", "jump", "relaxation"]`; without a dashpot `["steady", "relaxation", '
         '"peak"]`; with a programme `["steady", "trace"]`; with a prescribed indentation '
@@ -166,13 +173,11 @@ SCENE = {
         "indentation.",
         default=FORCE,
     ),
-    "indentation_file": Key(
-        as_text,
+    "indentation_file": FILE_NAME(
         "A text file beside `study.toml` with columns time (s) and indentation (m), in place of "
         "`grid.prescribed_indentation`. The indentation is linear between the times and constant "
         "beyond them.",
         default="",
-        values="the name of a file",
     ),
     "start": Key(
         partial(choice, known=(STEADY, RELAXED, FRESH)),
@@ -187,11 +192,10 @@ SCENE = {
         "Doubled, the march takes twice as long.",
         default=1,
     ),
-    "drive": Key(
+    "drive": OPTIONAL(
         partial(inline_table, keys=DRIVE),
         "The spring and damper through which a drive pulls the line; segments `pull` move the "
         "drive. Initially the spring carries steady friction, or is slack without steady sliding.",
-        default=None,
         values="a table, `[scene.drive]`",
         usual="none: the programme moves the line itself",
     ),
@@ -205,11 +209,10 @@ SCENE = {
         "The heat of friction, which warms the contact of a half-space and shortens its "
         "relaxation times (docs/effects.md).",
     ),
-    "programme": Key(
+    "programme": OPTIONAL(
         lambda _, value: [value] if isinstance(value, dict) else value,
         "The motion as successive segments `[[scene.programme]]`, in place of "
         "`grid.velocity_step`.",
-        default=None,
         values="a segment or a list of up to 1000: either `slide`, `hold`, `ramp`, `oscillate` and "
         "`file`, or only `pull`",
         schema=PROGRAMME_SCHEMA,

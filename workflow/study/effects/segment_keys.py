@@ -7,6 +7,7 @@ from ...ground import UserError
 from ..settings import (
     NOT_ZERO,
     NUMBER,
+    OPTIONAL,
     TEXT,
     Key,
     as_text,
@@ -53,19 +54,17 @@ SLIDE = {
         "The velocity as a multiple of `grid.velocity`.",
         "Doubled, so is the velocity.",
     ),
-    "distance": Key(
+    "distance": OPTIONAL(
         positive,
         "The distance that the line, or the drive, moves, unless `duration` is given.",
         "Doubled, the march takes twice as long.",
         "m",
-        default=None,
     ),
-    "duration": Key(
+    "duration": OPTIONAL(
         positive,
         "The duration of the segment.",
         "Doubled, the march takes twice as long.",
         "s",
-        default=None,
     ),
 }
 RAMP = {
@@ -86,33 +85,29 @@ RAMP = {
     ),
 }
 OSCILLATE = {
-    "velocity": Key(
+    "velocity": OPTIONAL(
         number,
         "The mean velocity, on which the oscillation is superposed, unless `ratio` is given.",
         "Doubled, so is the mean motion.",
         "m/s",
-        default=None,
         usual="0 without `ratio`",
     ),
-    "ratio": Key(
+    "ratio": OPTIONAL(
         number,
         "The mean velocity as a multiple of `grid.velocity`.",
         "Doubled, so is the mean motion.",
-        default=None,
     ),
-    "amplitude": Key(
+    "amplitude": OPTIONAL(
         positive,
         "The amplitude of the displacement, unless `velocity_amplitude` is given.",
         "Doubled, a small loop dissipates four times the work.",
         "m",
-        default=None,
     ),
-    "velocity_amplitude": Key(
+    "velocity_amplitude": OPTIONAL(
         partial(one_or_several, positive),
         "The amplitude of the velocity, 2π `frequency` times that of the displacement.",
         "Doubled, a small loop dissipates four times the work.",
         "m/s",
-        default=None,
     ),
     "frequency": Key(
         partial(one_or_several, positive),
@@ -148,13 +143,12 @@ FILE = {  # its value is text, not a table
 }
 
 PULL = {
-    "velocity": Key(
+    "velocity": OPTIONAL(
         number,
         "The velocity of the drive, backwards if negative, 0 to hold it, unless `ratio` or `file` "
         "is given.",
         "Doubled, the line moves twice as fast on average.",
         "m/s",
-        default=None,
     ),
     "ratio": SLIDE["ratio"],
     "file": replace(

@@ -18,6 +18,7 @@ from .programme import (
 )
 from .segment_keys import MAX_SEGMENTS, SEGMENTS
 
+KEY = "scene.programme"
 ARRAYS = {"time", "velocity"}  # keys of a sampled velocity from Python
 SINGLE_LIST: dict[type[HoldSegment | Oscillate], str] = {
     HoldSegment: "hold: only one hold of a programme may have a list of durations",
@@ -26,25 +27,25 @@ SINGLE_LIST: dict[type[HoldSegment | Oscillate], str] = {
 Checked = dict[str, Any]  # key -> checked value of a segment, None if it is not given
 
 
-def read_programme(key: str, value: object, folder: Path) -> Programme:
+def read_programme(value: object, folder: Path) -> Programme:
     """Return the segments described by a list of tables. Raises UserError for invalid tables.
 
     folder : folder of the files that the segments name.
     """
     if not isinstance(value, list) or not 1 <= len(value) <= MAX_SEGMENTS:
-        raise UserError(f"{key} = {value!r:.60}: must be a list of 1 to {MAX_SEGMENTS} segments")
-    programme = tuple(_segment(f"{key}[{i}]", entry, folder) for i, entry in enumerate(value))
+        raise UserError(f"{KEY} = {value!r:.60}: must be a list of 1 to {MAX_SEGMENTS} segments")
+    programme = tuple(_segment(f"{KEY}[{i}]", entry, folder) for i, entry in enumerate(value))
     for kind, message in SINGLE_LIST.items():
         lists = [i for i, part in enumerate(programme) if isinstance(part, kind) and part.several]
         if len(lists) > 1:
-            raise UserError(f"{key}[{lists[1]}].{message}")
+            raise UserError(f"{KEY}[{lists[1]}].{message}")
     for i, (before, after) in enumerate(pairwise(programme), 1):
         if isinstance(before, RampSegment) and isinstance(after, Oscillate):
-            _check_continuous(f"{key}[{i}].oscillate", before.last, after.velocity)
+            _check_continuous(f"{KEY}[{i}].oscillate", before.last, after.velocity)
     return programme
 
 
-def is_pulled(where: str, entries: list[dict[str, Any]]) -> bool:
+def is_pulled(entries: list[dict[str, Any]]) -> bool:
     """Return whether the segments of a programme move a drive, not the line.
 
     Raises UserError if only some of them do.
@@ -52,7 +53,7 @@ def is_pulled(where: str, entries: list[dict[str, Any]]) -> bool:
     pulled = ["pull" in entry for entry in entries]
     if any(pulled) and not all(pulled):
         raise UserError(
-            f"{where}: some segments pull and others move the line; use pull for all segments, and "
+            f"{KEY}: some segments pull and others move the line; use pull for all segments, and "
             "pull = {velocity = 0, duration = …} to hold the drive"
         )
     return any(pulled)

@@ -11,14 +11,13 @@ from typing import Any, NamedTuple
 from ...ground import UserError
 from ...text_tables import read_text_table
 from ..columns import (
-    POSITIVE_NUMBER,
     STRESS_NAME,
     ColumnSpec,
-    check_rows,
     describe_columns,
     select_columns,
 )
-from ..settings import Key, as_text, filled, number, positive, within
+from ..row_checks import POSITIVE_NUMBER, check_rows
+from ..settings import FILE_NAME, OPTIONAL, filled, number, positive, within
 
 MAX_SHEAR_STRESS = 1e12  # Pa
 SHEAR_HEADER_ADVICE = 'a header "velocity [m/s], stress [Pa]"'
@@ -103,61 +102,53 @@ def _read_rows(key: str, path: Path) -> tuple[tuple[tuple[float, float], ...], s
 
 
 SHEAR = {
-    "stress": Key(
+    "stress": OPTIONAL(
         partial(within, least=0.0, most=MAX_SHEAR_STRESS),
         "The shear stress τ₀ of the real contact: the maximum of a bell over the velocity, or a "
         "constant.",
         "Doubled, the shear part of the friction doubles.",
         "Pa",
-        default=None,
         usual="required unless `file` is given",
     ),
-    "velocity": Key(
+    "velocity": OPTIONAL(
         positive,
         "The velocity v₀ at the maximum of the bell τ₀ exp(−(log₁₀(v a'/v₀)/w)²).",
         "Doubled, the bell moves to twice the velocity.",
         "m/s",
-        default=None,
         usual="none: a constant stress",
     ),
-    "width": Key(
+    "width": OPTIONAL(
         positive,
         "The width w of the bell, at which τ_f has fallen to 1/e; c = 1/w² in the literature.",
         "Doubled, the bell is twice as wide.",
         "decades",
-        default=None,
         usual="required with `velocity`",
     ),
-    "creep_velocity": Key(
+    "creep_velocity": OPTIONAL(
         positive,
         "The velocity below which the stress stays constant, so that it does not vanish in a hold.",
         "Doubled, the static stress is that at twice the velocity.",
         "m/s",
-        default=None,
         usual="required for a bell with a hold or a drive",
     ),
-    "activation_energy": Key(
+    "activation_energy": OPTIONAL(
         positive,
         "The activation energy E_a in a' = exp(E_a/R (1/T − 1/T_ref)), which shifts the velocity.",
         "Doubled, the bell shifts by twice as many decades.",
         "J/mol",
-        default=None,
         usual="required for a bell if `material.temperature` is given",
     ),
-    "reference": Key(
+    "reference": OPTIONAL(
         number,
         "The temperature of the bell or the table.",
         "Doubling degrees Celsius has no meaning.",
         "°C",
-        default=None,
         usual="required with `activation_energy`",
     ),
-    "file": Key(
-        as_text,
+    "file": FILE_NAME(
         "A text file beside `study.toml` with columns v (m/s) and τ_f (Pa), or as its header "
         "says, interpolated over the logarithm of v. Below the first row the stress is constant; "
         "a velocity beyond the last row is refused.",
         default="",
-        values="the name of a file",
     ),
 }

@@ -12,7 +12,17 @@ from ....kernels import ZERO_CELSIUS, Arrhenius, ShiftLaw, ShiftTable, Wlf
 from ...ground import UserError
 from ...text_tables import read_text_table
 from ..columns import ColumnSpec, describe_columns, select_columns
-from ..settings import NUMBER, Key, as_text, inline_table, number, pair, positive, two_numbers
+from ..settings import (
+    FILE_NAME,
+    NUMBER,
+    OPTIONAL,
+    Key,
+    inline_table,
+    number,
+    pair,
+    positive,
+    two_numbers,
+)
 
 MAX_SHIFT_DECADES = 30.0
 KELVIN_SUSPICION = 230.0  # degrees above the reference: the value is probably in K
@@ -148,32 +158,27 @@ ARRHENIUS = {
     "reference": REFERENCE,
 }
 SHIFTS = {
-    "wlf": Key(
+    "wlf": OPTIONAL(
         partial(inline_table, keys=WLF, make=Wlf),
         "The shift of Williams, Landel and Ferry, log₁₀ a_T = −c1 (T − reference)/(c2 + T − "
         "reference); a_T multiplies all relaxation times. The law of Vogel, Fulcher and Tammann "
         "has c2 = reference − T₀ and c1 = B/(c2 ln 10).",
-        default=None,
     ),
-    "arrhenius": Key(
+    "arrhenius": OPTIONAL(
         partial(inline_table, keys=ARRHENIUS, make=Arrhenius),
         "The shift of Arrhenius, ln a_T = E_a/R (1/T − 1/reference) with temperatures in K, in "
         "place of `wlf`.",
-        default=None,
     ),
-    "shifts": Key(
+    "shifts": OPTIONAL(
         _shift_table,
         "A measured table of the shift, with T in °C, in place of `wlf`, interpolated linearly "
         "and not extrapolated.",
-        default=None,
         values="a list of at least two rows `[T, log₁₀ a_T]`",
         schema={"type": "array", "minItems": 2, "items": pair(NUMBER, NUMBER)},
     ),
-    "shifts_file": Key(
-        as_text,
+    "shifts_file": FILE_NAME(
         "A text file beside `study.toml` with these columns, in place of `shifts`; a column may "
         "also be named a_T or ln a_T.",
         default="",
-        values="the name of a file",
     ),
 }

@@ -121,7 +121,7 @@ def map_of_lines(file: LineFile, lines: Lines, detrend: str, periodic: str) -> P
     whole = make_periodic(make_periodic(levelled, periodic).T, periodic).T
     notes = (
         f"{file.name}: map of {side} x {side}{cut}, pitch {lines.step:.4g} m{assumed}, "
-        f"{lines.notes}; {_preparation_text(detrend, periodic, len(whole))}"
+        f"{lines.notes}; {_map_preparation_text(detrend, periodic, len(whole))}"
     )
     return _measured_profile(file, whole[None], lines.step, periodic, notes)
 
@@ -198,15 +198,15 @@ def _check_finite(given: object, heights: np.ndarray, row_name: str) -> None:
         )
 
 
-def check_load(key: str, profile: Profile, load: np.ndarray) -> None:
+def check_load(profile: Profile, load: np.ndarray) -> None:
     """Raise UserError for loads F_N/(4 G L h) that indicate wrong units of force or modulus.
 
-    L is the measured length. key : of the force, for the message.
+    L is the measured length.
     """
     low, high = float(np.min(load)), float(np.max(load))
     if not (LOAD_LIMITS[0] <= low and high <= LOAD_LIMITS[1]):
         raise UserError(
-            f"{key}: F_N/(4 G L h) runs from {low:.3g} to {high:.3g} on L = "
+            f"grid.normal_force: F_N/(4 G L h) runs from {low:.3g} to {high:.3g} on L = "
             f"{profile.measured_length:.3g} m with h = {profile.roughness:.3g} m, but must lie "
             f"between {LOAD_LIMITS[0]:g} and {LOAD_LIMITS[1]:g}: give the force in N and "
             "the modulus in Pa"
@@ -222,28 +222,28 @@ def check_slope(prefix: str, hint: str, profile: Profile) -> None:
         )
 
 
-def _preparation_text(detrend: str, periodic: str, side: int | None = None) -> str:
-    """Return the preparation of lines, or of a map with ``side`` samples a side, in words."""
-    removed = {"none": "nothing", "line": "tilt" if side else "its line"}.get(
-        detrend, detrend if side else f"its {detrend}"
-    )
-    of_lines, of_map = {
-        "none": ("taken as one period", "taken as one period"),
-        "mirror": (
-            "mirrored: the period is the line followed by its reverse and carries twice "
-            "normal_force",
-            f"mirrored to {side} x {side}",
-        ),
-        "taper": (
-            f"brought to its mean by a cosine over {TAPER_SHARE:.0%} of its length at each end",
-            f"brought to its mean over {TAPER_SHARE:.0%} of each side",
-        ),
-    }[periodic]
-    return (
-        f"{removed} removed, {of_map}"
-        if side
-        else f"{removed} removed from each line, which is {of_lines}"
-    )
+def _preparation_text(detrend: str, periodic: str) -> str:
+    """Return the preparation of lines in words."""
+    removed = "nothing" if detrend == "none" else f"its {detrend}"
+    made = {
+        "none": "taken as one period",
+        "mirror": "mirrored: the period is the line followed by its reverse and carries twice "
+        "normal_force",
+        "taper": f"brought to its mean by a cosine over {TAPER_SHARE:.0%} of its length at each "
+        "end",
+    }
+    return f"{removed} removed from each line, which is {made[periodic]}"
+
+
+def _map_preparation_text(detrend: str, periodic: str, side: int) -> str:
+    """Return the preparation of a map with ``side`` samples a side in words."""
+    removed = {"none": "nothing", "line": "tilt"}.get(detrend, detrend)
+    made = {
+        "none": "taken as one period",
+        "mirror": f"mirrored to {side} x {side}",
+        "taper": f"brought to its mean over {TAPER_SHARE:.0%} of each side",
+    }
+    return f"{removed} removed, {made[periodic]}"
 
 
 def _read_only_profile(heights: np.ndarray, length: float, copies: int, notes: str) -> Profile:

@@ -18,8 +18,9 @@ import numpy as np
 from ....kernels import IsotropicSpectrum, isotropic_of_cut, isotropic_of_equivalent
 from ...ground import UserError
 from ...text_tables import TextTable, read_text_table
-from ..columns import POSITIVE_NUMBER, ColumnSpec, check_rows, describe_columns, select_columns
-from ..settings import Key, as_text, choice, positive
+from ..columns import ColumnSpec, describe_columns, select_columns
+from ..row_checks import POSITIVE_NUMBER, check_rows
+from ..settings import FILE_NAME, Key, choice, positive
 
 SPECTRUM_KEY = "surface.spectrum"
 MAX_ROW_RATIO = 10.0  # of neighbouring wave numbers
@@ -42,11 +43,9 @@ KINDS: dict[str, tuple[str, str, Callable[[np.ndarray, np.ndarray], np.ndarray]]
     "profile+": ("m^3", "spectrum of a line", _half_of_cut),
 }
 SPECTRUM = {
-    "file": Key(
-        as_text,
+    "file": FILE_NAME(
         "A text file beside `study.toml` with columns q = 2π/λ, ascending, and C(q), or as its "
         "header says.",
-        values="the name of a file",
     ),
     "kind": Key(
         partial(choice, known=tuple(KINDS)),

@@ -12,9 +12,10 @@ from ....kernels.lines.self_affine import NORMALISATIONS
 from ...ground import UserError
 from ..effects.scene import FOUNDATION, HALF_SPACE
 from ..settings import (
+    FILE_NAME,
+    OPTIONAL,
     TEXT,
     Key,
-    as_text,
     checked,
     choice,
     filled,
@@ -98,27 +99,23 @@ RANDOM_KEYS = {
     ),
 }
 SPECTRUM_KEYS = {
-    "spectrum": Key(
+    "spectrum": OPTIONAL(
         partial(inline_table, keys=SPECTRUM),
         "The measured power spectrum of an isotropic surface, in place of `grid.hurst` and "
         "`grid.roughness`. It is zero beyond its rows; `rolloff` makes C₂D flat above λ_r.",
-        default=None,
     ),
-    "rms_slope": Key(
+    "rms_slope": OPTIONAL(
         positive,
         "The rms slope (full gradient) of all waves of `spectrum` up to the cut-off q₁, in place "
         "of `cutoff`.",
         "Doubled, q₁ more than doubles, and the spacing must resolve it.",
-        default=None,
     ),
 }
 FILE_KEYS = {
-    "file": Key(
-        as_text,
+    "file": FILE_NAME(
         "A file of measured lines beside `study.toml`: text of any suffix, `.npy`, `.nc`, or a "
         "format of SurfaceTopography. It determines H, spacing and roughness; the keys below need "
         "it.",
-        values="the name of a file",
         usual="none: lines are random",
     ),
     "columns": Key(
@@ -138,12 +135,11 @@ FILE_KEYS = {
         usual="those that the file names, else required",
         schema=pair(TEXT, TEXT),
     ),
-    "step": Key(
+    "step": OPTIONAL(
         positive,
         "The distance of two samples of a file without positions.",
         "Doubled, slopes are half as steep.",
         "m",
-        default=None,
         usual="that of the file",
     ),
     "gaps": Key(

@@ -20,7 +20,7 @@ from tests.support.small import FILES
 
 def read(tmp_path, *entries):
     (tmp_path / "velocity.csv").write_text(FILES["velocity.csv"])
-    return read_programme("scene.programme", list(entries), tmp_path)
+    return read_programme(list(entries), tmp_path)
 
 
 @pytest.mark.parametrize(

@@ -121,7 +121,7 @@ def test_profiles_that_are_none_are_refused_in_a_line(heights, words):
 def test_loads_of_other_units_are_refused(load):
     profile, loads = profile_of_array(Z, LENGTH), np.array([load, 1.0])
     if 1e-8 <= load <= 1e6:
-        check_load("grid.normal_force", profile, loads)
+        check_load(profile, loads)
         return
     with pytest.raises(UserError, match=r"grid.normal_force: F_N/\(4 G L h\) runs from .* in Pa"):
-        check_load("grid.normal_force", profile, loads)
+        check_load(profile, loads)
