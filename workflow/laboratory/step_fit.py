@@ -88,8 +88,20 @@ def fit_relaxation_curve(t: np.ndarray, values: np.ndarray, shape: Shape) -> Rel
     rates = np.geomspace(MIN_RATE_TIMES_SPAN / t[-1], fastest, TRIAL_RATES)
     squares, best, inverse = _fits_at_rates(t, values, shape, rates)
     place = int(np.argmin(squares))
-    start = np.array([*best[place], np.log(rates[place])])
-    p, jacobian = _refined(t, values, shape, start, np.log(rates[[0, -1]]))
+    reach = np.log(rates[[0, -1]])
+    log_rate = np.clip(np.log(rates[place]), reach[0] + 1e-6, reach[1] - 1e-6)
+    start = np.array([*best[place], log_rate])
+    solution = least_squares(
+        lambda p: _model(t, shape, p)[0] - values,
+        start,
+        lambda p: _model(t, shape, p)[1],
+        bounds=([-np.inf, -np.inf, reach[0]], [np.inf, np.inf, reach[1]]),
+        x_scale="jac",
+        ftol=1e-12,
+        xtol=1e-12,
+        gtol=None,
+    )
+    p, jacobian = solution.x, solution.jac
     residual = _model(t, shape, p)[0] - values
     least = float(residual @ residual)
     factor = correlation_factor(residual)
@@ -129,24 +141,6 @@ def _fits_at_rates(
         best.append(solution)
         inverses.append(inverse)
     return np.array(squares), np.array(best), np.array(inverses)
-
-
-def _refined(
-    t: np.ndarray, values: np.ndarray, shape: Shape, start: np.ndarray, reach: np.ndarray
-) -> tuple[np.ndarray, np.ndarray]:
-    """Return the best parameters near ``start`` and the Jacobian there."""
-    start[2] = np.clip(start[2], reach[0] + 1e-6, reach[1] - 1e-6)
-    solution = least_squares(
-        lambda p: _model(t, shape, p)[0] - values,
-        start,
-        lambda p: _model(t, shape, p)[1],
-        bounds=([-np.inf, -np.inf, reach[0]], [np.inf, np.inf, reach[1]]),
-        x_scale="jac",
-        ftol=1e-12,
-        xtol=1e-12,
-        gtol=None,
-    )
-    return solution.x, solution.jac
 
 
 class StepFit(NamedTuple):

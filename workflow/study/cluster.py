@@ -2,12 +2,12 @@
 
 import datetime
 import re
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
 from functools import partial
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 from ..ground import UserError
-from .settings import TEXT, Key, as_text, choice, filled, integer, matching, positive
+from .settings import TEXT, Key, as_text, choice, integer, matching, positive
 
 LOCAL = "local"
 RETIREMENT_MARGIN = 0.1  # share of the walltime left when a worker of a job retires
@@ -239,8 +239,3 @@ CLUSTER = {
         "A PEM file with the key of `tls_cert`, unless that file contains it.",
     ),
 }
-
-
-def read_cluster(given: Mapping[str, Any]) -> Cluster:
-    """Return the cluster described by the checked values of a table [cluster]."""
-    return Cluster(**filled("cluster", given, CLUSTER))

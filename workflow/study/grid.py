@@ -146,7 +146,13 @@ def read_grid(
         for point in parts_at(parts, several, axes_of(several, "surface")):
             check_cutoff(point.surface, grid["spacing"])
     if surface.power is not None:
-        grid["roughness"] = (_drawn_roughness(surface, min(grid["spacing"])),)
+        height = surface.drawn_roughness(round(surface.length / min(grid["spacing"])))
+        if not height > 0.0:
+            raise UserError(
+                f"surface.length = {surface.length!r}: no whole number of its waves is one of "
+                "surface.spectrum; take a longer one"
+            )
+        grid["roughness"] = (height,)
     grid |= several | scene.listed
     axes = {axis: grid[axis] for axis in ALL_AXES if grid.get(axis)}
     points = math.prod(map(len, axes.values()))
@@ -193,17 +199,6 @@ def _excluded(surface: Surface, scene: Scene) -> dict[str, tuple[tuple[float, ..
     if not scene.uses_velocity:
         excluded["velocity"] = (scene.typical_speed,), "no segment of the programme depends on it"
     return excluded
-
-
-def _drawn_roughness(surface: Surface, spacing: float) -> float:
-    """Return the rms height (m) of lines of a measured spectrum. Raises UserError without waves."""
-    height = surface.drawn_roughness(round(surface.length / spacing))
-    if not height > 0.0:
-        raise UserError(
-            f"surface.length = {surface.length!r}: no whole number of its waves is one of "
-            "surface.spectrum; take a longer one"
-        )
-    return height
 
 
 def _spacings(spacings: tuple[float, ...], surface: Surface) -> tuple[float, ...]:

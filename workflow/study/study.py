@@ -11,7 +11,7 @@ from ...kernels import QUARTET
 from ..ground import UserError
 from .axes import ALL_AXES, Grid, Parts, parts_at, separated, with_value
 from .body_choice import choose_body, settle_body
-from .cluster import THIS_MACHINE, Cluster, read_cluster
+from .cluster import THIS_MACHINE, Cluster
 from .effects.material import Material
 from .effects.programme import PROGRAMME_AXES, Scene
 from .effects.quantities import check_quantities
@@ -149,7 +149,7 @@ def read_grid_study(
     """
     head_keys = ONE_POINT if one_point else STUDY
     given = checked_tables(tables, scales or {}, head_keys)
-    cluster = read_cluster(given["cluster"])
+    cluster = Cluster(**given["cluster"])
     written = {name: table for name, table in tables.items() if name != "cluster"}
     head = study_head(name, folder, written, filled("study", given["study"], head_keys))
     given, several = separated(given)

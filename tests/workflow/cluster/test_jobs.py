@@ -10,7 +10,7 @@ from distributed.security import Security
 from elastomer_friction.workflow.cluster import jobs as slurm
 from elastomer_friction.workflow.cluster.security import new_security
 from elastomer_friction.workflow.ground import UserError
-from elastomer_friction.workflow.study.cluster import OMISSIBLE_DIRECTIVES, read_cluster
+from elastomer_friction.workflow.study.cluster import OMISSIBLE_DIRECTIVES, Cluster
 from tests.support.documents import CLUSTER
 
 LINES = (
@@ -44,7 +44,7 @@ def test_jobs_are_asked_for_as_the_table_says(tmp_path, monkeypatch):
     monkeypatch.setattr(slurm.sys, "executable", "/a folder/python")
     monkeypatch.setattr(slurm, "interface_named", str)  # ib0 need not be there
     given = CLUSTER | {"log_folder": str(tmp_path)}  # which is made
-    settings = slurm._settings(read_cluster(given), {"distributed.a.b": []})
+    settings = slurm._settings(Cluster(**given), {"distributed.a.b": []})
     settings["security"] = Security(tls_ca_file="a", tls_worker_cert="c", tls_worker_key="k")
     script = SLURMJob("tls://here:1", "name", **settings).job_script()
     assert set(LINES) <= set(script.splitlines())
@@ -60,12 +60,12 @@ def test_jobs_have_the_usual_directives_unless_some_are_left_out(tmp_path):
     from dask_jobqueue.slurm import SLURMJob
 
     given = {"where": "slurm", "log_folder": str(tmp_path)}
-    settings = slurm._settings(read_cluster(given), {})
+    settings = slurm._settings(Cluster(**given), {})
     settings["security"] = Security(tls_ca_file="a", tls_worker_cert="c", tls_worker_key="k")
     script = SLURMJob("tls://here:1", "-n", **settings).job_script()
     written = {line.split()[1].partition("=")[0] for line in script.splitlines() if "#SB" in line}
     assert written == set(OMISSIBLE_DIRECTIVES) - {"-p", "-A"}  # neither queue nor account
-    fewer = slurm._settings(read_cluster(given | {"leave_out": ["-n"]}), {})
+    fewer = slurm._settings(Cluster(**(given | {"leave_out": ["-n"]})), {})
     fewer["security"] = settings["security"]
     shorter = SLURMJob("tls://here:1", "-n", **fewer).job_script()
     lines = set(script.splitlines()) - set(shorter.splitlines())
@@ -85,7 +85,7 @@ def test_paths_of_any_letters_reach_the_workers_of_a_job(name, tmp_path, monkeyp
     python.chmod(0o700)
     monkeypatch.setattr(slurm.sys, "executable", str(python))
     given = CLUSTER | {"log_folder": str(folder), "interface": "lo", "prologue": []}
-    settings = slurm._settings(read_cluster(given), {"distributed.a.b": str(folder)})
+    settings = slurm._settings(Cluster(**given), {"distributed.a.b": str(folder)})
     security = new_security(str(folder), quoted=True)
     script = SLURMJob("tls://here:1", "name", security=security, **settings).job_script()
     written = tmp_path / "arguments"
@@ -120,7 +120,7 @@ def test_a_submission_that_fails_is_one_line(tmp_path, monkeypatch, sbatch, refu
 
 def test_an_interface_that_is_not_there_is_named(tmp_path):
     logs = tmp_path / "new" / "logs"
-    given = read_cluster(CLUSTER | {"interface": "no-such0", "log_folder": str(logs)})
+    given = Cluster(**(CLUSTER | {"interface": "no-such0", "log_folder": str(logs)}))
     refusal = r"cluster\.interface = 'no-such0': .* from .*lo"
     with pytest.raises(UserError, match=refusal), slurm.job_cluster(None, given):
         pass

@@ -14,7 +14,6 @@ from elastomer_friction.workflow.study.cluster import CLUSTER as KEYS
 from elastomer_friction.workflow.study.cluster import (
     THIS_MACHINE,
     Cluster,
-    read_cluster,
     walltime_seconds,
 )
 from elastomer_friction.workflow.study.effects.material import Material
@@ -247,17 +246,17 @@ def test_walltimes_are_those_of_slurm():
 
 
 def test_a_study_is_computed_here_unless_it_says_otherwise():
-    assert read_cluster({}) == THIS_MACHINE == Cluster(where="local")
+    assert Cluster() == THIS_MACHINE == Cluster(where="local")
     assert THIS_MACHINE.longest_batch == float("inf")
 
 
 def test_every_key_arrives():
-    assert read_cluster(checked("cluster", CLUSTER, KEYS)) == Cluster(
+    assert Cluster(**checked("cluster", CLUSTER, KEYS)) == Cluster(
         **{key: tuple(v) if isinstance(v, list) else v for key, v in CLUSTER.items()}
     )
 
 
 def test_batches_are_far_shorter_than_the_life_of_a_worker():
-    place = read_cluster(CLUSTER)
+    place = Cluster(**CLUSTER)
     assert place.lifetime == pytest.approx(6480.0)
     assert place.longest_batch == pytest.approx(324.0)

@@ -76,32 +76,24 @@ def _segment(where: str, entry: object, folder: Path) -> Segment:
     checked = read_table(where, content, SEGMENTS[kind])
     match kind:
         case "slide":
-            return _slide(where, checked)
+            velocity = _velocity(where, checked)
+            _only_key(where, checked, "distance", "duration")
+            return SlideSegment(velocity, checked["distance"], checked["duration"])
         case "hold":
             return _hold(checked["duration"])
         case "ramp":
-            return _ramp(where, checked)
+            key = _only_key(where, checked, "velocity", "ratio")
+            first, last = (Velocity(value, key == "ratio") for value in checked[key])
+            return RampSegment(first, last, checked["duration"])
         case "oscillate":
             return _oscillate(where, checked)
     return _pull(where, checked, folder)
-
-
-def _slide(where: str, checked: Checked) -> SlideSegment:
-    velocity = _velocity(where, checked)
-    _only_key(where, checked, "distance", "duration")
-    return SlideSegment(velocity, checked["distance"], checked["duration"])
 
 
 def _hold(duration: float | tuple[float, ...]) -> HoldSegment:
     if isinstance(duration, tuple):
         return HoldSegment(duration, several=True)
     return HoldSegment((duration,))
-
-
-def _ramp(where: str, checked: Checked) -> RampSegment:
-    key = _only_key(where, checked, "velocity", "ratio")
-    first, last = (Velocity(value, key == "ratio") for value in checked[key])
-    return RampSegment(first, last, checked["duration"])
 
 
 def _oscillate(where: str, checked: Checked) -> Oscillate:

@@ -46,15 +46,10 @@ def shift_refusal(law: ShiftLaw, temperature: float) -> str:
         return f"must be above reference - c2 = {low:g}, the pole of the WLF shift"
     if min(temperature, law.reference) <= low:
         return f"it and the reference {law.reference:g} must be above {low:g}"
-    return _in_kelvin(temperature, law.reference)
-
-
-def _in_kelvin(temperature: float, reference: float) -> str:
-    """Return a message if a temperature appears to be in K, or ""."""
-    above = temperature - reference
+    above = temperature - law.reference
     if above <= KELVIN_SUSPICION:
         return ""
-    return f"is {above:g} degrees above the reference {reference:g}; give both in °C, not K"
+    return f"is {above:g} degrees above the reference {law.reference:g}; give both in °C, not K"
 
 
 def read_shift_table(key: str, path: Path) -> ShiftTable:

@@ -31,16 +31,12 @@ WAVE_NUMBER_COLUMN = ColumnSpec(
 DENSITY_NAMES = r"^C([\W_\d]|$)|psd|power|spectr|dens"
 
 
-def _half_of_cut(q: np.ndarray, density: np.ndarray) -> np.ndarray:
-    return isotropic_of_cut(q, 0.5 * density)
-
-
 # Each kind with the unit of its column, its family, and the conversion to C_2D.
 KINDS: dict[str, tuple[str, str, Callable[[np.ndarray, np.ndarray], np.ndarray]]] = {
     "2D": ("m^4", "spectrum of a surface", lambda q, density: density),
     "equivalent": ("m^3", "spectrum of a line", isotropic_of_equivalent),
     "profile": ("m^3", "spectrum of a line", isotropic_of_cut),
-    "profile+": ("m^3", "spectrum of a line", _half_of_cut),
+    "profile+": ("m^3", "spectrum of a line", lambda q, c: isotropic_of_cut(q, 0.5 * c)),
 }
 SPECTRUM = {
     "file": FILE_NAME(
