@@ -7,7 +7,7 @@ import dask
 import pytest
 
 from elastomer_friction.workflow.cluster import client as client_module
-from elastomer_friction.workflow.cluster.client import SCHEDULER_PACKAGES, open_client
+from elastomer_friction.workflow.cluster.client import open_client
 from elastomer_friction.workflow.cluster.worker import forget_tasks
 from elastomer_friction.workflow.ground import UserError
 from elastomer_friction.workflow.run.workers import run_batch
@@ -17,6 +17,7 @@ from elastomer_friction.workflow.system import own_versions, version_of
 from tests.support.python import PATIENCE
 from tests.support.small import cut_batches, small_plan
 
+PACKAGES = ("dask", "distributed")  # of a scheduler
 BATCH = next(cut_batches(small_plan(), set(), 1e9))
 
 
@@ -40,14 +41,14 @@ def test_a_scheduler_forgets_how_to_compute_only_what_is_computed():
 
 
 def test_a_scheduler_of_other_versions_is_refused_before_a_client_connects(scheduler, monkeypatch):
-    others = dict.fromkeys(SCHEDULER_PACKAGES, "0.1")
+    others = dict.fromkeys(PACKAGES, "0.1")
     monkeypatch.setattr(client_module, "own_versions", lambda: others)
     monkeypatch.setattr(client_module, "_connected", None)
     refusal = pytest.raises(UserError, match="schedulers must have the versions")
     with refusal as refused, open_client(Cluster(scheduler)):
         pass
     rows = [line.split() for line in str(refused.value).splitlines()[2:]]
-    assert rows == [[name, version_of(name), "0.1"] for name in SCHEDULER_PACKAGES]
+    assert rows == [[name, version_of(name), "0.1"] for name in PACKAGES]
 
 
 def test_settings_of_the_user_do_not_end_workers_or_the_scheduler():
