@@ -1,6 +1,7 @@
 """Where batches run: a scheduler that is there, or single-threaded processes of our own."""
 
 import contextlib
+import logging
 import os
 import signal
 import socket
@@ -136,9 +137,13 @@ def test_a_worker_that_is_killed_while_it_starts_again_is_replaced_and_set_up(mo
 
 
 def test_a_scheduler_that_is_there_is_used_with_a_warning_where_anyone_may(scheduler, capsys):
+    loggers = [logging.getLogger(f"distributed.{part}") for part in ("client", "scheduler")]
+    for logger in loggers:
+        logger.setLevel(logging.INFO)
     with open_client(Cluster(scheduler)) as client:
         assert client.scheduler.address == scheduler
         assert len(client.nthreads()) == 2
+    assert not any(logger.isEnabledFor(logging.ERROR) for logger in loggers)  # of lost workers
     (line,) = capsys.readouterr().err.splitlines()
     assert line.startswith(f"warning: --scheduler {scheduler}: neither encrypted nor authentic")
 

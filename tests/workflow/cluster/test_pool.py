@@ -44,6 +44,7 @@ def test_what_is_for_one_worker_is_computed_there_and_what_is_dropped_does_not_c
         actual += pool.take(0.01)
     assert {one.key: one.address for one in actual} == dict.fromkeys(futures, first)
     assert pool.take(0.05) == []
+    assert all(map(pool.holds, futures.values()))
 
 
 SEEN = Event()  # the workers of these tests are threads of this process
@@ -78,6 +79,7 @@ def test_a_snapshot_tells_who_is_there_who_takes_up_work_and_what_has_running(cl
         assert {*actual.running} == {running}
         assert pool.take(0.0) == []
         assert pool.pending(running)
+        assert not pool.holds(futures[running])
         assert pool.pending(waiting)
         pool.drop(futures)
     finally:
