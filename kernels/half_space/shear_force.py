@@ -6,14 +6,12 @@ from ..body.step import Forces
 from ..interface.shear import ShearLaw, shear_stress
 
 
-def with_shear(
-    acting: Forces, law: ShearLaw, side: float, speed: float, temperature: float | None = None
-) -> Forces:
+def with_shear(acting: Forces, law: ShearLaw, side: float, speed: float) -> Forces:
     """Return the Forces of a step with the shear in the friction; mu remains viscoelastic.
 
-    side : of the map, in dx. speed, temperature : as for ``shear_stress``.
+    side : of the map, in dx. speed : as for ``shear_stress``.
     """
-    stress = float(shear_stress(law, speed, temperature))
+    stress = float(shear_stress(law, speed))
     sheared = math.copysign(stress, speed) if speed else 0.0
     return acting._replace(friction=acting.friction + sheared * side * acting.contact_fraction)
 
@@ -26,5 +24,8 @@ def with_shear_share(acting: Forces, shear: float) -> Forces:
 def static_shear(
     acting: Forces, law: ShearLaw, side: float, temperature: float | None = None
 ) -> float:
-    """Return the largest shear force of a contact at rest; arguments as for ``with_shear``."""
+    """Return the largest shear force of a contact at rest.
+
+    side : of the map, in dx. temperature : as for ``shear_stress``.
+    """
     return float(shear_stress(law, 0.0, temperature)) * side * acting.contact_fraction

@@ -66,7 +66,7 @@ class ShiftTable(NamedTuple):
     """A measured table with linear interpolation."""
 
     rows: tuple[tuple[float, float], ...]  # temperature (°C), log10 a_T; temperatures ascending
-    told: str = ""  # description of its file
+    description: str = ""  # of its file
 
     @property
     def limits(self) -> tuple[float, float]:

@@ -37,7 +37,7 @@ def _heat(heat: HeatProperties, material: Material, scale: Scale) -> Heat:
     assert law is not None
     assert temperature is not None
     if isinstance(law, ShiftTable):
-        law = law._replace(told="")
+        law = law._replace(description="")
     flux_unit = material.contact_modulus * scale.roughness**2 / scale.tau  # times dx, W/m
     diffusivity = heat.conductivity / heat.heat_capacity
     return Heat(

@@ -123,7 +123,7 @@ def _facts(plan: Plan, variant: Variant) -> dict[str, str | int | float]:
         facts |= {"lines": lines.description, "lines_digest": lines.identity}
     files = {
         "branches": variant.material.description,
-        "shifts": shifts.told if shifts else "",
+        "shifts": shifts.description if shifts else "",
         "programme": "; ".join(plan.study.scene.sampled),
     }
     return facts | {name: description for name, description in files.items() if description}

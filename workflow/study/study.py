@@ -90,7 +90,7 @@ class Study(AnyStudy):
         """Contents (such as "branches") and description of each file and array that was read."""
         rows = [("lines", surface.description) for surface in self.surfaces.values()]
         for material in self.materials.values():
-            shifts = material.shifts.told if material.shifts else ""
+            shifts = material.shifts.description if material.shifts else ""
             rows += [("branches", material.description), ("shifts", shifts)]
         rows += [("shear", e.shear.description) for e in self.effects.values() if e.shear]
         rows += [("programme", history) for history in self.scene.sampled]
@@ -119,7 +119,7 @@ class Study(AnyStudy):
 
     @property
     def rounding(self) -> str:
-        """How the number of realizations of a point was rounded up, or ""."""
+        """State in words how the realizations of a point were rounded up, or nothing."""
         if self.realizations <= self.realizations_requested:
             return ""
         whole = f"{self.blocks} blocks of {self.realizations_per_block}"

@@ -76,7 +76,7 @@ def read_shift_table(key: str, path: Path) -> ShiftTable:
         values, read_as = np.log10(values), "; these are a_T itself"
     rows = np.stack([temperature.values - ZERO_CELSIUS, values], axis=1).tolist()
     description = describe_columns(table, columns) + read_as
-    return _shift_table(key, rows)._replace(told=description)
+    return _shift_table(key, rows)._replace(description=description)
 
 
 def _shift_table(key: str, value: object) -> ShiftTable:
