@@ -16,11 +16,13 @@ from elastomer_friction.workflow.ground import UserError
 from tests.support.python import PATIENCE
 
 
-def arrival(pool):
+def arrivals(pool, count):
     """Return what comes next."""
-    while not (actual := pool.take(0.01)):
-        pass
-    return actual[0]
+    actual, end = [], time.monotonic() + PATIENCE
+    while len(actual) < count:
+        assert time.monotonic() < end, actual
+        actual += pool.take(0.01)
+    return actual
 
 
 def submitted(pool, items, workers=()):
@@ -39,9 +41,7 @@ def test_what_is_for_one_worker_is_computed_there_and_what_is_dropped_does_not_c
     dropped = next(iter(futures))
     pool.drop([dropped])
     del futures[dropped]
-    actual = []
-    while len(actual) < 2:
-        actual += pool.take(0.01)
+    actual = arrivals(pool, 2)
     assert {one.key: one.address for one in actual} == dict.fromkeys(futures, first)
     assert pool.take(0.05) == []
     assert all(map(pool.holds, futures.values()))
@@ -87,8 +87,8 @@ def test_a_snapshot_tells_who_is_there_who_takes_up_work_and_what_has_running(cl
         client.run_on_scheduler(change, "running", first)
 
 
-def test_a_result_that_does_not_come_is_lost(client, monkeypatch):
-    """As that of a worker that was stopped when it was done."""
+def test_results_that_do_not_come_are_lost_each_by_itself(client, monkeypatch):
+    """As those of a worker that was stopped when it was done."""
 
     async def never(*_, **__):
         await asyncio.sleep(PATIENCE)
@@ -96,10 +96,12 @@ def test_a_result_that_does_not_come_is_lost(client, monkeypatch):
     monkeypatch.setattr(module, "FETCH_SECONDS", 0.05)
     monkeypatch.setattr(client, "_gather", never)
     pool = Pool(client, {"march": reciprocal})
-    futures = submitted(pool, [4.0])
-    lost = arrival(pool)
-    assert ([lost.key], lost.address) == ([*futures], "")
-    assert isinstance(lost.error, ResultLost)
+    futures = submitted(pool, [4.0, 5.0])
+    while any(map(pool.pending, futures)):
+        time.sleep(0.01)
+    lost = arrivals(pool, 2)
+    assert {one.key: one.address for one in lost} == dict.fromkeys(futures, "")
+    assert all(isinstance(one.error, ResultLost) for one in lost)
 
 
 def test_a_slow_scheduler_is_told_of_all_that_was_fetched_by_one_call_at_a_time(
@@ -120,7 +122,7 @@ def test_a_slow_scheduler_is_told_of_all_that_was_fetched_by_one_call_at_a_time(
     futures = {}
     for number in range(1, 13):
         futures |= submitted(pool, [number])
-        arrival(pool)
+        arrivals(pool, 1)
     for _ in range(int(100 * PATIENCE)):
         if running == 0 and sum(map(len, told)) == len(futures):
             break

@@ -63,6 +63,7 @@ def test_settings_of_the_user_do_not_end_workers_or_the_scheduler():
         scheduler = client.cluster.scheduler
         assert scheduler.idle_timeout is None
         assert scheduler.no_workers_timeout is None
+        assert scheduler.WORKER_SATURATION == 1.0  # no batch waits on a worker
 
 
 async def hang_a_heartbeat(dask_worker):
