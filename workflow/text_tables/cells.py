@@ -37,23 +37,23 @@ class Cells:
         Raises ValueError if there is no row of numbers, or if a row below the first has another
         length.
         """
-        text_lines = ["", *text.splitlines()]  # at their line numbers
+        text_lines = text.splitlines()
         self.delimiter, self.width, sample = _best_division(text_lines)
         self.numeric = _numeric_columns(sample, self.width)  # indices of the columns of numbers
         self.lines = array("q")  # line number of each row
-        for number, line in enumerate(text_lines):
+        for number, line in enumerate(text_lines, 1):
             if self._is_row(line, number):
                 self.lines.append(number)
         if not self.lines:
             raise ValueError("holds no row of numbers")
-        self._rows = [TRAILING_REMARK.sub("", text_lines[number]) for number in self.lines]
+        self._rows = [TRAILING_REMARK.sub("", text_lines[number - 1]) for number in self.lines]
         stated = sum(map(is_numeral, self.row(0)))
         if np.diff(self.lines[:2]).sum() > 1 and 2 * stated <= len(self.numeric):
             del self.lines[0], self._rows[0]  # a half empty row above a line of titles
-        ends = np.concatenate([[0], self.lines, [len(text_lines)]])
+        ends = np.concatenate([[0], self.lines, [len(text_lines) + 1]])
         # Index of the next row -> lines before it; those before the first row are always there.
         self.gaps = {
-            n: tuple(text_lines[ends[n] + 1 : ends[n + 1]])
+            n: tuple(text_lines[ends[n] : ends[n + 1] - 1])
             for n in sorted({0, *np.flatnonzero(np.diff(ends) > 1).tolist()})
         }
         self.above = self.gaps[0]
