@@ -56,6 +56,15 @@ def test_another_script_is_named_with_its_owner_before_it_runs(tmp_path, capsys,
     assert lines == [f"note: running {script}, owned by {name}", "it runs", "it runs"]
 
 
+@pytest.mark.parametrize("line", ["from workflow.scene import run", "import workflow.scene"])
+def test_a_script_that_imports_an_old_name_is_told_the_new_one(tmp_path, line):
+    script = tmp_path / "figure.py"
+    script.write_text(f"import json\n\n{line}\n")
+    new = r"figure.py, line 3: imports workflow.scene; import elastomer_friction\.workflow"
+    with pytest.raises(UserError, match=new):
+        load_script(script)
+
+
 def test_scale_and_set_apply(powers):
     assert read_study("powers", "smoke").settings == {"powers": 1, "base": 2.0}
     assert read_study("powers", "smoke", ["measure.base=3"]).settings["base"] == 3.0
