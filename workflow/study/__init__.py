@@ -11,26 +11,32 @@ if TYPE_CHECKING:
     from .axes import ALL_AXES, COMMON_AXES, Parts, axes_of
     from .cluster import BATCH_SYSTEMS, LOCAL, THIS_MACHINE, Cluster, walltime_seconds
     from .columns import ColumnSpec, describe_columns, find_column, select_columns
-    from .effects.heat_keys import HeatProperties
-    from .effects.material import Material, shift_law_of, shift_of
-    from .effects.motion_function import sampled_motion
-    from .effects.programme import (
+    from .effects import (
+        FOUNDATION,
+        HALF_SPACE,
+        MAX_SHIFT_DECADES,
         PROGRAMME_AXES,
+        QUANTITIES,
         FromFile,
+        HeatProperties,
         HoldSegment,
+        Material,
         Oscillate,
         RampSegment,
         Scene,
+        SceneEffects,
         Segment,
+        Shear,
         SlideSegment,
         Spring,
         Velocity,
+        accuracy_estimates,
+        sampled_motion,
+        shift_law_of,
+        shift_of,
+        shift_refusal,
+        unavailable_reason,
     )
-    from .effects.quantities import QUANTITIES, accuracy_estimates, unavailable_reason
-    from .effects.scene import FOUNDATION, HALF_SPACE
-    from .effects.scene_effects import SceneEffects
-    from .effects.shearing import Shear
-    from .effects.shifting import MAX_SHIFT_DECADES, shift_refusal
     from .measured import Measured
     from .moduli import FREQUENCIES, INCOMPRESSIBLE, MODULI, Moduli, read_moduli
     from .numerics import Numerics
@@ -39,9 +45,14 @@ if TYPE_CHECKING:
     from .scripts import load_script
     from .settings import SHIFT_KEYS, Key, default_of, integer, positive, values_of
     from .study import MAX_BLOCKS, AnyStudy, Study, read_grid_study
-    from .surfaces.profile import Profile, check_load, profile_of_array, rows_of_map
-    from .surfaces.surface import Surface
-    from .surfaces.table import read_measured_surface
+    from .surfaces import (
+        Profile,
+        Surface,
+        check_load,
+        profile_of_array,
+        read_measured_surface,
+        rows_of_map,
+    )
     from .tables import ALL_TABLES
     from .variants import COMPARE, changed_material
 

@@ -10,10 +10,9 @@ from dataclasses import replace
 from functools import partial
 from typing import Any, NamedTuple
 
-from .effects.material import Material
-from .effects.programme import Scene
+from .effects import Material, Scene
 from .settings import Key, one_or_several
-from .surfaces.surface import Surface
+from .surfaces import Surface
 
 Grid = dict[str, tuple[float, ...]]
 

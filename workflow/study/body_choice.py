@@ -9,8 +9,8 @@ from collections.abc import Mapping
 from typing import Any, NamedTuple
 
 from ..ground import UserError
-from .effects.scene import FOUNDATION, HALF_SPACE
-from .surfaces.surface import Surface
+from .effects import FOUNDATION, HALF_SPACE
+from .surfaces import Surface
 
 
 class BodyChoice(NamedTuple):

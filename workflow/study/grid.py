@@ -8,10 +8,9 @@ from typing import Any
 
 from ..ground import UserError
 from .axes import ALL_AXES, Grid, Parts, axes_of, parts_at
-from .effects.programme import Scene
+from .effects import Scene
 from .settings import Key, checked_values, filled, number, positive, values_of_axis, within
-from .surfaces.surface import Surface
-from .surfaces.table import check_cutoff
+from .surfaces import Surface, check_cutoff
 
 MAX_LINE_ELEMENTS = 1e8
 MIN_LINE_ELEMENTS = 4

@@ -12,17 +12,21 @@ from ..ground import UserError
 from .axes import ALL_AXES, Grid, Parts, parts_at, separated, with_value
 from .body_choice import choose_body, settle_body
 from .cluster import THIS_MACHINE, Cluster
-from .effects.material import Material
-from .effects.programme import PROGRAMME_AXES, Scene
-from .effects.quantities import check_quantities
-from .effects.scene import FOUNDATION, HALF_SPACE, read_scene_table
-from .effects.scene_effects import SceneEffects, read_effects
+from .effects import (
+    FOUNDATION,
+    HALF_SPACE,
+    PROGRAMME_AXES,
+    Material,
+    Scene,
+    SceneEffects,
+    check_quantities,
+    read_effects,
+    read_scene_table,
+)
 from .grid import read_grid
 from .numerics import Numerics
 from .settings import filled
-from .surfaces.profile import Profile
-from .surfaces.surface import Surface
-from .surfaces.table import read_surface
+from .surfaces import Profile, Surface, read_surface
 from .tables import ONE_POINT, STUDY, checked_tables
 from .variants import check_variants, read_variants
 

@@ -8,13 +8,11 @@ from typing import Any
 from ..ground import ErrorCollector, UserError
 from .axes import with_lists
 from .cluster import CLUSTER
-from .effects.material import MATERIAL
-from .effects.scene import SCENE
-from .effects.segment_keys import SEGMENTS
+from .effects import MATERIAL, SCENE, SEGMENTS
 from .grid import GRID
 from .numerics import NUMERICS
 from .settings import OPTIONAL, Key, as_table, as_text, check_keys, checked, integer
-from .surfaces.table import SURFACE
+from .surfaces import SURFACE
 from .variants import COMPARE
 
 Keys = Mapping[str, Key]

@@ -6,15 +6,24 @@ from pathlib import Path
 from typing import Any
 
 from ..ground import UserError
-from .effects.material import MATERIAL, Material, read_material
-from .effects.programme import FORCE, Scene
-from .effects.quantities import ELEMENT_QUANTITIES
-from .effects.scene import FOUNDATION, HALF_SPACE, SCENE
-from .effects.scene_effects import EFFECT_TABLES, SceneEffects, check_effects, compared_effect_key
-from .effects.shifting import SHIFTS
+from .effects import (
+    EFFECT_TABLES,
+    ELEMENT_QUANTITIES,
+    FORCE,
+    FOUNDATION,
+    HALF_SPACE,
+    MATERIAL,
+    SCENE,
+    SHIFTS,
+    Material,
+    Scene,
+    SceneEffects,
+    check_effects,
+    compared_effect_key,
+    read_material,
+)
 from .numerics import DEFAULTS, NUMERICS, Numerics, read_numerics
-from .surfaces.surface import Surface
-from .surfaces.table import LINE_KIND_KEYS, lines_like
+from .surfaces import LINE_KIND_KEYS, Surface, lines_like
 
 # Not the temperature: it is an axis of the grid, which all variants share.
 COMPARE = NUMERICS | {key: MATERIAL[key] for key in MATERIAL if key != "temperature"}

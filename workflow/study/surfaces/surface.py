@@ -16,7 +16,7 @@ from ....kernels import (
     rms_height,
 )
 from ....kernels.half_space.surface import isotropic_amplitudes, rms_height_of
-from ..effects.scene import FOUNDATION, HALF_SPACE
+from ..effects import FOUNDATION, HALF_SPACE
 from .profile import Profile
 
 LINE_KINDS = ("measured", "random-phase", "equivalent", "self-affine")

@@ -10,7 +10,7 @@ import numpy as np
 
 from ....kernels.lines.self_affine import NORMALISATIONS
 from ...ground import UserError
-from ..effects.scene import FOUNDATION, HALF_SPACE
+from ..effects import FOUNDATION, HALF_SPACE
 from ..settings import (
     FILE_NAME,
     OPTIONAL,
