@@ -11,7 +11,7 @@ from tests.cluster.processes import Trial, end
 from tests.support.runs import run, shards
 from tests.support.shards import held, reopened
 
-LONG, RECORDS = "study.realizations=40", 160  # a batch each
+LONG, RECORDS = "study.realizations=120", 480  # a batch each
 
 
 def ended(folder, number, *options):
