@@ -14,7 +14,7 @@ from .resolution import resolution
 MISSED, MET, MET_WHERE_DEFINED = 0, 1, 2
 MODERATED_GROUPS = 8  # of the jackknife; with fewer, errors are averaged with the scatter law
 MIN_SHAPE_GROUPS = 16  # of the jackknife, to accept that a mean curve is not exponential
-SCATTER_FREEDOM = 3.0  # of the scatter law, which holds within a factor 1.7 for two in three
+SCATTER_FREEDOM = 3.0  # degrees of freedom: two in three scatters are within 1.7 of the law
 ACCURACY_MEANINGS = "missed met met_where_defined"
 
 

@@ -66,7 +66,8 @@ def _place(action: argparse.Action) -> str:
 def _name(action: argparse.Action) -> str:
     if not action.option_strings:
         return f"`{_place(action)}`"
-    value = "" if action.nargs == 0 else f" {action.metavar or action.dest.upper()}"
+    choices = f"{{{','.join(map(str, action.choices))}}}" if action.choices else ""
+    value = "" if action.nargs == 0 else f" {action.metavar or choices or action.dest.upper()}"
     return f"`{', '.join(action.option_strings)}{value}`"
 
 

@@ -24,14 +24,14 @@ class Scaling(NamedTuple):
     powers: Powers = {}  # noqa: RUF012 - never changed
 
 
-NUMBER, CELSIUS = Scaling("1"), Scaling("degree_Celsius")
+DIMENSIONLESS, CELSIUS = Scaling("1"), Scaling("degree_Celsius")
 SLOPE = Scaling("1", {"roughness": 1, "spacing": -1})
 HEIGHT, LENGTH = Scaling("m", {"roughness": 1}), Scaling("m", {"spacing": 1})
-TIME, SPEED = Scaling("s", {"tau": 1}), Scaling("m s-1", {"spacing": 1, "tau": -1})
+DURATION, SPEED = Scaling("s", {"tau": 1}), Scaling("m s-1", {"spacing": 1, "tau": -1})
 RATE = Scaling("s-1", {"roughness": 1, "spacing": -1, "tau": -1})
 PRESSURE = Scaling("Pa", {"modulus": 1, "roughness": 1, "spacing": -1})
-FORCE = Scaling("N", {"stiffness": 1, "roughness": 1})
-FRICTION = Scaling("N", {"stiffness": 1, "roughness": 2, "spacing": -1})
+NORMAL_FORCE = Scaling("N", {"stiffness": 1, "roughness": 1})
+FRICTION_FORCE = Scaling("N", {"stiffness": 1, "roughness": 2, "spacing": -1})
 ENERGY = Scaling("J", {"stiffness": 1, "roughness": 2})
 
 GRID_DIMS, HURST_DIMS = COMMON_AXES, ("hurst",)
@@ -64,7 +64,7 @@ class Variable(NamedTuple):
     """Declaration of one variable."""
 
     long_name: str
-    scaling: Scaling = NUMBER
+    scaling: Scaling = DIMENSIONLESS
     dims: tuple[str, ...] = GRID_DIMS
     comment: str = ""
     dtype: str = "float64"
@@ -213,7 +213,7 @@ NO_STATE_COMMENT = (
 SCENES = {
     "tau": Variable("time scale: relaxation_time + sum g_b t_b/G", Scaling("s")),
     "power_spectrum": Variable("power spectrum C_1D of the lines", Scaling("m3"), ("wave_number",)),
-    "trace_time": Variable("time to which the friction belongs", TIME, EVENT_DIMS),
+    "trace_time": Variable("time to which the friction belongs", DURATION, EVENT_DIMS),
     "trace_distance": Variable("position of the line", LENGTH, EVENT_DIMS),
     "trace_velocity": Variable("velocity of the line", SPEED, EVENT_DIMS),
     "trace_segment": Variable(
@@ -232,9 +232,9 @@ SCENES = {
     "trace_indentation": Variable(
         "indentation d over the mean line", HEIGHT, EVENT_DIMS, comment=SIGN_OF_D
     ),
-    "trace_normal_force": Variable("normal force", FORCE, EVENT_DIMS),
-    "trace_friction_force": Variable("friction force", FRICTION, EVENT_DIMS),
-    "trace_drive_force": Variable("force of the drive", FRICTION, EVENT_DIMS),
+    "trace_normal_force": Variable("normal force", NORMAL_FORCE, EVENT_DIMS),
+    "trace_friction_force": Variable("friction force", FRICTION_FORCE, EVENT_DIMS),
+    "trace_drive_force": Variable("force of the drive", FRICTION_FORCE, EVENT_DIMS),
     "trace_contact_temperature": Variable(
         "temperature of the contact in a step", CELSIUS, EVENT_DIMS
     ),
@@ -264,7 +264,7 @@ SCENES = {
     ),
     "slip_period": Variable(
         "period of stick and slip",
-        TIME,
+        DURATION,
         comment=f"{SLIP_COMMENT}; NaN: a line slips fewer than two times there",
     ),
     "peak_velocity": Variable("highest velocity of the line", SPEED, comment=SLIP_COMMENT),
@@ -273,12 +273,12 @@ SCENES = {
         comment=SLIP_STATUS_COMMENT,
         dtype=FLAG_DTYPE,
     ),
-    "slip_event_time": Variable("time of an event of the line", TIME, SLIP_EVENT_DIMS),
+    "slip_event_time": Variable("time of an event of the line", DURATION, SLIP_EVENT_DIMS),
     "slip_event_kind": Variable(
         "kind of an event of the line", dims=SLIP_EVENT_DIMS, dtype=FLAG_DTYPE
     ),
     "peak": Variable("largest mu - mu_1 after the velocity step, in its direction", SLOPE),
-    "peak_time": Variable("time of the peak since the velocity step", TIME),
+    "peak_time": Variable("time of the peak since the velocity step", DURATION),
     "initial_rate": Variable(
         "rate of mu just after the velocity step",
         RATE,

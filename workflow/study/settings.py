@@ -20,7 +20,7 @@ from ..ground import ErrorCollector, UserError, did_you_mean
 Schema = dict[str, Any]
 REQUIRED = object()
 SHIFT_KEYS = ("wlf", "arrhenius", "shifts")  # keys of [material]; here, where no package is loaded
-MAX_INTEGER = 10**9  # stands for "no upper bound"; messages mention it above it
+MAX_INTEGER = 10**9  # largest accepted; messages state it only for larger values
 
 
 def toml_text(value: object) -> str:

@@ -56,7 +56,7 @@ def peak_bytes() -> int:
 
 
 def require_memory(size: int) -> None:
-    """Raise MemoryError unless so many bytes can be allocated, without which a library aborts."""
+    """Raise MemoryError unless ``size`` bytes are free, without which a library may crash."""
     try:
         mmap.mmap(-1, size).close()
     except OSError as error:

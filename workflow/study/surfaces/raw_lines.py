@@ -30,7 +30,7 @@ class LineFile(NamedTuple):
 
     @property
     def prefix(self) -> str:
-        """Return the start of messages."""
+        """Return the start of messages: key and file."""
         return f"{KEY} = {self.name!r}"
 
     def refused(self, reason: str) -> UserError:
